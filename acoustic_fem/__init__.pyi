@@ -16,7 +16,7 @@ from . import (
 )
 from .library.exchange import load as load, save as save
 from .library.netcdf_file import LibraryError as LibraryError
-from .library.result import Library as Library
 from .library.solving import solve as solve
+from .library.transfer_functions import Library as Library
 from .quantities.fidelity import FIDELITIES as FIDELITIES
 from .quantities.medium import Medium as Medium

@@ -27,9 +27,9 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.whole_files import replace_section
 from localize.recalibration.accuracy_to_expect import ENOUGH, expected_accuracy, is_enough
 from localize.signals.array_response import response_of
-from studies.made_sensor.priors import fit_priors
-from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
-from studies.made_sensor.rig_parameters import rig_tolerances, within_95
+from studies.test_rig.priors import fit_priors
+from studies.test_rig.rig_parameters import rig_tolerances, within_95
+from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "calibration.md"
 BEGIN, END = "<!-- rigs: made by benchmarks/calibration.py -->", "<!-- end -->"

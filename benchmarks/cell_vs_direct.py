@@ -29,7 +29,7 @@ from benchmarks.one_mesh import CELL, in_one_mesh, in_pieces
 from geometry.air.cells import Cell
 from geometry.air.mesh import SolidMesh, mesh_solid
 from geometry.air.volume import MIDPLANE, MIRROR, air_volume
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 from tests.support.reference_data import AIR
 
 FREQUENCY = np.geomspace(1, 100, 64)

@@ -15,8 +15,8 @@ import geometry
 from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.calibration.model_discrepancy import COMMON, OF_MICROPHONE, OWN, TOTAL
 from geometry.ground.whole_files import replace_section
-from studies.made_sensor.rig import HiddenScatter, Rig
-from studies.made_sensor.rig_parameters import hidden_parameters
+from studies.test_rig.rig_parameters import hidden_parameters
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "calibration.md"
 BEGIN, END = "<!-- discrepancy: made by benchmarks/discrepancy.py -->", "<!-- end of discrepancy -->"

@@ -20,10 +20,10 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.calibration.model_discrepancy import draw
-from acoustic_fem.library.result import measured_library
+from acoustic_fem.library.transfer_functions import measured_library
 from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import response_of
-from studies.made_sensor.rig import HiddenScatter, Rig
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "calibration.md"
 BEGIN, END = "<!-- drift: made by benchmarks/drift.py -->", "<!-- end of drift -->"

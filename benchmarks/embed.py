@@ -18,7 +18,7 @@ from benchmarks.boards import run_on_board
 from benchmarks.embedded_touches import LIMIT, STATES, array_of, decided_of, in_the_wake
 from geometry.ground.whole_files import replace_section
 from localize.embedded import Cost, cost_of, embed
-from localize.embedded.tables import PRECISIONS, embedded_tables
+from localize.embedded.decoder_tables import PRECISIONS, embedded_tables
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "embed.md"
 SEED, TAKES = 2077, 100

@@ -21,9 +21,9 @@ import geometry
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import response_of
-from studies.made_sensor.rig import Rig
 from studies.metrics.scatter_detection import scatter_detection
 from studies.study.metric_registry import METRICS
+from studies.test_rig.virtual_rig import Rig
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "evidence" / "designs.md"

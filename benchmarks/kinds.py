@@ -27,11 +27,11 @@ from localize.contacts import Contact, ContactRecorder, double_tap, press, tap
 from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import wilson_interval
 from localize.recognition import PROFILES, SPEED, SUBJECTS, TakeMaker, texture_force
-from localize.recognition.hearing import Ear
+from localize.recognition.filter_bank import Ear
 from localize.recognition.power_maps import maps_of
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.tracking import straight_slide
-from studies.output.figures import draw_confusion
+from studies.output.response_figures import draw_confusion
 
 ROOT = Path(__file__).parents[1]
 PAGE, IMAGES = ROOT / "docs" / "evidence" / "moving-touches.md", ROOT / "docs" / "images"

@@ -23,10 +23,10 @@ import localize
 from geometry.ground.whole_files import replace_section
 from localize.contacts import FEATHER, FINGER, STYLUS
 from localize.evaluation.accuracy import wilson_interval
-from localize.recognition.letters import LETTERS, Hand
-from localize.recognition.writing import LetterMaker, LineReader
+from localize.recognition.handwriting import LetterMaker, LineReader
+from localize.recognition.letter_classifier import LETTERS, Hand
 from localize.signals.array_response import ArrayResponse, response_of
-from studies.output.figures import draw_confusion
+from studies.output.response_figures import draw_confusion
 
 ROOT = Path(__file__).parents[1]
 PAGE, PICTURE = ROOT / "docs" / "evidence" / "moving-touches.md", ROOT / "docs" / "images" / "letters-confusion.png"

@@ -11,8 +11,8 @@ import numpy as np
 
 import geometry
 from localize.signals.array_response import ArrayResponse, interpolated, response_of
-from studies.made_sensor.calibrating import calibrate_sensor
-from studies.made_sensor.rig import Recorder, Rig
+from studies.test_rig.calibrating import calibrate_sensor
+from studies.test_rig.virtual_rig import Recorder, Rig
 
 #: Frequencies, Hz: the rig's sensors are not heard beyond.
 HEARD = np.geomspace(0.5, 160.0, 150)

@@ -24,8 +24,8 @@ from geometry.ground.whole_files import replace_section
 from localize import Decision, read_recording, touches_of
 from localize.recordings.touch_manifest import Part, read_touch_manifest
 from studies.listening.opening import Decoding, open_localizer, open_stream
-from studies.made_sensor.rig import HiddenScatter, Rig
-from studies.made_sensor.rig_touches import TouchSession, record_touches
+from studies.test_rig.rig_touches import TouchSession, record_touches
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "calibration.md"
 BEGIN, END = "<!-- on the table: made by benchmarks/on_the_table.py -->", "<!-- end of on the table -->"

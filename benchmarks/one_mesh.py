@@ -14,7 +14,7 @@ from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.fields.navier_stokes import WallMotion
 from geometry.air.cells import Cell
 from geometry.air.mesh import SolidMesh, mesh_solid
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 from tests.support.reference_data import AIR
 
 BORE, RADIUS, HEIGHT, LENGTH = 0.5, 3.0, 2.5, 12.5  # mm

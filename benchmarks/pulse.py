@@ -20,7 +20,7 @@ import geometry
 import localize
 from geometry.ground.whole_files import replace_section
 from localize.contacts import Contact, ContactRecorder, covered_force, pulse_times, pulse_wave
-from localize.contacts.gestures import WAVES
+from localize.contacts.finger_gestures import WAVES
 from localize.evaluation.accuracy import wilson_interval
 from localize.recognition.pulse import PulseDecoder
 from localize.recognition.takes import prepared

@@ -26,8 +26,8 @@ import localize
 from localize.learned.recorded_frames import RecordedFrames
 from localize.recordings.touch_manifest import PARTS
 from localize.signals.array_response import response_of
-from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
-from studies.made_sensor.rig_touches import TouchSession, record_touches
+from studies.test_rig.rig_touches import TouchSession, record_touches
+from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 NOISE = 1e-3
 PLAN = localize.TrainingPlan(epochs=6, microphone_noise=NOISE, stimuli=("multi-sines", "taps", "friction"))

@@ -18,12 +18,12 @@ from natural_touches import NATURAL, SINES, touched
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.library.result import Library
+from acoustic_fem.library.transfer_functions import Library
 from geometry.ground.whole_files import replace_section
 from localize.live.front_end import HIGH_PASS
 from localize.recalibration.self_calibration import SelfCalibration, self_calibrate
 from localize.signals.array_response import ArrayResponse, response_of
-from studies.made_sensor.rig import HiddenScatter, Rig
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 BEGIN, END = "<!-- self-calibration: made by benchmarks/self_calibration.py -->", "<!-- end of self-calibration -->"
 COUNT, SENSORS = 200, 6

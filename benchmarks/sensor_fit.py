@@ -21,8 +21,8 @@ from geometry.ground.whole_files import replace_section
 from localize import TolerantDecoder, TouchStream, read_recording
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
 from localize.live.front_end import Listening
-from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
-from studies.made_sensor.rig_touches import TouchSession, record_touches
+from studies.test_rig.rig_touches import TouchSession, record_touches
+from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "streams.md"
 BEGIN, END = "<!-- sensor fit: made by benchmarks/sensor_fit.py -->", "<!-- end of sensor fit -->"

@@ -43,7 +43,7 @@ from geometry import ArrayDesign
 from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.touch_generator import SHARD
-from studies.metrics.responses import Responses
+from studies.metrics.batch_responses import Responses
 from studies.study.metric_registry import metrics_named
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "speed.md"
@@ -161,7 +161,7 @@ from pathlib import Path
 from acoustic_fem.cell import one_cell
 from benchmarks.one_mesh import BORE, HEIGHT, RADIUS
 from geometry.air.cells import Cell
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 from tests.support.reference_data import AIR
 angles, part, accuracy, highest = eval(sys.argv[1])
 one_cell.DESIGN_ACCURACY = accuracy or one_cell.DESIGN_ACCURACY

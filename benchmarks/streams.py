@@ -24,7 +24,7 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.batch.network import batch_response
-from acoustic_fem.library.result import Library
+from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign, Tolerance
 from geometry.ground.whole_files import replace_section

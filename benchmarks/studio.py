@@ -158,7 +158,7 @@ def write_taps(design: str, path: Path, count: int = 7) -> list[float]:
     """Taps one after the other, written for :data:`FULL_SCALE`; when they begin, without the first, s."""
     from acoustic_fem.sound.sound_file import write_wav
     from geometry import prototype
-    from localize.contacts.bodies import QUIET
+    from localize.contacts.contact_shapes import QUIET
     from studies.panels.touching import touched
 
     array = prototype(design)

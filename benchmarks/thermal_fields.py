@@ -17,7 +17,7 @@ from acoustic_fem.fields.diffusion import diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 FREQUENCY = np.geomspace(DESIGN_BAND[0], CHECKED_UP_TO, 9)
 #: Of the elements; half of what the accuracy of a design's cells asks for.

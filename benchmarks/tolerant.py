@@ -1,9 +1,9 @@
 """What a sensor that nobody calibrated is decoded with: the nominal decoder and the one that knows the tolerances.
 
 ``python benchmarks/tolerant.py --write`` writes docs/evidence/tolerant.csv and the table of docs/evidence/decoder.md
-anew. Signals are those of virtual rigs (:mod:`studies.made_sensor.rig`), which have more than the decoder draws; seeds
-from ``FIRST`` on, of which no constant was chosen. ``--sensors 4 --designs line-2`` for a look; all of it takes a
-quarter of an hour of one core.
+anew. Signals are those of virtual rigs (:mod:`studies.test_rig.virtual_rig`), which have more than the decoder
+draws; seeds from ``FIRST`` on, of which no constant was chosen. ``--sensors 4 --designs line-2`` for a look; all of
+it takes a quarter of an hour of one core.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from geometry.ground.whole_files import replace_section, write_text
 from localize.evaluation.accuracy import Evaluation
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.finger_stimuli import STIMULI
-from studies.made_sensor.rig import HiddenScatter, Rig
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 EVIDENCE = Path(__file__).parents[1] / "docs" / "evidence"
 PAGE, ROWS = EVIDENCE / "decoder.md", EVIDENCE / "tolerant.csv"

@@ -17,7 +17,7 @@ import geometry
 import studies
 from localize.contacts import Tool, joined, press, stroke, tap
 from localize.signals import response_of
-from studies.made_sensor import record_contact
+from studies.test_rig import record_contact
 
 DOCS = Path(__file__).parent
 SEED = 17

@@ -9,12 +9,12 @@ from . import (
     pictures as pictures,
     plan as plan,
     printing as printing,
+    schema as schema,
     solids as solids,
-    stated as stated,
 )
 from .assembly.bill import bill_of_materials as bill_of_materials
 from .assembly.model import build_assembly as build_assembly
-from .assembly.parts import build_parts as build_parts
+from .assembly.part_list import build_parts as build_parts
 from .design.array_design import ArrayDesign as ArrayDesign
 from .design.design_file import (
     load_design as load_design,
@@ -25,5 +25,5 @@ from .design.design_file import (
 )
 from .formats.part_files import export as export
 from .ground.refusal import Kind as Kind, Refusal as Refusal
-from .printing.report import print_report as print_report
-from .stated.fields import DesignError as DesignError
+from .printing.printability import print_report as print_report
+from .schema.field_errors import DesignError as DesignError

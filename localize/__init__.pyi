@@ -36,8 +36,8 @@ from .learned.localizer import (
     load_localizer as load_localizer,
 )
 from .learned.onnx import export_onnx as export_onnx
-from .learned.plan import TrainingPlan as TrainingPlan
 from .learned.training import train as train
+from .learned.training_plan import TrainingPlan as TrainingPlan
 from .live.events import Decision as Decision, Fault as Fault, TouchEvent as TouchEvent
 from .live.front_end import Listening as Listening
 from .live.stream import TouchStream as TouchStream
@@ -49,8 +49,8 @@ from .recalibration.self_calibration import (
     self_calibrate as self_calibrate,
 )
 from .recognition.learning import train_recognizer as train_recognizer
-from .recognition.plan import RecognitionPlan as RecognitionPlan
 from .recognition.pulse import PulseReader as PulseReader, PulseReading as PulseReading
+from .recognition.recognition_plan import RecognitionPlan as RecognitionPlan
 from .recognition.recognizer import (
     Recognizer as Recognizer,
     RecognizerError as RecognizerError,
@@ -63,7 +63,7 @@ from .recordings.recording import (
 )
 from .signals.array_response import ArrayResponse as ArrayResponse
 from .signals.touch_generator import TouchGenerator as TouchGenerator
-from .tracking.gestures import Gesture as Gesture, gesture_of as gesture_of
 from .tracking.path import PathTracker as PathTracker, Track as Track
+from .tracking.path_gestures import Gesture as Gesture, gesture_of as gesture_of
 from .tracking.position import PositionDecoder as PositionDecoder, Positions as Positions
-from .tracking.recorded import track as track
+from .tracking.signal_track import track as track

@@ -1,10 +1,9 @@
 from . import (
     bending as bending,
     cli as cli,
+    evaluation as evaluation,
     findings as findings,
-    judging as judging,
     listening as listening,
-    made_sensor as made_sensor,
     metrics as metrics,
     optimization as optimization,
     output as output,
@@ -14,9 +13,16 @@ from . import (
     studio as studio,
     study as study,
     sweep as sweep,
+    test_rig as test_rig,
 )
-from .bending.rig import BendingRig as BendingRig
-from .bending.studying import BendingStudy as BendingStudy, bending_study as bending_study
+from .bending.bending_rig import BendingRig as BendingRig
+from .bending.bending_run import BendingStudy as BendingStudy, bending_study as bending_study
+from .evaluation.localizer_evaluation import evaluate_localizer as evaluate_localizer
+from .evaluation.localizer_training import (
+    TrainedLocalizer as TrainedLocalizer,
+    train_kinds as train_kinds,
+    train_localizer as train_localizer,
+)
 from .findings.reporting import (
     BestDesigns as BestDesigns,
     best_designs as best_designs,
@@ -24,12 +30,6 @@ from .findings.reporting import (
     sweep_report as sweep_report,
 )
 from .findings.searching import Search as Search, optimize as optimize
-from .judging.evaluating import evaluate_localizer as evaluate_localizer
-from .judging.training import (
-    TrainedLocalizer as TrainedLocalizer,
-    train_kinds as train_kinds,
-    train_localizer as train_localizer,
-)
 from .listening.embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder as embed_decoder
 from .listening.exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
 from .listening.live import LiveInput as LiveInput, LiveSummary as LiveSummary, listen as listen
@@ -41,26 +41,26 @@ from .listening.recognized import (
 )
 from .listening.recorded import LocatedTouches as LocatedTouches, locate_recording as locate_recording
 from .listening.tracked import TrackedRecording as TrackedRecording, track_recording as track_recording
-from .made_sensor.calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
-from .made_sensor.recalibrating import Recalibration as Recalibration, recalibrate as recalibrate
-from .made_sensor.rig import HiddenScatter as HiddenScatter, Recorder as Recorder, Rig as Rig
-from .made_sensor.rig_session import RigSession as RigSession, record_rig as record_rig
-from .made_sensor.rig_touches import TouchSession as TouchSession
 from .optimization.problem import load_optimization as load_optimization
 from .output.display import Display as Display
-from .run.chain import run_design as run_design
 from .run.check import DesignCheck as DesignCheck, check_design as check_design
-from .run.libraries import convert_library as convert_library, solve_library as solve_library
+from .run.library_files import convert_library as convert_library, solve_library as solve_library
 from .run.part_folder import MadeParts as MadeParts, export_parts as export_parts
+from .run.pipeline import run_design as run_design
 from .run.prototypes import copy_prototype as copy_prototype
 from .run.quality import DesignQuality as DesignQuality
-from .run.result import RunResult as RunResult
+from .run.run_result import RunResult as RunResult
 from .run.starting import new_design as new_design
 from .run.wiring import wiring_table as wiring_table
-from .scatter.studying import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
+from .scatter.tolerance_run import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
 from .studio.serving import serve_studio as serve_studio
 from .study.file import load_study as load_study
 from .study.study import Study as Study
 from .sweep.plan import Plan as Plan, plan_sweep as plan_sweep
 from .sweep.run import Summary as Summary, run_sweep as run_sweep
 from .sweep.store import Sweep as Sweep, open_sweep as open_sweep
+from .test_rig.calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
+from .test_rig.recalibrating import Recalibration as Recalibration, recalibrate as recalibrate
+from .test_rig.rig_session import RigSession as RigSession, record_rig as record_rig
+from .test_rig.rig_touches import TouchSession as TouchSession
+from .test_rig.virtual_rig import HiddenScatter as HiddenScatter, Recorder as Recorder, Rig as Rig

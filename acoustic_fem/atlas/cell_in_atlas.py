@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.atlas.table import CellAtlas, Opening, OutsideAtlas, cell_atlas
+from acoustic_fem.atlas.cell_table import CellAtlas, Opening, OutsideAtlas, cell_atlas
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.duct.known_bores import known_port_admittance
-from acoustic_fem.duct.opening import entrance_impedance
+from acoustic_fem.duct.tube_opening import entrance_impedance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell

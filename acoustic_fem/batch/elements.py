@@ -1,6 +1,6 @@
 """Tubes, cavities, membranes and microphones in closed form on batches: (n_design, n_column, n_freq) arrays.
 
-The same models as the lumped fidelity (:mod:`acoustic_fem.duct`, :mod:`acoustic_fem.duct.opening`,
+The same models as the lumped fidelity (:mod:`acoustic_fem.duct`, :mod:`acoustic_fem.duct.tube_opening`,
 :mod:`acoustic_fem.cavity`, :mod:`acoustic_fem.network.microphone`), with their sources and validity, arranged so that
 nothing cancels at low frequency: a tube is a series admittance and a shunt at each end, not a matrix Y.
 """
@@ -17,7 +17,7 @@ from acoustic_fem.batch.interpolation import cylinder_means, disc_means
 from acoustic_fem.batch.means import ball_mean, hyperbolic
 from acoustic_fem.batch.numpy_or_torch import inverse, largest
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
-from acoustic_fem.duct.opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
+from acoustic_fem.duct.tube_opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
 from acoustic_fem.membrane.rubber import causal_slope, modulus_ratio
 from acoustic_fem.quantities.medium import Medium
 from geometry.ground.typed import NumpyOrTorch
@@ -255,7 +255,9 @@ def _duct(radius: NumpyOrTorch, length: NumpyOrTorch, air: Conditions, wall: Num
 
 
 def _entrance(radius: NumpyOrTorch, air: Conditions) -> NumpyOrTorch:
-    """Z = 1.5 mu / a^3 + j w 0.42 rho / a, with the warning of :func:`acoustic_fem.duct.opening.entrance_impedance`."""
+    """Z = 1.5 mu / a^3 + j w 0.42 rho / a, with the warning of
+    :func:`acoustic_fem.duct.tube_opening.entrance_impedance`.
+    """
     shear = (largest(radius * radius * air.per_viscosity) * largest(air.omega)) ** 0.5
     if shear > LARGEST_SHEAR_NUMBER:
         warnings.warn(

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from acoustic_fem.atlas.cell_in_atlas import check_gas, opening_node
-from acoustic_fem.atlas.table import CellAtlas, House, Opening, cell_atlas
+from acoustic_fem.atlas.cell_table import CellAtlas, House, Opening, cell_atlas
 from acoustic_fem.batch.elements import Chambers, Conditions, Ducts, Points, Tubes, chambers, ducts, yielding
 from acoustic_fem.batch.numpy_or_torch import inverse, namespace
 from acoustic_fem.batch.parameters import ArrayParameters

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal, counted
-from geometry.stated.parts import Tube
+from geometry.schema.part_fields import Tube
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.calibration.model_discrepancy import TOTAL
 from acoustic_fem.duct.leak import leak_conductance
-from acoustic_fem.library.result import Library
+from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.network.microphone import vent_ratio
 from acoustic_fem.quantities.checks import in_range
 from geometry.design.array_design import ArrayDesign

@@ -31,7 +31,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names, resolve_design
 from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import read_toml
-from geometry.stated.fields import model_of
+from geometry.schema.field_errors import model_of
 
 #: The channel of the calibration microphone.
 REFERENCE = "reference"

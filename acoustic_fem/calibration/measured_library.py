@@ -20,7 +20,7 @@ from acoustic_fem.calibration.recording_checks import (
     check_signals,
     check_steady,
 )
-from acoustic_fem.library.result import Library, described, measured_library
+from acoustic_fem.library.transfer_functions import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
 from geometry.ground.file_checks import MOST_NUMBERS

@@ -18,7 +18,7 @@ from acoustic_fem.quantities.checks import numbers, positive
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.ground.extras import installed_version
-from geometry.stated.cavity_shapes import Box, Dome, draw_cavity
+from geometry.schema.cavity_shapes import Box, Dome, draw_cavity
 
 #: Relative error of the compliance that the mesh is refined to, and the scale of the first one that may do.
 ACCURACY = 1e-3

@@ -182,7 +182,7 @@ def solve_solid(
     """
     from acoustic_fem.cell.condensed import AirModel, BodyFaces
     from geometry.air.mirror_symmetry import mirror_half
-    from geometry.air.soundness import sound_solid
+    from geometry.air.solid_checks import sound_solid
     from geometry.air.volume import MIRROR
 
     accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)

@@ -1,12 +1,6 @@
 from .coil_bore import CoilBore as CoilBore
 from .leak import leak_conductance as leak_conductance
 from .meshed_section import MeshedSection as MeshedSection
-from .opening import (
-    INERTANCE as INERTANCE,
-    LARGEST_SHEAR_NUMBER as LARGEST_SHEAR_NUMBER,
-    RESISTANCE as RESISTANCE,
-    entrance_impedance as entrance_impedance,
-)
 from .plane_wave import (
     CompliantWall as CompliantWall,
     UserLine as UserLine,
@@ -19,4 +13,10 @@ from .sections import (
     RectangularSection as RectangularSection,
     SlitSection as SlitSection,
     TriangularSection as TriangularSection,
+)
+from .tube_opening import (
+    INERTANCE as INERTANCE,
+    LARGEST_SHEAR_NUMBER as LARGEST_SHEAR_NUMBER,
+    RESISTANCE as RESISTANCE,
+    entrance_impedance as entrance_impedance,
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from acoustic_fem.duct.opening import RESISTANCE
+from acoustic_fem.duct.tube_opening import RESISTANCE
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
 

@@ -1,6 +1,6 @@
 from .exchange import FORMATS as FORMATS, export as export, load as load
 from .netcdf_file import LibraryError as LibraryError
-from .noise import (
+from .noise_floor import (
     detectable_density as detectable_density,
     detection_limits as detection_limits,
     gas_temperature as gas_temperature,
@@ -9,11 +9,11 @@ from .noise import (
     thermal_covariance as thermal_covariance,
 )
 from .provenance import versions as versions
-from .result import (
+from .solving import solve as solve
+from .transfer_functions import (
     MEASURED as MEASURED,
     Library as Library,
     described as described,
     library_from_arrays as library_from_arrays,
     measured_library as measured_library,
 )
-from .solving import solve as solve

@@ -32,8 +32,8 @@ from acoustic_fem.library.netcdf_file import (
     with_checksums,
     write_netcdf,
 )
-from acoustic_fem.library.result import MEASURED, Library
 from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
+from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_stored_design

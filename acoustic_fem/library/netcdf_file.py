@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from acoustic_fem.library.checksums import CHECKSUMS, NoChecksumWarning, check_checksums, checksums
 from acoustic_fem.library.physics import check_physics
-from acoustic_fem.library.result import (
+from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
+from acoustic_fem.library.transfer_functions import (
     DEVIATION,
     MEASURED,
     OPTIONAL,
@@ -25,7 +26,6 @@ from acoustic_fem.library.result import (
     Library,
     library_from_arrays,
 )
-from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
@@ -52,7 +52,7 @@ def write_netcdf(library: Library, path: Path) -> None:
 
     Complex variables become NAME_real and NAME_imag; the design (TOML), the air and the provenance (JSON)
     are global attributes. The response per newton is written for other tools; :func:`load_netcdf` leaves it to
-    :attr:`acoustic_fem.library.result.Library.force_response`, since it follows from the rest.
+    :attr:`acoustic_fem.library.transfer_functions.Library.force_response`, since it follows from the rest.
 
     Raises:
         LibraryError: the file cannot be written.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.library.responses import array_responses
+from acoustic_fem.library.network_responses import array_responses
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 
@@ -26,7 +26,7 @@ def air_ratio(
         after: the air in which they are wanted.
 
     Returns:
-        Arrays by the names and shapes of :data:`acoustic_fem.library.result.VARIABLES`, dimensionless.
+        Arrays by the names and shapes of :data:`acoustic_fem.library.transfer_functions.VARIABLES`, dimensionless.
     """
     known, _ = array_responses(design, frequency, "lumped", before)
     wanted, _ = array_responses(design, frequency, "lumped", after)

@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from acoustic_fem.library.result import MEASURED, Library
+from acoustic_fem.library.transfer_functions import MEASURED, Library
 from geometry.ground.refusal import Refusal
 
 #: Part of the size of impedances by which resistances may be negative, and impedances unequal, from rounding: cells

@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 from numpy.typing import ArrayLike
 
+from acoustic_fem.library.network_responses import array_responses
 from acoustic_fem.library.provenance import library_provenance
-from acoustic_fem.library.responses import array_responses
-from acoustic_fem.library.result import Library, library_from_arrays
+from acoustic_fem.library.transfer_functions import Library, library_from_arrays
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.local_air import design_air

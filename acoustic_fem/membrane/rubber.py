@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.quantities.checks import in_range, positive
 from geometry.ground.refusal import Refusal
-from geometry.stated.materials import Material
+from geometry.schema.materials import Material
 
 
 def causal_slope(loss: Any) -> Any:

@@ -1,5 +1,5 @@
 from .array_network import solve_network as solve_network
-from .chain import TwoPort as TwoPort, join as join
+from .chain_matrices import TwoPort as TwoPort, join as join
 from .microphone import (
     circuit_elements as circuit_elements,
     load_admittance as load_admittance,

@@ -1,7 +1,7 @@
 """The whole array as a network of port admittances: cells, ducts, membranes, leaks, microphones.
 
-Every line is condensed to a two-port (:mod:`acoustic_fem.network.chain`); what remains is one small dense system of the
-microphone chambers. The cost is proportional to the number of points.
+Every line is condensed to a two-port (:mod:`acoustic_fem.network.chain_matrices`); what remains is one small dense
+system of the microphone chambers. The cost is proportional to the number of points.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from acoustic_fem.duct.known_bores import known_port_admittance
 from acoustic_fem.duct.plane_wave import CompliantWall, Line, two_port
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
-from acoustic_fem.network.chain import PointCell, TwoPort, chains_of, join
+from acoustic_fem.network.chain_matrices import PointCell, TwoPort, chains_of, join
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.network.yielding import beside_air, sheath_compliance, soft_rubber
 from acoustic_fem.quantities.medium import Medium
@@ -27,7 +27,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import ComplexArray
 from geometry.layout.placement import Housings
-from geometry.stated.parts import Tube
+from geometry.schema.part_fields import Tube
 
 #: A tube that is nothing but its two stubs still gets a duct this much of its length, so that its ends
 #: stay two nodes.

@@ -13,7 +13,7 @@ from acoustic_fem.cavity.closed_forms import closed_sphere_compliance
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres
-from geometry.stated.parts import Microphone
+from geometry.schema.part_fields import Microphone
 
 
 def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:

@@ -16,7 +16,7 @@ from acoustic_fem.membrane.rubber import ELASTIC, Rubber
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
-from geometry.stated.parts import Tube
+from geometry.schema.part_fields import Tube
 
 
 def design_leak(design: ArrayDesign, medium: Medium) -> float:

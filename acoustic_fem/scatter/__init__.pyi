@@ -1,4 +1,4 @@
-from .made_sensors import (
+from .as_built_sensors import (
     made_fidelity as made_fidelity,
     made_transfer_functions as made_transfer_functions,
     scatter_factors as scatter_factors,

@@ -87,7 +87,7 @@ TOLERANCES = (
     Tolerance("cavity_height", 0.05, "absolute", "assumed: two layers of 0.05 mm, two deviations"),
     Tolerance("membrane_thickness", 0.05, "absolute", "print_processes.CAST_THICKNESS: 0.1 mm, two deviations"),
     Tolerance("modulus_of_part", 0.03, "relative", "assumed: mixing and curing from disc to disc"),
-    Tolerance("modulus_of_batch", 0.15, "relative", "geometry.stated.materials: Gent's formula, 30 %, two deviations"),
+    Tolerance("modulus_of_batch", 0.15, "relative", "geometry.schema.materials: Gent's formula, 30 %, two deviations"),
     Tolerance("glue_overrun", 0.05, "absolute", "assumed: glue creeps over the rim by a bead's foot, half-normal"),
 )  # fmt: skip
 
@@ -99,7 +99,7 @@ UNCALIBRATED = (
     Tolerance("bore", 0.05, "relative", _WIDE),
     Tolerance("cavity_height", 0.05, "relative", _WIDE),
     Tolerance("modulus_of_part", 0.10, "relative", _WIDE),
-    Tolerance("modulus_of_batch", 0.15, "relative", "geometry.stated.materials: Gent's formula, 30 %, two deviations"),
+    Tolerance("modulus_of_batch", 0.15, "relative", "geometry.schema.materials: Gent's formula, 30 %, two deviations"),
     Tolerance("length", 0.01, "relative", _WIDE),
     Tolerance("chamber_height", 0.10, "relative", _WIDE),
     Tolerance("microphone_gain", 0.05, "relative", "assumed: +-1 dB of MEMS microphones, two deviations"),

@@ -23,10 +23,10 @@ from numpy.typing import NDArray
 import acoustic_fem.atlas
 from acoustic_fem.atlas.polynomial import layer_number
 from acoustic_fem.cell.lumped import lumped_admittance
-from acoustic_fem.duct.opening import INERTANCE, RESISTANCE
+from acoustic_fem.duct.tube_opening import INERTANCE, RESISTANCE
 from benchmarks.atlas.samples import FREQUENCY, MEDIUM, SEEDS
 from geometry.air.cells import Cell
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 #: What meshes lack, over s^2.
 Bias = Callable[[NDArray[np.float64]], NDArray[np.complex128]]

@@ -12,7 +12,7 @@ import numpy as np
 
 import geometry
 from acoustic_fem.atlas.cell_in_atlas import check_cell
-from acoustic_fem.atlas.table import cell_atlas
+from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.quantities.local_air import design_air
 from benchmarks.atlas.fitting import BOUNDS

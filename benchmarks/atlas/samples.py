@@ -23,7 +23,7 @@ from acoustic_fem.cell.one_cell import marked_solid
 from acoustic_fem.fields.diffusion import diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from geometry.air.cells import Cell
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 HIGHEST = 500.0
 SEEDS = (19, 20)

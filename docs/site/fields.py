@@ -15,7 +15,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from geometry.design.array_design import ArrayDesign
-from geometry.stated.declared import DesignField, fields_of
+from geometry.schema.declared_fields import DesignField, fields_of
 from studies.optimization.problem import OptimizeFields
 from studies.study.file import RangeFields, StudyFields
 from studies.study.metric_registry import METRICS

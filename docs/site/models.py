@@ -15,7 +15,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from sphinx.application import Sphinx
 
-from geometry.stated.declared import declared_field, section_of
+from geometry.schema.declared_fields import declared_field, section_of
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

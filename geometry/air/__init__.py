@@ -1,6 +1,6 @@
 """The air of the distinct cells: catalogue, solid, mesh (the only place that knows gmsh).
 
-Stands on: design, ground, layout, stated.
+Stands on: design, ground, layout, schema.
 """
 
 import lazy_loader

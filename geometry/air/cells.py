@@ -14,9 +14,9 @@ from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.placement import Housings, microphone_tubes, point_ports
-from geometry.stated.cavity_shapes import Box, Dome, wall_distance
-from geometry.stated.parts import Resonator
-from geometry.stated.ports import ANGLE_STEP, CellPort, Port, in_common_rotation, port_rank
+from geometry.schema.cavity_shapes import Box, Dome, wall_distance
+from geometry.schema.part_fields import Resonator
+from geometry.schema.ports import ANGLE_STEP, CellPort, Port, in_common_rotation, port_rank
 
 
 @dataclass(frozen=True)

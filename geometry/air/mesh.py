@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.air.curved_tetrahedra import SOLVER_RULE, VOLUME_RULE, curved_volume, jacobians, split_wall_corners
-from geometry.air.soundness import estimated_elements
+from geometry.air.solid_checks import estimated_elements
 from geometry.ground.forked import in_a_copy
 from geometry.ground.process_messages import ChildError, Limits
 from geometry.ground.refusal import Kind, Refusal, counted, said_by

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from geometry.air.cells import Cell
 from geometry.ground.refusal import Refusal
-from geometry.stated.cavity_shapes import draw_cavity, separation
-from geometry.stated.ports import CellPort
+from geometry.schema.cavity_shapes import draw_cavity, separation
+from geometry.schema.ports import CellPort
 
 if TYPE_CHECKING:
     import cadquery

@@ -1,6 +1,6 @@
 """All parts of an array: which, how many, where; bill and fit.
 
-Stands on: design, ground, layout, molds, plan, solids, stated.
+Stands on: design, ground, layout, molds, plan, schema, solids.
 """
 
 import lazy_loader

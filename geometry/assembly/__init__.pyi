@@ -7,15 +7,15 @@ from .model import (
     assembly_of as assembly_of,
     component_name as component_name,
 )
-from .parts import (
+from .order_table import (
+    assembly_steps as assembly_steps,
+    assembly_text as assembly_text,
+    write_assembly_table as write_assembly_table,
+)
+from .part_list import (
     Kind as Kind,
     Origin as Origin,
     PartSet as PartSet,
     build_parts as build_parts,
     part_set as part_set,
-)
-from .table import (
-    assembly_steps as assembly_steps,
-    assembly_text as assembly_text,
-    write_assembly_table as write_assembly_table,
 )

@@ -15,14 +15,14 @@ from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, get_args
 
-from geometry.assembly.parts import PartSet, build_parts
+from geometry.assembly.part_list import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import Cut, cutting_list
 from geometry.layout.placement import ArrayLayout
 from geometry.molds.mold import MoldKind
-from geometry.stated.parts import BOARD_SEAL
+from geometry.schema.part_fields import BOARD_SEAL
 
 if TYPE_CHECKING:
     import cadquery as cq

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.assembly.model import ArrayModel, plane_of
-from geometry.assembly.parts import Kind, PlacedPart
+from geometry.assembly.part_list import Kind, PlacedPart
 from geometry.ground.refusal import Refusal
-from geometry.stated.ports import ANGLE_STEP
+from geometry.schema.ports import ANGLE_STEP
 
 if TYPE_CHECKING:
     import cadquery as cq

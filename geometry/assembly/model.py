@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly.parts import Kind, PartSet, PlacedPart, build_parts, place_parts
+from geometry.assembly.part_list import Kind, PartSet, PlacedPart, build_parts, place_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement

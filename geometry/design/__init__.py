@@ -1,6 +1,6 @@
 """The checked design: rules between fields, changed copies, TOML in and out.
 
-Stands on: ground, plan, stated.
+Stands on: ground, plan, schema.
 """
 
 import lazy_loader

@@ -3,8 +3,8 @@
 Lengths are millimetres, moduli megapascals, frequencies hertz. A design is immutable; changed copies
 come from :meth:`ArrayDesign.with_values`. Every section refuses unknown keys and non-finite numbers
 with a :class:`geometry.DesignError` of one line. The fields of the parts live in
-:mod:`geometry.stated.parts`, reading and writing in :mod:`geometry.design.design_file`, the rules between fields in
-:mod:`geometry.design.rules`.
+:mod:`geometry.schema.part_fields`, reading and writing in :mod:`geometry.design.design_file`, the rules between
+fields in :mod:`geometry.design.design_rules`.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from typing import Any, Self
 from pydantic import ValidationError, model_validator
 
 from geometry.design.changes import changed
-from geometry.design.rules import check_consistency
-from geometry.plan.topology import check_topology
-from geometry.stated.array import StatedArray
-from geometry.stated.fields import error_from_validation
+from geometry.design.design_rules import check_consistency
+from geometry.plan.wiring_graph import check_topology
+from geometry.schema.array_fields import StatedArray
+from geometry.schema.field_errors import error_from_validation
 
 
 class ArrayDesign(StatedArray):

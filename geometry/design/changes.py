@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from geometry.stated.fields import DERIVED_FROM, UnknownField, nearest
+from geometry.schema.field_errors import DERIVED_FROM, UnknownField, nearest
 
 
 def changed(data: Mapping[str, Any], values: Mapping[str, Any], name: str) -> dict[str, Any]:

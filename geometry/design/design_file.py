@@ -21,10 +21,10 @@ from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
 from geometry.ground.text_files import parse_toml, read_text
 from geometry.ground.whole_files import check_own_kind, write_text
-from geometry.stated.array import StatedArray
-from geometry.stated.declared import fields_of
-from geometry.stated.fields import DesignError, UnknownField, nearest
-from geometry.stated.materials import MATERIALS
+from geometry.schema.array_fields import StatedArray
+from geometry.schema.declared_fields import fields_of
+from geometry.schema.field_errors import DesignError, UnknownField, nearest
+from geometry.schema.materials import MATERIALS
 
 
 def load_design(path: str | os.PathLike[str]) -> ArrayDesign:

@@ -9,7 +9,7 @@ from geometry.ground.refusal import Refusal
 from geometry.plan import area, cylinder, hand, ring
 
 if TYPE_CHECKING:
-    from geometry.stated.array import StatedArray
+    from geometry.schema.array_fields import StatedArray
 
 
 def plane_rules(design: StatedArray) -> Iterator[str]:

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from geometry.ground.refusal import counted
 from geometry.plan import area, hand, ring
-from geometry.stated.parts import SOCKET_COVER, STUB_LENGTH_IN_RADII
+from geometry.schema.part_fields import SOCKET_COVER, STUB_LENGTH_IN_RADII
 
 if TYPE_CHECKING:
-    from geometry.stated.array import StatedArray
+    from geometry.schema.array_fields import StatedArray
 
 
 def tube_rules(design: StatedArray) -> Iterator[str]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from geometry.assembly.parts import part_set
+from geometry.assembly.part_list import part_set
 from geometry.formats.names import FORMATS
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
 from geometry.ground.refusal import Refusal, counted

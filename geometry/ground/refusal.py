@@ -66,16 +66,6 @@ class Refusal(ValueError):
     Every error that the project raises on purpose derives from it, in all four packages: the command line prints
     such an error as one line and lets everything else through as a mistake of the program, with its traceback. Its
     text is that of :func:`in_one_line`: ``file: field = value problem; remedy``.
-
-    Attributes:
-        kind: why.
-        file: the file that holds the field, or that is itself not accepted; a text.
-        field: dotted name of the argument or of the file's field; empty where the input as a whole is meant.
-        value: the value that was given; :data:`Refusal.NOT_GIVEN` where there is none to show.
-        unit: unit of the value, for the sentence.
-        allowed: values that are allowed, as words that follow "must be", or as choices.
-        problem: what is wrong, as a clause that follows the field; made of the other attributes where it is empty.
-        remedy: what to do about it; empty where ``allowed`` says it.
     """
 
     NOT_GIVEN = _NotGiven.NOT_GIVEN
@@ -92,16 +82,23 @@ class Refusal(ValueError):
         allowed: str | Iterable[object] = "",
         remedy: Text = "",
     ) -> None:
-        """Keep what is known; see the class for each."""
         super().__init__()
         self.kind = kind
+        """Why."""
         self.file = None if file is None else str(fspath(file))
+        """The file that holds the field, or that is itself not accepted."""
         self.field = field
+        """Dotted name of the argument or of the file's field; empty where the input as a whole is meant."""
         self.value = value
+        """The value that was given; ``Refusal.NOT_GIVEN`` where there is none to show."""
         self.unit = unit
+        """Unit of the value, for the sentence."""
         self.allowed = allowed if isinstance(allowed, str) else tuple(allowed)
+        """Words that follow "must be", or the choices."""
         self.problem = problem
+        """What is wrong, as a clause that follows the field; made of the other facts where it is empty."""
         self.remedy = remedy
+        """What to do about it; empty where ``allowed`` says it."""
 
     def facts(self) -> dict[str, Any]:
         """The arguments that make this refusal again, by name."""

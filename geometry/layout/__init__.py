@@ -1,6 +1,6 @@
 """Where every shell, tube and microphone of one design lies; overlaps; the cutting list.
 
-Stands on: design, ground, plan, stated.
+Stands on: design, ground, plan, schema.
 """
 
 import lazy_loader

@@ -5,7 +5,6 @@ from .cutting import (
     cutting_list as cutting_list,
     spring_length as spring_length,
 )
-from .mending import mend_of as mend_of, refuse_unbuildable as refuse_unbuildable
 from .overlaps import (
     OverlapError as OverlapError,
     buildability_notes as buildability_notes,
@@ -24,4 +23,5 @@ from .placement import (
     point_ports as point_ports,
     point_tubes as point_tubes,
 )
+from .remedies import mend_of as mend_of, refuse_unbuildable as refuse_unbuildable
 from .size import array_size as array_size

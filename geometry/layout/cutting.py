@@ -9,7 +9,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
 from geometry.plan.routing import turning
-from geometry.stated.parts import Tube
+from geometry.schema.part_fields import Tube
 
 #: Axes that turn by less are straight, rad: the rounding of directions.
 _STRAIGHT = 1e-3

@@ -11,13 +11,13 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
-from geometry.layout.bodies import Prism, depth, prisms
 from geometry.layout.placement import ArrayLayout, TubePlacement, point_ports
+from geometry.layout.prism import Prism, depth, prisms
 from geometry.layout.straight_rows import is_wide_apart
 from geometry.plan.routing import path_length, resampled, tightest_bend
-from geometry.stated.cavity_shapes import wall_distance
-from geometry.stated.fields import DesignError
-from geometry.stated.ports import ANGLE_STEP, in_common_rotation, web_problem
+from geometry.schema.cavity_shapes import wall_distance
+from geometry.schema.field_errors import DesignError
+from geometry.schema.ports import ANGLE_STEP, in_common_rotation, web_problem
 
 #: Overlaps below this are contact, mm.
 _CONTACT = 1e-4

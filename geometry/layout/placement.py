@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.plan.cylinder import Cylinder, Frame, Plane
-from geometry.stated.parts import Tube
-from geometry.stated.ports import Port
+from geometry.schema.part_fields import Tube
+from geometry.schema.ports import Port
 
 
 def point_places(design: ArrayDesign) -> tuple[tuple[int, int], ...]:

@@ -14,7 +14,7 @@ from geometry.layout.placement import ArrayLayout, MicrophonePlacement, TubePlac
 from geometry.layout.straight_rows import is_wide_apart, straight_size
 from geometry.plan.cylinder import Frame
 from geometry.plan.routing import unit
-from geometry.stated.ports import ANGLE_STEP, foot_directions, in_common_rotation
+from geometry.schema.ports import ANGLE_STEP, foot_directions, in_common_rotation
 
 
 def array_size(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[float, float, float]:

@@ -8,8 +8,8 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.shell_rules import FOOT_EDGE, ledge_height, membrane_top
 from geometry.layout.lines_in_plan import serpentine_runs
 from geometry.plan.cylinder import Plane
-from geometry.stated.cavity_shapes import wall_distance
-from geometry.stated.ports import Port, web_problem
+from geometry.schema.cavity_shapes import wall_distance
+from geometry.schema.ports import Port, web_problem
 
 
 def is_wide_apart(design: ArrayDesign) -> bool:

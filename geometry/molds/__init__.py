@@ -1,6 +1,6 @@
 """The mold in which membranes are cast.
 
-Stands on: design, solids, stated.
+Stands on: design, schema, solids.
 """
 
 import lazy_loader

@@ -5,4 +5,4 @@ from .mold import (
     mold_counts as mold_counts,
     mold_kinds as mold_kinds,
 )
-from .plan import plan_mold as plan_mold
+from .mold_plan import plan_mold as plan_mold

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from geometry.design.array_design import ArrayDesign
-from geometry.molds.plan import MoldPlan, plan_mold
+from geometry.molds.mold_plan import MoldPlan, plan_mold
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -60,8 +60,8 @@ def build_mold(design: ArrayDesign) -> Mold:
     Raises:
         Refusal: a part is not one valid solid.
     """
-    from geometry.molds.parts import base_block, lid, mark, mark_text, scraper, shim, with_pins, with_rails
-    from geometry.solids.bodies import one_solid
+    from geometry.molds.mold_parts import base_block, lid, mark, mark_text, scraper, shim, with_pins, with_rails
+    from geometry.solids.round_solids import one_solid
 
     plan = plan_mold(design)
     base = mark(base_block(plan), plan, mark_text(design))

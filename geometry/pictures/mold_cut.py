@@ -10,7 +10,7 @@ import cadquery as cq
 from geometry.assembly.model import LOOKS, ArrayModel, array_model
 from geometry.design.array_design import ArrayDesign
 from geometry.molds.mold import Mold, mold_counts, mold_kinds
-from geometry.molds.plan import plan_mold
+from geometry.molds.mold_plan import plan_mold
 from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
 from geometry.solids.membrane import membranes_of
 

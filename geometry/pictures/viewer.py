@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
-from geometry.assembly.table import assembly_steps, assembly_text
+from geometry.assembly.order_table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
 from geometry.ground.whole_files import whole_file

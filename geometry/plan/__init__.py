@@ -1,6 +1,6 @@
 """Where points could lie in plan, from lengths alone: ring, area, hand, cylinder, routes, wiring counts.
 
-Stands on: ground, stated.
+Stands on: ground, schema.
 """
 
 import lazy_loader

@@ -22,4 +22,4 @@ from .routing import (
     turning as turning,
     unit as unit,
 )
-from .topology import WiringCounts as WiringCounts, check_topology as check_topology, wiring_counts as wiring_counts
+from .wiring_graph import WiringCounts as WiringCounts, check_topology as check_topology, wiring_counts as wiring_counts

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from geometry.plan.meeting import angle_between, meetings
 
 if TYPE_CHECKING:
-    from geometry.stated.array import StatedArray
+    from geometry.schema.array_fields import StatedArray
 
 Cell = tuple[int, int]
 

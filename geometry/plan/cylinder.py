@@ -17,7 +17,7 @@ from geometry.ground.refusal import Refusal
 from geometry.plan.crossing import zero_crossing
 
 if TYPE_CHECKING:
-    from geometry.stated.array import StatedArray
+    from geometry.schema.array_fields import StatedArray
 
 #: Chords per arc.
 _CHORDS = 64

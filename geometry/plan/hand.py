@@ -17,7 +17,7 @@ from geometry.plan.meeting import angle_between, meetings
 from geometry.plan.routing import unit
 
 if TYPE_CHECKING:
-    from geometry.stated.array import StatedArray
+    from geometry.schema.array_fields import StatedArray
 
 #: Of a hand, the thumb among them.
 FINGERS = 5

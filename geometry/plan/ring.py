@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from geometry.plan.crossing import zero_crossing
 
 if TYPE_CHECKING:
-    from geometry.stated.array import StatedArray
+    from geometry.schema.array_fields import StatedArray
 
 
 def side_lengths(design: StatedArray) -> tuple[float | None, ...]:

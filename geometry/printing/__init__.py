@@ -1,6 +1,6 @@
 """Can it be printed: measures, rules, pose, plates, report.
 
-Stands on: assembly, design, formats, ground, solids, stated.
+Stands on: assembly, design, formats, ground, schema, solids.
 """
 
 import lazy_loader

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly.parts import part_set
+from geometry.assembly.part_list import part_set
 from geometry.formats.part_files import SharedShape, tessellate_distinct
 from geometry.formats.three_mf import Body, write_3mf
 from geometry.ground.refusal import Refusal
 from geometry.ground.whole_files import whole_file
 from geometry.printing.pose import Pose, find_pose
-from geometry.stated.print_processes import PrintProcess
+from geometry.schema.print_processes import PrintProcess
 
 if TYPE_CHECKING:
     import cadquery as cq

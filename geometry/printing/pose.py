@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.printing.overhangs import hanging_area
-from geometry.stated.print_processes import PrintProcess
+from geometry.schema.print_processes import PrintProcess
 
 if TYPE_CHECKING:
     from geometry.solids.measure import Tessellation

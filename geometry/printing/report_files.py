@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING, Any
 
 import geometry
 from geometry.ground.whole_files import write_text
-from geometry.stated.print_processes import NUMBERS, RULES, Rule
+from geometry.schema.print_processes import NUMBERS, RULES, Rule
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from geometry.formats.part_files import ExportedFile
-    from geometry.printing.report import PrintReport
+    from geometry.printing.printability import PrintReport
 
 _ORDER = {"fail": 0, "warn": 1, "ok": 2}
 

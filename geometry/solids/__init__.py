@@ -1,6 +1,6 @@
 """Single parts as CAD solids, and what is measured on a solid.
 
-Stands on: design, ground, plan, stated.
+Stands on: design, ground, plan, schema.
 """
 
 import lazy_loader

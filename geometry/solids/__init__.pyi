@@ -1,7 +1,5 @@
-from .bodies import cylinder as cylinder, one_solid as one_solid, revolved as revolved
 from .carrier import array_carrier as array_carrier
 from .housing import build_board as build_board, build_housing as build_housing
-from .letters import letters_within as letters_within, text_bars as text_bars, text_size as text_size
 from .measure import (
     FACET_ANGLE as FACET_ANGLE,
     Round as Round,
@@ -17,5 +15,7 @@ from .membrane import (
     membrane_profile as membrane_profile,
     membrane_radius as membrane_radius,
 )
+from .round_solids import cylinder as cylinder, one_solid as one_solid, revolved as revolved
 from .shell import build_shell as build_shell
+from .stroke_font import letters_within as letters_within, text_bars as text_bars, text_size as text_size
 from .tube import TubePiece as TubePiece, build_tube as build_tube, piece_of as piece_of

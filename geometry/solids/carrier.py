@@ -14,11 +14,11 @@ import cadquery as cq
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
-from geometry.solids.bodies import one_solid
+from geometry.schema.manufacture import Printing
+from geometry.schema.part_fields import Resonator
+from geometry.schema.ports import Port
+from geometry.solids.round_solids import one_solid
 from geometry.solids.shell import build_shell
-from geometry.stated.making import Printing
-from geometry.stated.parts import Resonator
-from geometry.stated.ports import Port
 
 #: Length of a neck, and the width of the webs.
 _NECK_LENGTH = 0.6

@@ -9,11 +9,11 @@ import cadquery as cq
 
 from geometry.design.shell_rules import seat_underside
 from geometry.ground.refusal import Refusal
-from geometry.solids.bodies import cylinder, one_solid
+from geometry.schema.manufacture import Printing
+from geometry.schema.part_fields import BOARD_SEAL, SEAT_SLOT, Microphone
+from geometry.schema.ports import Port
+from geometry.solids.round_solids import cylinder, one_solid
 from geometry.solids.shell import cut_ports, refuse_thin_web
-from geometry.stated.making import Printing
-from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT, Microphone
-from geometry.stated.ports import Port
 
 
 def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Port]) -> cq.Workplane:

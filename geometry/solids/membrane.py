@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from geometry.design.array_design import ArrayDesign
-from geometry.stated.parts import Membrane, Resonator
+from geometry.schema.part_fields import Membrane, Resonator
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -64,6 +64,6 @@ def build_membrane(design: ArrayDesign) -> cq.Workplane:
     Raises:
         Refusal: the drawn membrane is not one valid solid.
     """
-    from geometry.solids.bodies import one_solid, revolved
+    from geometry.solids.round_solids import one_solid, revolved
 
     return one_solid(revolved(membrane_profile(design)), "membrane")

@@ -10,12 +10,12 @@ import cadquery as cq
 from geometry.design.shell_rules import cavity_problems, feature_problems, ledge_height
 from geometry.ground.refusal import Refusal, counted
 from geometry.plan.routing import unit
-from geometry.solids.bodies import cylinder, one_solid
+from geometry.schema.cavity_shapes import draw_cavity, wall_distance
+from geometry.schema.manufacture import Printing
+from geometry.schema.part_fields import SOCKET_COVER, Membrane, Resonator, Shell
+from geometry.schema.ports import Port, web_problem
+from geometry.solids.round_solids import cylinder, one_solid
 from geometry.solids.shell_features import add_feet, add_label, cut_groove
-from geometry.stated.cavity_shapes import draw_cavity, wall_distance
-from geometry.stated.making import Printing
-from geometry.stated.parts import SOCKET_COVER, Membrane, Resonator, Shell
-from geometry.stated.ports import Port, web_problem
 
 #: Most ports of a shell.
 MOST_PORTS = 6
@@ -117,7 +117,7 @@ def refuse_thin_web(
 ) -> None:
     """Refuse two ports that leave too little wall between them.
 
-    Args: see :func:`geometry.stated.ports.web_problem`; ``name`` is that of the part.
+    Args: see :func:`geometry.schema.ports.web_problem`; ``name`` is that of the part.
 
     Raises:
         Refusal: they do.

@@ -9,9 +9,9 @@ import cadquery as cq
 
 from geometry.design.shell_rules import FOOT_EDGE
 from geometry.ground.refusal import Refusal
-from geometry.solids.letters import SPACE, WIDTH, strokes
-from geometry.stated.parts import Shell
-from geometry.stated.ports import foot_directions, largest_gap
+from geometry.schema.part_fields import Shell
+from geometry.schema.ports import foot_directions, largest_gap
+from geometry.solids.stroke_font import SPACE, WIDTH, strokes
 
 #: Width of a digit's strokes in its heights: as wide as the gap between the two sides of a 0.
 _STROKE = WIDTH / 3

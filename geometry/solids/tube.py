@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from geometry.ground.refusal import Refusal
 from geometry.plan.routing import path_length, tightest_bend, trimmed
-from geometry.stated.parts import Tube
+from geometry.schema.part_fields import Tube
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -87,7 +87,7 @@ def _sleeve(points: NDArray[np.float64], inner: float, outer: float, name: str) 
     import cadquery as cq
     from OCP.BRepOffsetAPI import BRepOffsetAPI_MakePipe
 
-    from geometry.solids.bodies import one_solid
+    from geometry.solids.round_solids import one_solid
 
     if tightest_bend(points) <= outer:
         raise Refusal(f"{name}: bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm")

@@ -1,4 +1,5 @@
-from .bodies import (
+from .contact import Contact as Contact, covered_force as covered_force, hertz_share as hertz_share
+from .contact_shapes import (
     BRUSH as BRUSH,
     FEATHER as FEATHER,
     FINGER as FINGER,
@@ -15,8 +16,7 @@ from .bodies import (
     stroke as stroke,
     stylus as stylus,
 )
-from .contact import Contact as Contact, covered_force as covered_force, hertz_share as hertz_share
-from .gestures import (
+from .finger_gestures import (
     double_tap as double_tap,
     press as press,
     pulse_times as pulse_times,
@@ -24,4 +24,4 @@ from .gestures import (
     slide as slide,
     tap as tap,
 )
-from .recorder import ContactRecorder as ContactRecorder, Take as Take, record as record
+from .simulated_recording import ContactRecorder as ContactRecorder, Take as Take, record as record

@@ -40,7 +40,7 @@ from localize.decoders.likelihood import (
 )
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
@@ -76,8 +76,8 @@ class BayesDecoder:
         library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones; touches are
             taken to be silent above their last frequency, with a warning where that is below 500 Hz.
         microphone_noise: the noise floor to assume: white, Pa rms over 0 to 500 Hz, 1e-9 to 10; or "design" for
-            that of the library's design, see :mod:`localize.signals.noise`. It also stands for what the library does
-            not know; a higher one is kinder to a sensor that differs from its design.
+            that of the library's design, see :mod:`localize.signals.noise_model`. It also stands for what the
+            library does not know; a higher one is kinder to a sensor that differs from its design.
         ambient: pink sound around, the same pressure on all membranes: its level in dB SPL, 0 to 140; None for
             quiet; or several levels, such as :data:`ROOM`, of which each frame takes the likeliest. Tables, and where
             there is sound also time, grow with their number. Needs a library with a design.
@@ -282,7 +282,7 @@ def assumed_of(provenance: Mapping[str, Any]) -> str:
     Args:
         provenance: of the array, :attr:`localize.ArrayResponse.provenance`.
     """
-    from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.library.transfer_functions import MEASURED
 
     air = air_of(provenance)
     if provenance.get("fidelity", MEASURED) == MEASURED:

@@ -28,7 +28,7 @@ from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.likelihood import CHUNK
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
@@ -211,7 +211,7 @@ def objection_to_drift(library: Library | ArrayResponse) -> str | None:
     Args:
         library: of a sensor.
     """
-    from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.library.transfer_functions import MEASURED
 
     if isinstance(library, ArrayResponse):
         return "must be one of a design: bare transfer functions do not tell what a drift changes"

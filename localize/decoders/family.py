@@ -19,7 +19,7 @@ from geometry.ground.refusal import Refusal
 from localize.decoders.bayes import BayesDecoder
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import checked_signals
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:

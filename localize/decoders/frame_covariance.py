@@ -20,7 +20,7 @@ from geometry.ground.refusal import Refusal
 from localize.signals.array_response import ArrayResponse, interpolation
 from localize.signals.disturbances import LOWEST_SOUND, MAINS, REFERENCE
 from localize.signals.frames import FRAME
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, NOISE, SAMPLE_RATE
 
 DECIMATION = 4

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from scipy.cluster.vq import kmeans2
 from scipy.interpolate import CubicSpline, make_interp_spline
 
-from acoustic_fem.scatter.made_sensors import scatter_factors
+from acoustic_fem.scatter.as_built_sensors import scatter_factors
 from geometry.ground.refusal import Refusal
 from localize.decoders.frame_covariance import DEVIATING, SOURCE_RMS, SourceDensity, source_density, touch_covariances
 from localize.signals.array_response import ArrayResponse, response_of

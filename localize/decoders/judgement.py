@@ -29,7 +29,7 @@ from localize.decoders.frame_covariance import (
 )
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import BAND, NOISE, SAMPLE_RATE
 from localize.signals.threads import one_thread
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from localize.decoders.frame_covariance import SAMPLES, low_pass
-from localize.signals.noise import NoiseSpectrum
+from localize.signals.noise_model import NoiseSpectrum
 
 POWERS = 10 ** (np.arange(-80.0, 40.1, 4.0) / 10)
 """Values of g that are tried; a parabola through the best one and its neighbours gives the maximum."""

@@ -28,7 +28,7 @@ from geometry.ground.refusal import Refusal, counted
 from localize.decoders.frame_covariance import SOURCE_RMS, check_noise, noise_covariance, source_density
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.signals.threads import one_thread
 

@@ -19,7 +19,7 @@ from geometry.ground.refusal import Refusal
 from localize.decoders.frame_covariance import ambient_covariance, check_level, check_noise, low_pass, whitening
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:

@@ -26,7 +26,7 @@ from localize.decoders.hypotheses import made_hypotheses
 from localize.decoders.likelihood import FAR, TEMPERATURE, Bounds, Screen
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import cut_frames
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -298,6 +298,6 @@ def objection_to_tolerances(library: Library) -> str | None:
 
 
 def _is_measured(library: Library) -> bool:
-    from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.library.transfer_functions import MEASURED
 
     return library.fidelity == MEASURED

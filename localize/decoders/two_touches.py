@@ -26,7 +26,7 @@ from localize.decoders.hypotheses import made_covariances
 from localize.decoders.likelihood import CHUNK, POWERS, vertex
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 from geometry.ground.refusal import Refusal
 from localize.decoders.frame_covariance import SAMPLES
+from localize.embedded.decoder_tables import EmbeddedTables
 from localize.embedded.reflections import BLOCK
 from localize.embedded.source import POWER_COUNT, named_points, table_bytes
-from localize.embedded.tables import EmbeddedTables
 from localize.live.events import HOP
 from localize.signals.frames import FRAME
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from localize.embedded.budget import Cost, in_units
+from localize.embedded.decoder_tables import EmbeddedTables
 from localize.embedded.source import named_points, table_bytes
-from localize.embedded.tables import EmbeddedTables
 from localize.live.events import HOP
 
 _TEXT = """# The decoder of {name} as C

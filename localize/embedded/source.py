@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from localize.decoders.bayes import POWERS, TEMPERATURE
 from localize.decoders.frame_covariance import DECIMATION, SAMPLES, TAPS
 from localize.decoders.sound_test import GAIN, MISMATCH
-from localize.embedded.tables import (
+from localize.embedded.decoder_tables import (
     EmbeddedTables,
     high_pass_coefficients,
     low_pass_taps,

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from geometry.ground.refusal import Refusal, counted
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import COMPONENT_INTERVALS, SAMPLE_LENGTH, StimulusSource, multi_sines
 from localize.signals.threads import one_thread
 from localize.signals.touch_generator import TouchGenerator
@@ -198,7 +198,7 @@ def evaluate(
             and microphones agree.
         touches_per_point: at least 1.
         microphone_noise: added to every microphone: Pa rms over 0 to 500 Hz, white, or "design" for that of the
-            microphone of the library's design, see :mod:`localize.signals.noise`.
+            microphone of the library's design, see :mod:`localize.signals.noise_model`.
         samples: length of each signal, 250 (one frame) to 1000.
         seed: any non-negative integer.
         stimuli: what the touches are, see :mod:`localize.signals.finger_stimuli`; by default the paper's sums of

@@ -143,7 +143,7 @@ def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None
 
 def _expected(decoder: BayesDecoder) -> float | None:
     """Most that sensors leave as a decoder expects them; None where that is not known."""
-    from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.library.transfer_functions import MEASURED
 
     if isinstance(decoder, TolerantDecoder):
         return OF_TWO if len(decoder.microphones) == 2 else OF_MORE

@@ -23,7 +23,7 @@ from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import whole_file
 from localize.graphs.description import LARGEST_MODEL, described, is_sealed, sealed
-from localize.learned.description import TrainingState
+from localize.learned.localizer_description import TrainingState
 from localize.signals.touch_generator import TouchGenerator
 
 FORMAT = "acoustic-fem checkpoint 2"

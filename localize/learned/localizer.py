@@ -15,7 +15,7 @@ from torch import Tensor
 
 from localize.graphs.description import LocalizerError, naming
 from localize.learned.classifier import NetworkShape, TouchClassifier
-from localize.learned.description import LocalizerDescription, read_model, save_model, with_weights
+from localize.learned.localizer_description import LocalizerDescription, read_model, save_model, with_weights
 from localize.signals.frames import checked_signals, combined_probability, cut_frames
 from localize.signals.threads import one_thread
 

@@ -21,11 +21,11 @@ from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier
 from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
 from localize.learned.features import map_count
 from localize.learned.localizer import Localizer
-from localize.learned.plan import TrainingPlan
 from localize.learned.recorded_frames import RecordedFrames
+from localize.learned.training_plan import TrainingPlan
 from localize.signals.array_response import ArrayResponse, TransferFunctionSource, response_of, warn_of_uncovered
 from localize.signals.frames import FRAME
-from localize.signals.noise import NoiseSpectrum
+from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.random_streams import Purpose
 from localize.signals.stimulus import Device
 from localize.signals.threads import one_thread

@@ -4,5 +4,5 @@ from .accuracy_to_expect import (
     is_enough as is_enough,
     least_known as least_known,
 )
-from .objections import numbers as numbers
+from .rejections import numbers as numbers
 from .self_calibration import touched as touched

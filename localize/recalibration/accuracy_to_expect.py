@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 from acoustic_fem.calibration.fitted_model import Posterior
 from acoustic_fem.calibration.model_discrepancy import draw
 from acoustic_fem.calibration.model_updating import Update
-from acoustic_fem.library.result import MEASURED
+from acoustic_fem.library.transfer_functions import MEASURED
 from localize.decoders.bayes import BayesDecoder
 from localize.evaluation.accuracy import evaluate
 from localize.signals.array_response import response_of
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 
 DRAWS, TOUCHES = 20, 5
 """Number of sensors that are drawn, and of touches of each of their points."""

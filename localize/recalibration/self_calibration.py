@@ -2,8 +2,8 @@
 
 The parameters are those of :mod:`acoustic_fem.calibration.model_updating`, with their priors, about the present
 library: the nominal one or the last calibration. The most probable ones given the touches
-(:mod:`localize.recalibration.search`) are accepted only where touches that were held out of the search speak for them;
-otherwise the present library stays.
+(:mod:`localize.recalibration.parameter_search`) are accepted only where touches that were held out of the search
+speak for them; otherwise the present library stays.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
-from acoustic_fem.library.result import Library, described, measured_library
+from acoustic_fem.library.transfer_functions import Library, described, measured_library
 from geometry.ground.refusal import Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
 from localize.live.front_end import Listening
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
-from localize.recalibration.objections import FALSE_ALARM, NEEDED, Objections, likeliest_order
-from localize.recalibration.search import FINE, ascend, distinct, search
+from localize.recalibration.parameter_search import FINE, ascend, distinct, search
+from localize.recalibration.rejections import FALSE_ALARM, NEEDED, Objections, likeliest_order
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME, checked_signals
 from localize.signals.stimulus import SAMPLE_RATE

@@ -1,5 +1,6 @@
-from .events import EVENTS as EVENTS, event_pressure as event_pressure
-from .letters import LETTERS as LETTERS, Hand as Hand, written as written
+from .event_kinds import EVENTS as EVENTS, event_pressure as event_pressure
+from .handwriting import LetterMaker as LetterMaker, LineReader as LineReader, letter_maps as letter_maps
+from .letter_classifier import LETTERS as LETTERS, Hand as Hand, written as written
 from .pulse import PulseReader as PulseReader, PulseReading as PulseReading, waves_of as waves_of
 from .recorded_takes import windows_of as windows_of
 from .takes import SUBJECTS as SUBJECTS, TakeMaker as TakeMaker, at_usual_speed as at_usual_speed
@@ -10,4 +11,3 @@ from .textures import (
     texture_force as texture_force,
     texture_pressure as texture_pressure,
 )
-from .writing import LetterMaker as LetterMaker, LineReader as LineReader, letter_maps as letter_maps

@@ -20,15 +20,15 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import Checkpoint
 from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape
 from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
-from localize.recognition.letters import LETTERS, Hand
-from localize.recognition.plan import RecognitionPlan
+from localize.recognition.handwriting import VARIANTS, WRITTEN, LetterMaker, LineReader
+from localize.recognition.letter_classifier import LETTERS, Hand
 from localize.recognition.power_maps import MAPS
+from localize.recognition.recognition_plan import RecognitionPlan
 from localize.recognition.recognizer import Recognizer
 from localize.recognition.recorded_takes import recorded_takes
 from localize.recognition.takes import PASSING, SUBJECTS, TakeMaker
-from localize.recognition.writing import VARIANTS, WRITTEN, LetterMaker, LineReader
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
-from localize.signals.noise import NoiseSpectrum
+from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:

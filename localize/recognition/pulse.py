@@ -25,7 +25,7 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.recognition.takes import prepared
 from localize.signals.array_response import ArrayResponse, interpolated_from_zero, response_of
 from localize.signals.frames import checked_signals
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from torch import Tensor
 from geometry.ground.refusal import Refusal
 from localize.graphs.description import Digest, Strict, naming
 from localize.learned.classifier import MapClassifier, NetworkShape
-from localize.learned.description import Network, read_model, save_model, with_weights
+from localize.learned.localizer_description import Network, read_model, save_model, with_weights
 from localize.recognition.power_maps import MAPS, maps_of
 from localize.signals.threads import one_thread
 

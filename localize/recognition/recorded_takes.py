@@ -15,10 +15,10 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.learned.recorded_frames import touched_frames
 from localize.live.front_end import Listening
+from localize.recognition.handwriting import VARIANTS, LineReader, letter_maps
 from localize.recognition.power_maps import MAPS, WINDOW, maps_of
 from localize.recognition.takes import at_usual_speed, prepared
 from localize.recognition.textures import SPEED
-from localize.recognition.writing import VARIANTS, LineReader, letter_maps
 from localize.recordings.recording import read_recording
 from localize.recordings.touch_manifest import (
     TouchManifestError,

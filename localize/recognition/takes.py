@@ -17,13 +17,13 @@ from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.live.front_end import HighPass
-from localize.recognition.events import EVENTS, event_pressure
+from localize.recognition.event_kinds import EVENTS, event_pressure
 from localize.recognition.power_maps import WINDOW, maps_of
 from localize.recognition.textures import PROFILES, SPEED, passing_pressure, texture_pressure
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import MAINS
 from localize.signals.frames import FRAME
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.random_streams import PURPOSES, Purpose
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread

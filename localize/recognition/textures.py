@@ -14,8 +14,8 @@ import numpy as np
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import hertz_share
-from localize.recognition.events import band_noise
-from localize.recognition.letters import PAD
+from localize.recognition.event_kinds import band_noise
+from localize.recognition.letter_classifier import PAD
 from localize.signals.stimulus import SAMPLE_RATE
 
 SPEED = 12.0

@@ -31,7 +31,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from geometry.ground.file_checks import LARGEST_DATA, read_bytes
 from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import read_toml
-from geometry.stated.fields import model_of
+from geometry.schema.field_errors import model_of
 from localize.recordings.same_take import find_same_take
 from localize.signals.resampling import FULL_SCALES
 

@@ -25,7 +25,7 @@ from .frames import (
     combined_probability as combined_probability,
     cut_frames as cut_frames,
 )
-from .noise import (
+from .noise_model import (
     NoiseChoice as NoiseChoice,
     NoiseSpectrum as NoiseSpectrum,
     input_density as input_density,

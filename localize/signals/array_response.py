@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from geometry.ground.refusal import Refusal, counted
-from localize.signals.noise import NoiseChoice, NoiseSpectrum, microphone_noise
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
 if TYPE_CHECKING:
@@ -311,7 +311,7 @@ def warn_of_uncovered(response: ArrayResponse) -> None:
 
     A measured one ends with the sweep that was played, which is usual and told where it is calibrated.
     """
-    from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.library.transfer_functions import MEASURED
 
     last, half = response.frequency[-1], SAMPLE_RATE / 2
     if last < half - 1e-6 and response.provenance.get("fidelity") != MEASURED:

@@ -28,7 +28,7 @@ from localize.signals.array_response import (
     interpolation_from_zero,
 )
 from localize.signals.disturbances import MicrophoneMismatch
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.propagation import microphone_signals, short_window_signals
 from localize.signals.random_streams import Purpose
 from localize.signals.stimulus import BAND, Device, StimulusSource, multi_sines
@@ -63,7 +63,7 @@ class TouchGenerator:
         seed: any non-negative integer.
         purpose: streams of different purposes never share a stimulus.
         microphone_noise: added to every microphone, Gaussian: Pa rms over 0 to 500 Hz, white, or "design" for that of
-            the design's microphone, see :mod:`localize.signals.noise`.
+            the design's microphone, see :mod:`localize.signals.noise_model`.
         source: transfer functions of many sensors in place of those of the array, on frequencies of its own.
         sensors: those of the source that are touched; by default all.
         stimuli: what the touches are; by default the paper's sums of sinusoids.

@@ -38,7 +38,7 @@ from localize.decoders.likelihood import vertex
 from localize.live.events import HOP
 from localize.live.front_end import HIGH_PASS, high_pass_sections
 from localize.signals.array_response import ArrayResponse, interpolated
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.tracking.footprints import Footprints, footprint_response
 

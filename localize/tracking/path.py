@@ -18,7 +18,7 @@ from localize.contacts.radii import MOVING
 from localize.live.events import Decision, TrackedPlace
 from localize.live.front_end import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 from localize.tracking.footprints import footprints_over, pitch_of, pressure_of_force
 from localize.tracking.moving import AHEAD, LATENCY, STEP, HeardHop, MovingScorer

@@ -30,7 +30,7 @@ from localize.decoders.frame_covariance import (
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import MAINS
 from localize.signals.frames import FRAME
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.tracking.footprints import footprint_response, pitch_of, shares_at
 

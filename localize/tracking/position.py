@@ -19,7 +19,7 @@ from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 from localize.tracking.footprints import footprint_response, footprints_over, pitch_of
 from localize.tracking.place_likelihood import LOWEST, PlaceLikelihood

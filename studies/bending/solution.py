@@ -19,7 +19,7 @@ from acoustic_fem.cell.bent_bore import BentBore, check_bent_bore, solve_bent_bo
 from acoustic_fem.cell.solid import Progress, checked_physics
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.library.provenance import versions
-from acoustic_fem.network.chain import TwoPort, join
+from acoustic_fem.network.chain_matrices import TwoPort, join
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
@@ -28,8 +28,8 @@ from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import Winding
 from geometry.design.design_file import prototype
 from geometry.ground.typed import ComplexArray
-from geometry.stated.parts import Microphone
-from studies.bending.rig import BendingRig, End
+from geometry.schema.part_fields import Microphone
+from studies.bending.bending_rig import BendingRig, End
 
 #: Rings of elements in the section of the bore: of the result, and of the mesh twice as coarse beside it.
 FINE, COARSE = 4, 2

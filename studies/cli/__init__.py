@@ -1,4 +1,4 @@
 """The command line: arguments in, tables out, no workflow of its own.
 
-Stands on: bending, findings, judging, listening, made_sensor, optimization, output, run, scatter, studio, study, sweep.
+Stands on: bending, evaluation, findings, listening, optimization, output, run, scatter, studio, study, sweep, test_rig.
 """

@@ -58,7 +58,7 @@ VERBS = {
     "recognize": "locating",
     "track": "locating",
     "pulse": "locating",
-    "live": "live",
+    "live": "live_input",
     "run": "designs",
     "bend": "bending",
     "sweep": "sweeps",

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
-from studies.bending.rig import BendingRig
-from studies.bending.studying import bending_study
+from studies.bending.bending_rig import BendingRig
+from studies.bending.bending_run import bending_study
 from studies.cli.options import Frequencies, defaults_of, display_on_stderr, frequency_option, named
-from studies.cli.tables import show, table_of
+from studies.cli.terminal_tables import show, table_of
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
 

@@ -24,14 +24,14 @@ from studies.cli.options import (
     frequency_option,
     named,
 )
-from studies.cli.tables import show, show_library, table_of, tell
-from studies.made_sensor.calibrating import MANIFEST, calibrate_sensor
-from studies.made_sensor.recalibrating import recalibrate as recalibrate_sensor
-from studies.made_sensor.rig_session import record_rig
+from studies.cli.terminal_tables import show, show_library, table_of, tell
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
+from studies.test_rig.calibrating import MANIFEST, calibrate_sensor
+from studies.test_rig.recalibrating import recalibrate as recalibrate_sensor
+from studies.test_rig.rig_session import record_rig
 
 if TYPE_CHECKING:
-    from studies.made_sensor.calibrating import SensorCalibration
+    from studies.test_rig.calibrating import SensorCalibration
 
 #: s, from which on a delay that the fit found is told.
 _NOTED_DELAY = 3e-4
@@ -64,7 +64,7 @@ def rig(
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
     from geometry import resolve_design
-    from studies.made_sensor.rig import HiddenScatter
+    from studies.test_rig.virtual_rig import HiddenScatter
 
     scatter = HiddenScatter(altitude=altitude, modulus=modulus)
     with display_on_stderr() as display:
@@ -217,7 +217,7 @@ def recalibrate(
         f"per held-out frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
     )
     if len(found.untouched):
-        from localize.recalibration.objections import numbers
+        from localize.recalibration.rejections import numbers
 
         print(f"no touch was named point {numbers(found.untouched)}: least known; touch it next time")
 
@@ -235,6 +235,6 @@ def convert(
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """
-    from studies.run.libraries import convert_library
+    from studies.run.library_files import convert_library
 
     show_library(out, convert_library(library, out))

@@ -23,9 +23,18 @@ from studies.cli.options import (
     frequency_option,
     named,
 )
-from studies.cli.tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of, tell
+from studies.cli.terminal_tables import (
+    show,
+    show_check,
+    show_fields,
+    show_findings,
+    show_library,
+    show_parts,
+    table_of,
+    tell,
+)
 from studies.output.frequencies import LIBRARY_FREQUENCIES
-from studies.run.libraries import solve_library
+from studies.run.library_files import solve_library
 from studies.run.starting import PLACES, new_design
 
 AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Go on also where parts overlap.")]
@@ -298,8 +307,8 @@ def run(
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """
     from geometry import resolve_design
-    from studies.run.chain import check_points, run_design
     from studies.run.findings import verdict
+    from studies.run.pipeline import check_points, run_design
 
     resolved = resolve_design(design)
     check_points(resolved, design)  # which names the file

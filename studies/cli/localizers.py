@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from geometry.ground.refusal import counted
-from localize.learned.plan import PLANS, TrainingPlan
+from localize.learned.training_plan import PLANS, TrainingPlan
 from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
-from studies.cli.tables import show, table_of, tell
-from studies.judging.evaluating import evaluate_localizer
-from studies.judging.training import train_kinds, train_localizer
+from studies.cli.terminal_tables import show, table_of, tell
+from studies.evaluation.localizer_evaluation import evaluate_localizer
+from studies.evaluation.localizer_training import train_kinds, train_localizer
 
 if TYPE_CHECKING:
     from localize import Localizer
-    from studies.judging.headline import Headline
+    from studies.evaluation.headline import Headline
 
 _EVALUATION = defaults_of(evaluate_localizer)
 #: Options of ``train`` by the names that refusals of a localizer's plan have for them.
@@ -142,7 +142,7 @@ def _train_kinds(
     for option, is_given in of_localizers.items():
         if is_given:
             raise typer.BadParameter(f"{option} is of localizers; with --kind it says nothing")
-    from localize.recognition.plan import RecognitionPlan
+    from localize.recognition.recognition_plan import RecognitionPlan
 
     options = {"time_limit": "--seconds", "microphone_noise": "--noise", "subject": "--kind"}
     options |= {name: f"--{name}" for name in ("epochs", "seed", "network")}
@@ -201,7 +201,7 @@ def evaluate(
         results = evaluate_localizer(model, library, out, touches=touches, noise=noise, seed=seed, display=display)
     _show_evaluations(results)
     if out is not None:
-        from studies.judging.report import FILES
+        from studies.evaluation.evaluation_report import FILES
 
         for name in FILES:
             tell(str(out / name))

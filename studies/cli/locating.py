@@ -10,7 +10,7 @@ import typer
 from geometry.ground.refusal import counted
 from localize.contacts.radii import MOVING
 from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
-from studies.cli.tables import show, table_of, tell
+from studies.cli.terminal_tables import show, table_of, tell
 from studies.listening.embedding import PRECISION, embed_decoder
 from studies.listening.exporting import export_decoder
 from studies.listening.opening import Decoding

@@ -21,15 +21,15 @@ from studies.cli.options import (
     frequency_option,
     named,
 )
-from studies.cli.tables import show, table_of, tell
+from studies.cli.terminal_tables import show, table_of, tell
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
-from studies.scatter.studying import tolerance_study
+from studies.scatter.tolerance_run import tolerance_study
 
 if TYPE_CHECKING:
     from studies.optimization.problem import Optimization
     from studies.optimization.search import Candidate
-    from studies.scatter.studying import ToleranceStudy
+    from studies.scatter.tolerance_run import ToleranceStudy
 
 #: Rows of the front that are printed.
 _SHOWN = 10

@@ -11,7 +11,7 @@ import typer
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.ground.refusal import counted
 from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
-from studies.cli.tables import show, table_of, tell
+from studies.cli.terminal_tables import show, table_of, tell
 from studies.findings.reporting import best_designs, save_best_design
 from studies.output.display import duration, number
 

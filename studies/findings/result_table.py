@@ -18,7 +18,7 @@ from studies.study.metric_registry import METRICS
 
 if TYPE_CHECKING:
     from geometry import ArrayDesign
-    from geometry.stated.declared import DesignField
+    from geometry.schema.declared_fields import DesignField
     from studies.optimization.problem import Optimization
     from studies.optimization.search import OptimizationResult
     from studies.sweep.store import Sweep
@@ -319,7 +319,7 @@ def unit_of(name: str) -> str:
 
 def _field(name: str) -> DesignField | None:
     from geometry import ArrayDesign
-    from geometry.stated.declared import field_named
+    from geometry.schema.declared_fields import field_named
 
     return field_named(ArrayDesign, name)
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from geometry import ArrayDesign, save_design
 from geometry.ground.text_files import read_text
 from geometry.ground.whole_files import write_text
-from geometry.printing.report import PrintReport
+from geometry.printing.printability import PrintReport
 from studies.optimization.printable import worst_accepted
 from studies.optimization.problem import Optimization
 from studies.optimization.search import Candidate, OptimizationResult, without

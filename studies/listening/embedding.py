@@ -13,7 +13,7 @@ from studies.output.folders import check_folder, replaced_files
 
 if TYPE_CHECKING:
     from localize.embedded import EmbeddedDecoder, Precision
-    from localize.signals.noise import NoiseChoice
+    from localize.signals.noise_model import NoiseChoice
 
 PRECISION = "float32"
 """Precision of the large tables where a caller names none."""

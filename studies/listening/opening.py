@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from localize import BayesDecoder, Localizer, OnnxLocalizer, PathTracker, TouchStream
     from localize.live.spare import Judges, StreamLocator
     from localize.signals.array_response import ArrayResponse
-    from localize.signals.noise import NoiseChoice
+    from localize.signals.noise_model import NoiseChoice
 
 #: White noise that waveforms are reconstructed with where a localizer knows none, Pa rms.
 LEAST_NOISE = 1e-6

@@ -62,8 +62,8 @@ def recognize_recording(
     check_new_file(path, ".jsonl", reads=(model, library, recording))
     from acoustic_fem.sound.sound_file import check_sound_there
     from localize import load_recognizer, read_recording
-    from localize.recognition.hearing import Ear
-    from localize.recognition.writing import WRITTEN
+    from localize.recognition.filter_bank import Ear
+    from localize.recognition.handwriting import WRITTEN
 
     check_sound_there(recording)
     recognizer = load_recognizer(model)

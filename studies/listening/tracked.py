@@ -70,7 +70,7 @@ def track_recording(
     kept = None if table is None or is_own_table(table, COLUMNS) else "a table that is none of paths"
     check_new_file(table, ".csv", reads=(library, recording), kept=kept)
     check_new_file(drawn, ".png", reads=(library, recording), option="picture")
-    from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.library.transfer_functions import MEASURED
     from acoustic_fem.sound.sound_file import check_sound_there
     from localize import gesture_of, read_recording
     from localize.tracking import tracks_of

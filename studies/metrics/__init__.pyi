@@ -1,3 +1,4 @@
+from .batch_responses import Responses as Responses
 from .confusion import (
     PredictedConfusion as PredictedConfusion,
     check_grid as check_grid,
@@ -16,7 +17,6 @@ from .pairs import (
     trapezoidal_weights as trapezoidal_weights,
     worst_heard as worst_heard,
 )
-from .responses import Responses as Responses
 from .separation import (
     PairDistances as PairDistances,
     Separability as Separability,

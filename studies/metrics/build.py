@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from geometry.design.array_design import ArrayDesign
-    from geometry.stated.parts import Microphone, Tube
+    from geometry.schema.part_fields import Microphone, Tube
 
 #: kg/m^3
 DENSITIES = {
@@ -116,7 +116,7 @@ def volumes_of(design: ArrayDesign) -> Volumes:
 
 def _housing(microphone: Microphone) -> float:
     """The cup with the seat of its board, mm^3."""
-    from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT
+    from geometry.schema.part_fields import BOARD_SEAL, SEAT_SLOT
 
     radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
     length, width = _seat(microphone)

@@ -33,7 +33,7 @@ from geometry.ground.typed import Array
 from studies.metrics.filtered_touches import BAND, Listener, ear_of, noise_of_filters, standard_noise
 
 if TYPE_CHECKING:
-    from localize.signals.noise import NoiseSpectrum
+    from localize.signals.noise_model import NoiseSpectrum
 
 POWERS = 10.0 ** np.arange(-4.0, 2.1)
 """Values of g that are tried."""
@@ -76,8 +76,8 @@ def predict_confusion(
     Args:
         transfer_function: (n_design, n_point, n_microphone, n_freq) complex, Pa/Pa, of the sensors that are touched.
         frequency: (n_freq,) Hz, ascending, over 1 to 100 Hz.
-        noise: of every microphone: Pa rms over 0 to 500 Hz, white; a spectrum from :mod:`localize.signals.noise`; or
-            mean squares per hertz (n_design, 500), Pa^2.
+        noise: of every microphone: Pa rms over 0 to 500 Hz, white; a spectrum from
+            :mod:`localize.signals.noise_model`; or mean squares per hertz (n_design, 500), Pa^2.
         listener: "network" or "model".
         assumed: (n, n_point, n_microphone, n_freq) complex, Pa/Pa, that the listener goes by; by default those of each
             sensor itself. Several are a scatter that the listener knows: likelihoods are averaged over them.

@@ -18,7 +18,7 @@ from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
 
 if TYPE_CHECKING:
-    from localize.signals.noise import NoiseSpectrum
+    from localize.signals.noise_model import NoiseSpectrum
 
 FRAME = 250
 """Length of a frame, samples, as the localizer takes them."""

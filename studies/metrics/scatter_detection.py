@@ -35,13 +35,13 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import value_of
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
-from geometry.stated.fields import DesignError
+from geometry.schema.field_errors import DesignError
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import KnownDiscs
     from acoustic_fem.quantities.medium import Medium
-    from geometry.stated.array import Air
-    from geometry.stated.parts import Microphone
+    from geometry.schema.array_fields import Air
+    from geometry.schema.part_fields import Microphone
 
 
 FREQUENCIES = np.geomspace(1.5, 90.0, 8)
@@ -272,7 +272,7 @@ def _noise(designs: Sequence[ArrayDesign]) -> Array:
 
     (n_design, n_freq); all designs in the same air.
     """
-    from localize.signals.noise import microphone_noise
+    from localize.signals.noise_model import microphone_noise
 
     found: dict[Microphone, Array] = {}
     for design in designs:

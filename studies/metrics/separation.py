@@ -10,8 +10,8 @@ import numpy as np
 
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
+from studies.metrics.batch_responses import Responses
 from studies.metrics.pairs import BAND, DECIBEL, trapezoidal_weights
-from studies.metrics.responses import Responses
 
 if TYPE_CHECKING:
     import xarray as xr

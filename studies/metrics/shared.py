@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.ground.typed import Array
+from studies.metrics.batch_responses import Complex, Responses, known
 from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
-from studies.metrics.responses import Complex, Responses, known
 from studies.metrics.separation import PairDistances, pair_distances
-from studies.metrics.touch import in_vacuo, touch_response
+from studies.metrics.touch_metrics import in_vacuo, touch_response
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
@@ -86,7 +86,7 @@ class SharedFigures:
 
 def _design_noise(responses: Responses) -> Array:
     """Mean squares per hertz of the microphones' noise, (n_design, 500) float64, Pa^2."""
-    from localize.signals.noise import microphone_noise
+    from localize.signals.noise_model import microphone_noise
 
     found: dict[tuple[object, ...], Array] = {}
     rows = []

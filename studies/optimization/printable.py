@@ -12,8 +12,8 @@ from typing import Literal
 
 from geometry import ArrayDesign
 from geometry.layout.overlaps import OverlapError, refuse_overlaps
-from geometry.stated.parts import Tube
-from geometry.stated.print_processes import PrintProcess, Rule, process_of
+from geometry.schema.part_fields import Tube
+from geometry.schema.print_processes import PrintProcess, Rule, process_of
 
 #: What the print rules demand: that none fails, that none is at risk, or that nothing is worse than in the base.
 Demand = Literal["least", "advised", "base"]

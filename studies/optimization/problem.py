@@ -13,7 +13,7 @@ from pydantic import Field
 from geometry import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import parse_toml, read_text
-from geometry.stated.fields import model_of
+from geometry.schema.field_errors import model_of
 from studies.optimization.printable import Demand, PrintDemand
 from studies.study.cases import check_base
 from studies.study.file import FileSection, study_of

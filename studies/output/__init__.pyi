@@ -7,7 +7,6 @@ from .figure_style import (
     line_colours as line_colours,
     save_figure as save_figure,
 )
-from .figures import draw_confusion as draw_confusion, draw_training as draw_training
 from .folders import (
     check_folder as check_folder,
     check_new_file as check_new_file,
@@ -23,3 +22,4 @@ from .frequencies import (
     LIBRARY_FREQUENCIES as LIBRARY_FREQUENCIES,
     stated_frequencies as stated_frequencies,
 )
+from .response_figures import draw_confusion as draw_confusion, draw_training as draw_training

@@ -53,7 +53,7 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
             cannot be written.
     """
     from acoustic_fem.library.exchange import fidelity_in
-    from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.library.transfer_functions import MEASURED
 
     folder = Path(out)
     check_folder(folder, "run", MARK)

@@ -12,7 +12,7 @@ from typing import Any
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import value_of
 from geometry.ground.refusal import Refusal
-from geometry.stated.declared import DesignField, field_named
+from geometry.schema.declared_fields import DesignField, field_named
 
 #: Steps that can be taken back.
 MOST_STEPS = 500

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import tomlkit
 
-from acoustic_fem.atlas.table import cell_atlas
+from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.numerics.disk_cache import cache_folder
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.design.array_design import ArrayDesign

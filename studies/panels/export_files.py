@@ -34,7 +34,7 @@ def _toml(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> 
 
 def _library(suffix: str) -> Callable[[ArrayDesign, Path, Fidelity, Told], Path]:
     def make(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
-        from studies.run.libraries import convert_library, solve_library
+        from studies.run.library_files import convert_library, solve_library
 
         path = folder / "library.nc"
         solve_library(design, path, fidelity=fidelity, display=told)
@@ -55,7 +55,7 @@ def _parts(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) ->
 
 
 def _report(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
-    from studies.run.chain import run_design
+    from studies.run.pipeline import run_design
 
     run_design(design, folder / "run", display=told)
     return folder / "run" / "report.html"

@@ -11,8 +11,8 @@ from pydantic import BaseModel
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.changes import as_lists
-from geometry.stated.declared import DesignField, fields_of
-from geometry.stated.materials import MATERIALS
+from geometry.schema.declared_fields import DesignField, fields_of
+from geometry.schema.materials import MATERIALS
 
 #: Ends of the names of fields whose text is the name of a material.
 _MATERIAL = "material"

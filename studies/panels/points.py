@@ -9,11 +9,11 @@ import numpy as np
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
-from geometry.layout.mending import mend_of
 from geometry.layout.overlaps import overlaps
+from geometry.layout.remedies import mend_of
+from studies.metrics.batch_responses import Responses
 from studies.metrics.covered_area import FINGER
 from studies.metrics.pairs import BAND
-from studies.metrics.responses import Responses
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.frequencies import FREQUENCIES, stated_frequencies
@@ -55,7 +55,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
             be solved.
     """
     _check_size(design)
-    from acoustic_fem.library.noise import detection_limits
+    from acoustic_fem.library.noise_floor import detection_limits
 
     library, fidelity = quick_library(design, stated_frequencies(FREQUENCIES))
     shared = SharedFigures(Responses.of_library(library))

@@ -103,7 +103,7 @@ def recognized(
     if model is None:
         return found
     from localize import load_recognizer
-    from localize.recognition.hearing import Ear
+    from localize.recognition.filter_bank import Ear
 
     ears, recognizer = listening_to(design), load_recognizer(model)
     if (recognizer.design, recognizer.microphones) != (design.name, ears.localizer.microphones):

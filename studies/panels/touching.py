@@ -19,7 +19,7 @@ from geometry.ground.refusal import Refusal
 from localize.contacts.radii import MOVING
 from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
-from studies.run.libraries import solve_library
+from studies.run.library_files import solve_library
 
 if TYPE_CHECKING:
     from acoustic_fem.atlas import QuickFidelity
@@ -65,7 +65,7 @@ def touched(design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str
         Refusal: no such point or kind, or a design that cannot be decoded.
     """
     from localize.contacts.contact import surface_of
-    from localize.contacts.gestures import double_tap, press, tap
+    from localize.contacts.finger_gestures import double_tap, press, tap
 
     made: dict[str, Callable[..., Contact]] = dict(zip(TOUCHES, (tap, double_tap, press), strict=True))
     if kind not in made:
@@ -94,7 +94,7 @@ def slid(design: ArrayDesign, start: Sequence[float], end: Sequence[float], samp
     Raises:
         Refusal: a slide of no length or too long a one, or a design that cannot be decoded.
     """
-    from localize.contacts.gestures import slide
+    from localize.contacts.finger_gestures import slide
 
     length = math.dist(start, end)
     if not 1 <= length <= LONGEST_SLIDE:

@@ -1,8 +1,8 @@
-from .chain import cell_lines as cell_lines, check_points as check_points, run_design as run_design
 from .check import DesignCheck as DesignCheck, check_design as check_design
 from .findings import verdict as verdict
-from .libraries import convert_library as convert_library, solve_library as solve_library
+from .library_files import convert_library as convert_library, solve_library as solve_library
 from .part_folder import MadeParts as MadeParts, export_parts as export_parts
+from .pipeline import cell_lines as cell_lines, check_points as check_points, run_design as run_design
 from .prototypes import copy_prototype as copy_prototype
 from .quality import DesignQuality as DesignQuality, design_quality as design_quality, draw_quality as draw_quality
 from .starting import PLACES as PLACES, new_design as new_design

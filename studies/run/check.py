@@ -16,13 +16,13 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.extras import check_extras, is_installed
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
-from geometry.layout.mending import mend_of
 from geometry.layout.overlaps import overlaps, schematic_notes
 from geometry.layout.placement import ArrayLayout
+from geometry.layout.remedies import mend_of
 from geometry.layout.size import array_size
-from geometry.plan.topology import WiringCounts, wiring_counts
+from geometry.plan.wiring_graph import WiringCounts, wiring_counts
 from geometry.printing.report_files import report_content
-from geometry.stated.fields import DesignError
+from geometry.schema.field_errors import DesignError
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, worst_heard
 from studies.output.display import Display, Report
@@ -31,8 +31,8 @@ from studies.run.quality import DesignQuality, design_quality, draw_quality
 from studies.run.validity import Validity, model_validity
 
 if TYPE_CHECKING:
-    from geometry.printing.report import PrintReport
-    from geometry.stated.parts import Tube
+    from geometry.printing.printability import PrintReport
+    from geometry.schema.part_fields import Tube
 
 #: Frequencies of the estimated attenuation, Hz.
 ATTENUATION_AT = (1.0, 10.0, 100.0)
@@ -290,7 +290,7 @@ def _of_atlas(design: ArrayDesign, cells: Sequence[Cell]) -> str:
     import numpy as np
 
     from acoustic_fem.atlas.cell_in_atlas import check_cell
-    from acoustic_fem.atlas.table import OutsideAtlas, cell_atlas
+    from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
     from acoustic_fem.quantities.local_air import design_air
 
     atlas, air = cell_atlas(), design_air(design)

@@ -11,15 +11,15 @@ import numpy as np
 
 from geometry.ground.refusal import counted
 from geometry.layout.size import array_size
-from studies.judging.full_evaluation import RIG_GROUP
+from studies.evaluation.full_evaluation import RIG_GROUP
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
 
 if TYPE_CHECKING:
-    from studies.judging.headline import Headline
-    from studies.run.result import RunResult
+    from studies.evaluation.headline import Headline
+    from studies.run.run_result import RunResult
 
 #: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
 AGREEMENT = (0.015, 1.0)

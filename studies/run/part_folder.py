@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 from geometry.formats.names import FORMATS
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.layout.arrangement import lay_out
-from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import buildability_notes
-from geometry.stated.fields import DesignError
-from geometry.stated.print_processes import PrintProcess, find_process, process_of
+from geometry.layout.remedies import refuse_unbuildable
+from geometry.schema.field_errors import DesignError
+from geometry.schema.print_processes import PrintProcess, find_process, process_of
 from studies.output.display import Display, Report
 from studies.output.folders import FILES, check_folder, replaced_files
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from geometry.assembly.model import ArrayModel
     from geometry.design.array_design import ArrayDesign
     from geometry.formats.part_files import ExportedFile
-    from geometry.printing.report import PrintReport
+    from geometry.printing.printability import PrintReport
 
 #: How what cannot be built is drawn, for those who read why it is refused.
 ALL_THE_SAME = "`allow_overlaps` draws it all the same"
@@ -109,7 +109,7 @@ def _make(
 ) -> MadeParts:
     from geometry import export, print_report
     from geometry.assembly.bill import bill_of_materials, write_bill
-    from geometry.assembly.table import write_assembly_table
+    from geometry.assembly.order_table import write_assembly_table
     from geometry.formats.part_files import tessellate_distinct
     from geometry.formats.step_assembly import write_step
     from geometry.pictures.mold_cut import mold_section

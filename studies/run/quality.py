@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
+from studies.metrics.batch_responses import Responses
 from studies.metrics.build import cost
 from studies.metrics.pairs import BAND
-from studies.metrics.responses import Responses
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import number
@@ -100,7 +100,7 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
     """
     import acoustic_fem
     from acoustic_fem.atlas import quick_fidelity
-    from acoustic_fem.library.noise import detection_limits
+    from acoustic_fem.library.noise_floor import detection_limits
 
     if design.point_count < 2 or len(design.microphones) < 2:
         return None

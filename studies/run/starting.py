@@ -158,7 +158,7 @@ def _buildable(asked: _Asked) -> ArrayDesign | Refusal:
     """The first design of those that can be had whose parts are not in each other's way, or why there is none."""
     from geometry.layout.arrangement import lay_out
     from geometry.layout.overlaps import OverlapError, refuse_overlaps, schematic_notes
-    from geometry.stated.fields import DesignError
+    from geometry.schema.field_errors import DesignError
 
     problem: Refusal | None = None
     for values, arranged in _candidates(asked):

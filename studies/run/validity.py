@@ -53,10 +53,10 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
     Raises:
         Refusal: the membrane's proportions are outside what can be solved.
     """
-    from acoustic_fem.duct.opening import LARGEST_SHEAR_NUMBER
+    from acoustic_fem.duct.tube_opening import LARGEST_SHEAR_NUMBER
     from acoustic_fem.membrane.disc import design_disc
     from acoustic_fem.membrane.rubber import causal_slope
-    from localize.signals.noise import input_density
+    from localize.signals.noise_model import input_density
 
     highest = BAND[1]
     microphone, alike = design.microphone, [design.of_kind(kind) for kind in design.kinds]

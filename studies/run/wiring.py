@@ -1,6 +1,6 @@
 """How many points microphones serve, as a picture: lines in series against one transducer per point and rows + columns.
 
-Counting rules of the paper; :func:`geometry.plan.topology.wiring_counts` has them.
+Counting rules of the paper; :func:`geometry.plan.wiring_graph.wiring_counts` has them.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 
 from geometry.ground.refusal import Refusal
 from geometry.ground.whole_files import whole_file
-from geometry.plan.topology import WiringCounts, wiring_counts
+from geometry.plan.wiring_graph import WiringCounts, wiring_counts
 from studies.output.folders import check_new_file
 
 MOST_MICROPHONES, MOST_POINTS = 16, 1000

@@ -25,20 +25,20 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.made_sensors import made_fidelity, made_transfer_functions
+from acoustic_fem.scatter.as_built_sensors import made_fidelity, made_transfer_functions
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
+from studies.metrics.batch_responses import Responses
 from studies.metrics.confusion import check_grid, predict_confusion
-from studies.metrics.responses import Responses
 from studies.metrics.separation import pair_distances
 
 if TYPE_CHECKING:
-    from acoustic_fem.atlas.quick import QuickFidelity
+    from acoustic_fem.atlas.fidelity_choice import QuickFidelity
     from acoustic_fem.membrane.disc import KnownDiscs
     from acoustic_fem.quantities.fidelity import ClosedForm
-    from localize.signals.noise import NoiseSpectrum
+    from localize.signals.noise_model import NoiseSpectrum
 
 Complex = NDArray[np.complex128]
 
@@ -338,7 +338,7 @@ def _sobol(
 def _noise(design: ArrayDesign, noise: float | None) -> float | NoiseSpectrum:
     if noise is not None:
         return noise
-    from localize.signals.noise import microphone_noise
+    from localize.signals.noise_model import microphone_noise
 
     return microphone_noise(design.microphone, design_air(design))
 

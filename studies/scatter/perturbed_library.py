@@ -19,12 +19,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
-from acoustic_fem.atlas.quick import QuickFidelity
-from acoustic_fem.atlas.table import cell_atlas
+from acoustic_fem.atlas.cell_table import cell_atlas
+from acoustic_fem.atlas.fidelity_choice import QuickFidelity
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.made_sensors import made_fidelity, made_transfer_functions
+from acoustic_fem.scatter.as_built_sensors import made_fidelity, made_transfer_functions
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_stored_design, write_design

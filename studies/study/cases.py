@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
 from geometry.ground.refusal import Refusal, counted
-from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import refuse_overlaps
+from geometry.layout.remedies import refuse_unbuildable
 from studies.study.constraints import Constraint
 from studies.study.study import Study
 

@@ -18,8 +18,8 @@ from geometry.design.changes import as_lists, check_name
 from geometry.design.design_file import prototype, prototype_names, value_of
 from geometry.ground.refusal import Refusal, in_one_line
 from geometry.ground.text_files import parse_toml, read_text
-from geometry.stated.declared import field_named
-from geometry.stated.fields import check_value, model_of
+from geometry.schema.declared_fields import field_named
+from geometry.schema.field_errors import check_value, model_of
 from studies.study.constraints import parse_constraint
 from studies.study.study import Parameter, Sampling, Study, StudyError
 

@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.ground.refusal import Refusal
-from studies.metrics import build, touch
+from studies.metrics import build, touch_metrics
+from studies.metrics.batch_responses import Responses, known
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, check_band
-from studies.metrics.responses import Responses, known
 from studies.metrics.shared import SharedFigures
 
 if TYPE_CHECKING:
@@ -260,27 +260,30 @@ def _touches() -> Iterable[Metric]:
     worst = "rms over 1 to 100 Hz at the loudest microphone, of the point where that is least"
     yield Metric(
         "sensitivity_force", "Pa/N", "sensitivity to force", f"Microphone pressure per force on the membrane: {worst}.",
-        lambda figures: touch.smallest_sensitivity(figures.responses, figures.touch_response("force")),
-        touch.NEEDS, band=BAND,
+        lambda figures: touch_metrics.smallest_sensitivity(figures.responses, figures.touch_response("force")),
+        touch_metrics.NEEDS, band=BAND,
     )  # fmt: skip
     yield Metric(
         "sensitivity_displacement", "Pa/um", "sensitivity to displacement",
         f"Microphone pressure per displacement of the touched patch: {worst}.",
-        lambda figures: 1e-6 * touch.smallest_sensitivity(figures.responses, figures.touch_response("displacement")),
-        touch.NEEDS, band=BAND,
+        lambda figures: (
+            1e-6 * touch_metrics.smallest_sensitivity(figures.responses, figures.touch_response("displacement"))
+        ),
+        touch_metrics.NEEDS, band=BAND,
     )  # fmt: skip
     yield Metric(
         "noise_equivalent_force", "N", "noise-equivalent force",
         "Rms force of flat spectrum from 1 to 100 Hz that equals thermal and microphone noise, all microphones "
         "combined best, at the point where it is largest.",
-        lambda figures: touch.noise_equivalent_force(figures.responses, figures.touch_response("force")),
-        touch.NOISE_NEEDS, "smaller", BAND,
+        lambda figures: touch_metrics.noise_equivalent_force(figures.responses, figures.touch_response("force")),
+        touch_metrics.NOISE_NEEDS, "smaller", BAND,
     )  # fmt: skip
     yield Metric(
         "bandwidth", "Hz", "bandwidth",
         "Width of the range around its maximum where microphone pressure per force is within 3 dB of it, at the "
         "point's loudest microphone and within the grid; the narrowest of all points.",
-        lambda figures: touch.bandwidth(figures.responses, figures.touch_response("force")), touch.NEEDS,
+        lambda figures: touch_metrics.bandwidth(figures.responses, figures.touch_response("force")),
+        touch_metrics.NEEDS,
     )  # fmt: skip
 
 

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem import Medium
 from acoustic_fem.atlas.cell_in_atlas import atlas_admittance
-from acoustic_fem.atlas.table import cell_atlas
+from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.openings import designs_outside
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
@@ -39,7 +39,7 @@ from geometry.air.cells import Cell, cell_catalogue
 from geometry.ground.extras import NotInstalled
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
-from studies.metrics.responses import Responses
+from studies.metrics.batch_responses import Responses
 from studies.metrics.shared import SharedFigures
 from studies.study.cases import Cases
 from studies.study.failure_reasons import PROGRAM_ERROR

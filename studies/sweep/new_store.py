@@ -104,7 +104,7 @@ def _fill(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -
 
     from geometry import ArrayDesign
     from geometry.design.design_file import write_design
-    from geometry.stated.declared import field_named
+    from geometry.schema.declared_fields import field_named
 
     made = versions(study.seed, _LIBRARIES)
     del made["created"]  # in the log: the store of a study is the same whenever it is made

@@ -153,11 +153,10 @@ def house_of_the_checkout() -> House:
 
 
 def test_a_private_door_is_found() -> None:
-    code = (
-        "from geometry.stated.declared import fields_of\nimport acoustic_fem\nacoustic_fem.library.netcdf_file.load\n"
-    )
+    first = "from geometry.schema.declared_fields import fields_of", "import acoustic_fem"
+    code = "\n".join([*first, "acoustic_fem.library.netcdf_file.load", ""])
     page = f"```python\n{code}```\n"
-    assert private_doors(page) == ["geometry.stated.declared.fields_of", "acoustic_fem.library.netcdf_file"]
+    assert private_doors(page) == ["geometry.schema.declared_fields.fields_of", "acoustic_fem.library.netcdf_file"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=page_name)

@@ -14,7 +14,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("geometry", "acoustic_fem", "localize", "studies")
 
-ARRAYS = frozenset({"NDArray", "ndarray", "DataArray", "Tensor"})
+ARRAYS = frozenset({"NDArray", "ndarray", "DataArray", "Tensor", "Array", "ComplexArray", "NumpyOrTorch"})
 # A length: 3, 2 n, n_freq, k + 1, ..., *shape, a constant's name, or one of the named dimensions of labelled arrays and
 # of numbers that a caller gives.
 _NAMED = (
@@ -47,8 +47,6 @@ def _aliases(modules: list[tuple[str, ast.Module]]) -> frozenset[str]:
             else:
                 continue
             if isinstance(value, ast.Subscript) and ast.unparse(value.value) == "NDArray":
-                found.add(name)
-            if name == "Array":  # of numpy or of torch: no one type
                 found.add(name)
     return frozenset(found)
 

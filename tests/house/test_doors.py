@@ -151,7 +151,8 @@ def test_a_wheel_holds_all_that_the_command_needs(tmp_path: Path) -> None:
 
     def run(*arguments: str) -> str:
         code = (
-            "import sys, studies.cli.app as a, studies.run.chain as c; assert a.__file__.startswith(sys.argv.pop(1)); "
+            "import sys, studies.cli.app as a, studies.run.pipeline as c; "
+            "assert a.__file__.startswith(sys.argv.pop(1)); "
             "c.EPOCHS = 1; a.main()"  # nothing is missing from a short training either
         )
         done = subprocess.run(

@@ -76,7 +76,7 @@ def test_signatures_that_show_what_pydantic_makes_are_found(site, tmp_path: Path
 def test_the_reference_has_every_field_of_a_file_with_type_range_and_words(site) -> None:
     models = pytest.importorskip("sphinx") and site("models")
     from geometry import ArrayDesign
-    from geometry.stated import Membrane, Resonator, StatedArray
+    from geometry.schema import Membrane, Resonator, StatedArray
 
     lines = models.field_lines(Resonator)
     at = lines.index(".. py:attribute:: floor_thickness")
@@ -88,7 +88,7 @@ def test_the_reference_has_every_field_of_a_file_with_type_range_and_words(site)
         StatedArray.model_fields
     )
     (inherited, _) = models.field_lines(ArrayDesign)
-    assert inherited.startswith("Fields of :py:obj:`geometry.stated.StatedArray`:")
+    assert inherited.startswith("Fields of :py:obj:`geometry.schema.StatedArray`:")
     assert all(f"`{name} <" in inherited for name in ArrayDesign.model_fields)
 
 

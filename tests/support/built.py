@@ -6,7 +6,7 @@ import functools
 
 import geometry
 from geometry.assembly.model import ArrayModel, array_model
-from geometry.assembly.parts import PartSet
+from geometry.assembly.part_list import PartSet
 
 
 @functools.cache

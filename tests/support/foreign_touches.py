@@ -12,10 +12,10 @@ from shared import shared
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.library.result import Library
+from acoustic_fem.library.transfer_functions import Library
 from localize.recalibration.self_calibration import SelfCalibration, self_calibrate
 from localize.signals.array_response import response_of
-from studies.made_sensor.rig import HiddenScatter, Rig
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 GRID = np.linspace(1.0, 100.0, 24)
 

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from acoustic_fem.batch.parameters import PART, ArrayParameters
 from acoustic_fem.batch.topology import LineWiring, Topology
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance, closed_sphere_compliance
-from acoustic_fem.duct.opening import entrance_impedance
 from acoustic_fem.duct.plane_wave import CompliantWall, port_admittance, two_port
 from acoustic_fem.duct.sections import CircularSection
+from acoustic_fem.duct.tube_opening import entrance_impedance
 
 RANGES = {  # SI
     "tube_radius": (1e-4, 6e-4),

@@ -17,7 +17,7 @@ from filelock import FileLock
 
 import acoustic_fem
 import geometry
-from acoustic_fem.library.result import Library
+from acoustic_fem.library.transfer_functions import Library
 
 T = TypeVar("T")
 

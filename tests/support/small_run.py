@@ -9,8 +9,8 @@ from shared import shared, shared_folder
 import geometry
 from geometry.design.array_design import ArrayDesign
 from localize import TrainingPlan
-from studies.run.chain import run_design
-from studies.run.result import RunResult
+from studies.run.pipeline import run_design
+from studies.run.run_result import RunResult
 
 PLAN = TrainingPlan(seconds_per_point=150, epochs=3, microphone_noise="design")
 

@@ -8,7 +8,7 @@ import pytest
 import torch
 
 import acoustic_fem
-from acoustic_fem.atlas import OutsideAtlas, atlas_admittance, cell_atlas, opening_node, quick_fidelity, table
+from acoustic_fem.atlas import OutsideAtlas, atlas_admittance, cell_atlas, cell_table, opening_node, quick_fidelity
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
@@ -175,7 +175,7 @@ def test_a_batch_with_a_design_outside_is_refused_by_name(design):
 
 
 def test_the_table_is_small_and_says_how_it_was_made():
-    text = table.FILE.read_bytes()
+    text = cell_table.FILE.read_bytes()
     assert len(text) < 1_000_000
     about = json.loads(text)["provenance"]
     assert about["samples"] >= 30
@@ -183,14 +183,14 @@ def test_the_table_is_small_and_says_how_it_was_made():
 
 
 def test_the_digest_is_of_what_decides_answers():
-    plain = json.loads(table.FILE.read_text())
-    digest = table.atlas_of(plain).digest
+    plain = json.loads(cell_table.FILE.read_text())
+    digest = cell_table.atlas_of(plain).digest
     assert digest == cell_atlas().digest
     plain["errors"]["transfer function by 1 + |ln H|"] = 0.5
     plain["provenance"]["made"] = "another day"
-    assert table.atlas_of(plain).digest == digest
+    assert cell_table.atlas_of(plain).digest == digest
     plain["bounds"]["microphone"]["cavity height by radius"][1] = 3.1
-    assert table.atlas_of(plain).digest != digest
+    assert cell_table.atlas_of(plain).digest != digest
 
 
 def test_the_atlas_moves_lumped_cells_towards_the_3_d_of_the_reference(design):

@@ -21,10 +21,10 @@ from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.calibration.manifest import read_manifest
 from acoustic_fem.calibration.measured_library import Calibration, CalibrationError, calibrate
 from acoustic_fem.calibration.model_updating import update
-from acoustic_fem.library.result import MEASURED, Library
+from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.sound.estimate import shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import read_sound, write_wav
-from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
+from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 GRID = np.linspace(1.0, 100.0, 34)
 DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4, "layout.columns": 4})

@@ -16,11 +16,11 @@ from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.calibration.fitted_model import Priors, UpdatedModel
 from acoustic_fem.calibration.model_updating import Update, update
 from acoustic_fem.duct.leak import leak_conductance
-from acoustic_fem.library.result import Library
+from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.sound.estimate import TransferEstimate
-from studies.made_sensor.priors import fit_priors, model_deviation
-from studies.made_sensor.rig import HiddenScatter, Rig
-from studies.made_sensor.rig_parameters import rig_tolerances, within_95
+from studies.test_rig.priors import fit_priors, model_deviation
+from studies.test_rig.rig_parameters import rig_tolerances, within_95
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 GRID = np.linspace(1.0, 100.0, 24)
 DESIGN = geometry.prototype("array-2x6")

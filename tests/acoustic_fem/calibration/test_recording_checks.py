@@ -18,9 +18,9 @@ import geometry
 from acoustic_fem.calibration.manifest import ManifestError, read_manifest
 from acoustic_fem.calibration.measured_library import Calibration, CalibrationError, calibrate
 from acoustic_fem.calibration.recording_checks import largest_changes
-from acoustic_fem.library.result import Library
+from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.sound.sound_file import Sound, read_sound, write_wav
-from studies.made_sensor.rig import Recorder, Rig
+from studies.test_rig.virtual_rig import Recorder, Rig
 
 GRID = np.linspace(1.0, 100.0, 34)
 DESIGN = geometry.prototype("array-2x6")

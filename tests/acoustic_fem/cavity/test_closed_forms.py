@@ -14,8 +14,8 @@ from acoustic_fem.cavity.shaped import shaped_cavity_compliance
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from geometry.air.cells import Cell
-from geometry.stated.cavity_shapes import Box, Dome
-from geometry.stated.ports import CellPort
+from geometry.schema.cavity_shapes import Box, Dome
+from geometry.schema.ports import CellPort
 
 BAND = np.logspace(-3, 4, 15)
 sizes = st.floats(3e-4, 2.5e-2)

@@ -13,14 +13,14 @@ import acoustic_fem
 from acoustic_fem.cavity import closed_forms
 from acoustic_fem.cell import solid
 from acoustic_fem.cell.design_cells import solve_cells
-from acoustic_fem.duct import opening, plane_wave
+from acoustic_fem.duct import plane_wave, tube_opening
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.numerics.disk_cache import CacheWarning
 from acoustic_fem.quantities import checks
 from geometry.air.cells import Cell
 from geometry.design.design_file import prototype
 from geometry.ground.refusal import Refusal
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44),), 0.5, 0.3)
 DESIGN = prototype("array-2x6")
@@ -35,7 +35,7 @@ def no_meshing(monkeypatch):
         raise AssertionError("work has begun")
 
     monkeypatch.setattr("geometry.air.mesh._run_gmsh", refuse)
-    monkeypatch.setattr("acoustic_fem.library.responses.place_housings", refuse)
+    monkeypatch.setattr("acoustic_fem.library.network_responses.place_housings", refuse)
 
 
 # -- frequencies ------------------------------------------------------------------------------------------
@@ -81,7 +81,7 @@ def test_a_bad_grid_of_frequencies_is_refused_by_name_before_any_work(entry, nam
         lambda f: plane_wave.series_impedance(1e-4, f, AIR),
         lambda f: closed_forms.closed_cylinder_compliance(1e-3, 1e-3, f, AIR),
         lambda f: closed_forms.closed_sphere_compliance(1e-3, f, AIR),
-        lambda f: opening.entrance_impedance(1e-4, f, AIR),
+        lambda f: tube_opening.entrance_impedance(1e-4, f, AIR),
     ],
     ids=["duct", "series", "cylinder", "sphere", "opening"],
 )

@@ -21,7 +21,7 @@ from geometry.air.cells import Cell
 from geometry.air.mesh import MeshError
 from geometry.air.mirror_symmetry import mirror_half
 from geometry.ground.refusal import Refusal
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 STRAIGHT = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)
 CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44),), 0.5, 0.3)

@@ -7,7 +7,7 @@ from reference_data import AIR
 from acoustic_fem.cell.one_cell import CHECKED_UP_TO, DESIGN_ACCURACY, DESIGN_BAND, CellTask, rebuilt, solve_task
 from benchmarks.cell_errors import reference
 from geometry.air.cells import Cell
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 
 @pytest.mark.slow

@@ -12,8 +12,8 @@ from acoustic_fem.fields.cylinder_heat import CylinderAir, SideBore, cylinder_fi
 from acoustic_fem.fields.diffusion import diffusion_field, field_coefficients
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from geometry.air.cells import Cell
-from geometry.stated.cavity_shapes import Dome
-from geometry.stated.ports import CellPort
+from geometry.schema.cavity_shapes import Dome
+from geometry.schema.ports import CellPort
 
 BAND = (1.0, 2000.0)
 GRID = np.geomspace(*BAND, 12)

@@ -7,7 +7,7 @@ from reference_data import AIR, column
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.duct.plane_wave import port_admittance
 from geometry.air.cells import Cell
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 CELL = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)
 

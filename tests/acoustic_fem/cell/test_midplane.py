@@ -13,7 +13,7 @@ from acoustic_fem.fields.element_sizes import mesh_sizes
 from geometry.air.cells import Cell
 from geometry.air.mesh import WALL, SolidMesh
 from geometry.air.volume import MIDPLANE, OPENING
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 BAND = (1.0, 500.0)
 FREQUENCY = np.geomspace(*BAND, 7)

@@ -9,8 +9,8 @@ from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.duct.leak import leak_conductance
-from acoustic_fem.duct.opening import entrance_impedance
 from acoustic_fem.duct.plane_wave import port_admittance
+from acoustic_fem.duct.tube_opening import entrance_impedance
 from acoustic_fem.quantities.medium import Medium
 
 AIR = Medium.at(20, 0.5)

@@ -19,7 +19,7 @@ from acoustic_fem.library import sealed_netcdf
 from acoustic_fem.library.checksums import NoChecksumWarning
 from acoustic_fem.library.exchange import FORMATS, export, load
 from acoustic_fem.library.netcdf_file import LibraryError
-from acoustic_fem.library.result import VARIABLES, Library
+from acoustic_fem.library.transfer_functions import VARIABLES, Library
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.exchange import export, load
 from acoustic_fem.library.netcdf_file import LibraryError
-from acoustic_fem.library.result import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
+from acoustic_fem.library.transfer_functions import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
 
 GRID = np.linspace(1.0, 100.0, 7)
 

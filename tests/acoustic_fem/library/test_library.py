@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import acoustic_fem
-from acoustic_fem.library.result import described, measured_library
+from acoustic_fem.library.transfer_functions import described, measured_library
 from geometry.design.design_file import prototype
 
 BAND = np.linspace(1, 100, 5)

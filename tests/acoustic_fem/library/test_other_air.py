@@ -7,7 +7,7 @@ import pytest
 
 import acoustic_fem
 import geometry
-from acoustic_fem.library.result import VARIABLES, Library
+from acoustic_fem.library.transfer_functions import VARIABLES, Library
 from acoustic_fem.quantities.local_air import LocalAir, standard_pressure
 from geometry.ground.refusal import Refusal
 

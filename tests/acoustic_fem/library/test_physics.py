@@ -14,7 +14,7 @@ from random_networks import every_node_at_once, random_parameters, topologies
 import acoustic_fem
 import geometry
 from acoustic_fem.library.physics import check_physics
-from acoustic_fem.library.result import MEASURED, Library
+from acoustic_fem.library.transfer_functions import MEASURED, Library
 from geometry.ground.refusal import Refusal
 
 pytestmark = pytest.mark.filterwarnings("ignore:entrance loss")

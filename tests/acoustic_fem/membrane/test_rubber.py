@@ -11,7 +11,7 @@ from scipy.special import gamma
 from acoustic_fem.membrane.disc import DiscOptions, design_compliance, solve_disc
 from acoustic_fem.membrane.rubber import ELASTIC, Rubber, causal_slope, modulus_ratio
 from geometry import prototype
-from geometry.stated.materials import STATIC_FREQUENCY, Material
+from geometry.schema.materials import STATIC_FREQUENCY, Material
 
 GRID = np.geomspace(0.01, 1000.0, 31)
 PRONY = Rubber(strengths=(0.05, 0.1, 0.08), times=(0.3, 0.02, 1e-3))

@@ -232,8 +232,8 @@ def test_a_symmetric_line_has_mirrored_responses():
 def test_the_place_where_tubes_are_cut_does_not_matter(monkeypatch):
     design = prototype("array-2x6")
     four_radii = solve(design)
-    monkeypatch.setattr("geometry.stated.parts.STUB_LENGTH_IN_RADII", 2.5)
-    monkeypatch.setattr("geometry.stated.ports.STUB_LENGTH_IN_RADII", 2.5)
+    monkeypatch.setattr("geometry.schema.part_fields.STUB_LENGTH_IN_RADII", 2.5)
+    monkeypatch.setattr("geometry.schema.ports.STUB_LENGTH_IN_RADII", 2.5)
     assert design.tube.stub_length == pytest.approx(2.5 * design.tube.acoustic_diameter / 2)
     two_and_a_half = solve(design)
     np.testing.assert_allclose(two_and_a_half.source_response, four_radii.source_response, rtol=1e-9)

@@ -6,7 +6,7 @@ import acoustic_fem
 from acoustic_fem.duct.coil_bore import CoilBore
 from acoustic_fem.duct.plane_wave import port_admittance, two_port
 from acoustic_fem.network import array_network
-from acoustic_fem.network.chain import TwoPort, join
+from acoustic_fem.network.chain_matrices import TwoPort, join
 from geometry.air.cells import cell_catalogue
 from geometry.design.design_file import prototype
 from geometry.layout.arrangement import lay_out

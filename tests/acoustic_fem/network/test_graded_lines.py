@@ -17,7 +17,7 @@ from acoustic_fem.network.microphone import load_admittance
 from geometry.air.cells import cell_catalogue, resonator_cell
 from geometry.design.design_file import load_design, prototype
 from geometry.layout.arrangement import lay_out
-from geometry.stated.ports import Port
+from geometry.schema.ports import Port
 
 BAND = np.array([1.0, 7.0, 40.0, 100.0])
 RESULTS = ("source_response", "point_impedance", "microphone_impedance", "transfer_function")

@@ -6,7 +6,7 @@ from reference_data import AIR
 
 from acoustic_fem.network import microphone
 from geometry.design.design_file import prototype, prototype_names
-from geometry.stated.parts import Microphone
+from geometry.schema.part_fields import Microphone
 
 MEMS = Microphone(chamber_diameter=3.0, chamber_height=2.0)
 BAND = np.logspace(-2, 3.3, 60)

@@ -7,7 +7,7 @@ import pytest
 from geometry.air.cells import Cell, canonical_ports
 from geometry.air.mesh import WALL, MeshError, MeshSizes, mesh_solid
 from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 SIZES = MeshSizes(mouth_edge=0.4, tube=0.8, growth=0.7, largest=1.0)
 STRAIGHT = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)

@@ -9,7 +9,7 @@ from geometry.air.mesh import face_at
 from geometry.air.mirror_symmetry import mirror_half
 from geometry.air.straight_bores import KEPT_RADII, shortened
 from geometry.air.volume import air_volume
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 RADIUS = 0.25
 

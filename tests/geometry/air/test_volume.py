@@ -12,13 +12,13 @@ import geometry
 from geometry.air.cells import ANGLE_STEP, Cell, canonical_ports, cell_catalogue, resonator_cell
 from geometry.air.volume import air_solid
 from geometry.layout.arrangement import lay_out
-from geometry.solids.bodies import cylinder
+from geometry.schema.cavity_shapes import draw_cavity
+from geometry.schema.manufacture import Printing
+from geometry.schema.part_fields import Membrane, Resonator
+from geometry.schema.ports import CellPort, Port, in_common_rotation
 from geometry.solids.housing import build_housing
+from geometry.solids.round_solids import cylinder
 from geometry.solids.shell import build_shell, port_height
-from geometry.stated.cavity_shapes import draw_cavity
-from geometry.stated.making import Printing
-from geometry.stated.parts import Membrane, Resonator
-from geometry.stated.ports import CellPort, Port, in_common_rotation
 
 SHAPES = {
     "cylinder": {},

@@ -6,9 +6,9 @@ import geometry
 from geometry.assembly.bill import bill_of_materials
 from geometry.assembly.fit import misfits, port_fits
 from geometry.assembly.model import array_model
-from geometry.assembly.table import assembly_steps, assembly_text, write_assembly_table
+from geometry.assembly.order_table import assembly_steps, assembly_text, write_assembly_table
 from geometry.layout.cutting import cutting_list
-from geometry.printing.report import print_report
+from geometry.printing.printability import print_report
 
 TUBE = {"length": 14.0, "inner_diameter": 0.44, "wire_diameter": 0.08, "outer_diameter": 0.9}
 WIDE = {"length": 8.0, "inner_diameter": 0.6, "wire_diameter": 0.1, "outer_diameter": 1.1}

@@ -18,10 +18,10 @@ from acoustic_fem.duct.coil_bore import CoilBore
 from geometry.design.array_design import ArrayDesign
 from geometry.design.changes import changed
 from geometry.design.design_file import prototype_text, read_design, read_stored_design, write_design
-from geometry.stated.declared import fields_of
-from geometry.stated.fields import DesignError
-from geometry.stated.materials import MATERIALS, Material, blend_modulus, youngs_modulus_from_shore_a
-from geometry.stated.parts import Tube
+from geometry.schema.declared_fields import fields_of
+from geometry.schema.field_errors import DesignError
+from geometry.schema.materials import MATERIALS, Material, blend_modulus, youngs_modulus_from_shore_a
+from geometry.schema.part_fields import Tube
 
 DELETE = object()
 
@@ -504,8 +504,8 @@ def test_a_completed_design_does_not_need_the_built_in_materials(monkeypatch: py
     design = geometry.prototype("fingertip-3x4").completed()
     assert set(design.materials) == {"silicone-blend-5-1-shore-a-0-5", "photopolymer-resin"}
     text = write_design(design)
-    monkeypatch.setattr("geometry.design.rules.MATERIALS", {})
-    monkeypatch.setattr("geometry.stated.array.MATERIALS", {})
+    monkeypatch.setattr("geometry.design.design_rules.MATERIALS", {})
+    monkeypatch.setattr("geometry.schema.array_fields.MATERIALS", {})
     assert read_design(text).material(design.membrane.material) == MATERIALS[design.membrane.material]
 
 

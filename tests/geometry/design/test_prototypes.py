@@ -11,7 +11,7 @@ import geometry
 from geometry.design.design_file import prototype_text
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
-from geometry.plan.topology import wiring_counts
+from geometry.plan.wiring_graph import wiring_counts
 
 NAMES = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64", "line-2", "line-3", "line-4"]
 

@@ -9,12 +9,12 @@ import trimesh
 from built import built
 
 import geometry
-import geometry.assembly.parts
+import geometry.assembly.part_list
 from geometry.formats import part_files
 from geometry.formats.part_files import LARGEST_VOLUME_ERROR, export, tessellation_tolerance
 from geometry.printing.plates import SPACING, export_plates
+from geometry.schema.print_processes import PROCESSES, with_rules
 from geometry.solids.measure import tessellate
-from geometry.stated.print_processes import PROCESSES, with_rules
 
 
 @pytest.fixture(

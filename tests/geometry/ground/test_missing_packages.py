@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from geometry.ground.extras import EXTRAS, MissingExtra
 from geometry.ground import missing_packages
+from geometry.ground.extras import EXTRAS, MissingExtra
 from geometry.ground.missing_packages import MissingLibrary
 from geometry.ground.refusal import Refusal
 
@@ -141,7 +141,7 @@ def test_a_package_that_is_not_there_is_told_to_modules_of_ours_alone(monkeypatc
     monkeypatch.setitem(EXTRAS, "plots", ("nobodys_pencil",))
     line = r"^nobodys_pencil, which this needs, is not installed: pip install 'acoustic-fem\[plots\]'$"
     with pytest.raises(MissingExtra, match=line):
-        exec("import nobodys_pencil.lines", {"__name__": "studies.output.figures"})
+        exec("import nobodys_pencil.lines", {"__name__": "studies.output.response_figures"})
     with pytest.raises(ModuleNotFoundError, match="No module named 'nobodys_pencil'"):
         exec("import nobodys_pencil", {"__name__": "xarray.plot"})
     with pytest.raises(ModuleNotFoundError, match=r"No module named .geometry\.nobodys_pencil"):

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from geometry.ground.refusal import Refusal, counted, in_one_line, said_by
-from geometry.stated.fields import DesignError
+from geometry.schema.field_errors import DesignError
 
 
 @given(st.text(max_size=200), st.sampled_from([1, 10, 10_000]))

@@ -12,7 +12,7 @@ from acoustic_fem.scatter.tolerances import read_tolerances
 from geometry import DesignError, load_design
 from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import parse_json, parse_toml, read_toml
-from geometry.stated.print_processes import find_process
+from geometry.schema.print_processes import find_process
 from localize.recordings.touch_manifest import TouchManifestError, read_touch_manifest
 from studies.optimization.problem import load_optimization
 from studies.study.file import load_study

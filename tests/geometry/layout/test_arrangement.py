@@ -364,7 +364,7 @@ def test_tubes_that_meet_in_the_palm_at_too_sharp_an_angle_are_refused():
 def test_neither_layout_nor_counts_load_the_cad_kernel():
     code = (
         "import sys, geometry, geometry.printing, geometry.formats.part_files\n"
-        "from geometry.layout.arrangement import lay_out\nfrom geometry.assembly.parts import part_counts\n"
+        "from geometry.layout.arrangement import lay_out\nfrom geometry.assembly.part_list import part_counts\n"
         "from geometry.layout.cutting import cutting_list\n"
         "d = geometry.prototype('array-2x6'); lay_out(d); part_counts(d); cutting_list(d)\n"
         "print([m for m in ('cadquery', 'OCP', 'gmsh', 'vtkmodules', 'torch', 'trimesh') if m in sys.modules])"

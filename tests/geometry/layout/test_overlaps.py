@@ -8,8 +8,8 @@ from hypothesis import assume, given, settings, strategies as st
 
 import geometry
 from geometry.layout.arrangement import lay_out
-from geometry.layout.mending import mend_of, refuse_unbuildable
 from geometry.layout.overlaps import OverlapError, overlaps, refuse_overlaps, schematic_notes
+from geometry.layout.remedies import mend_of, refuse_unbuildable
 from geometry.layout.straight_rows import is_wide_apart
 
 CLOSE = {"lines.0.points": 9, "resonator.cavity_diameter": 5.0, "layout.columns": 3, "layout.pitch": 9.0}

@@ -10,11 +10,11 @@ from OCP.GeomAbs import GeomAbs_Cone, GeomAbs_Cylinder
 
 import geometry
 from geometry.molds.mold import build_mold, mold_counts
-from geometry.molds.parts import base_block, mark, mark_text
-from geometry.molds.plan import plan_mold
-from geometry.solids.bodies import cylinder
+from geometry.molds.mold_parts import base_block, mark, mark_text
+from geometry.molds.mold_plan import plan_mold
 from geometry.solids.measure import hole_diameters
 from geometry.solids.membrane import build_membrane
+from geometry.solids.round_solids import cylinder
 
 PHYSICAL = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64"]
 TRAY = {"mold.rows": 2, "mold.columns": 3}

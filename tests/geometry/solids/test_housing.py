@@ -9,11 +9,11 @@ import pytest
 import geometry
 from geometry.air.cells import Cell
 from geometry.air.volume import air_volume
-from geometry.solids.bodies import cylinder
+from geometry.schema.manufacture import Printing
+from geometry.schema.part_fields import Microphone
+from geometry.schema.ports import CellPort, Port
 from geometry.solids.housing import build_board, build_housing
-from geometry.stated.making import Printing
-from geometry.stated.parts import Microphone
-from geometry.stated.ports import CellPort, Port
+from geometry.solids.round_solids import cylinder
 
 PRINTING = Printing(port_lip=0.3)
 

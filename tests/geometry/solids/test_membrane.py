@@ -6,9 +6,9 @@ import cadquery as cq
 import pytest
 
 import geometry
+from geometry.schema.ports import Port
 from geometry.solids.membrane import build_membrane, membrane_radius
 from geometry.solids.shell import build_shell
-from geometry.stated.ports import Port
 
 SLOPE = math.tan(math.radians(1.0))
 BOSS = {"membrane.shape": "boss", "membrane.boss_diameter": 2.0, "membrane.boss_height": 0.6}

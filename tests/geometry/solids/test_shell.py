@@ -10,16 +10,16 @@ from hypothesis import HealthCheck, given, settings, strategies as st
 from thorough import many
 
 import geometry
-from geometry.assembly.parts import build_parts, part_counts
-from geometry.solids.bodies import cylinder
+from geometry.assembly.part_list import build_parts, part_counts
+from geometry.schema.cavity_shapes import web
+from geometry.schema.field_errors import DesignError
+from geometry.schema.manufacture import Printing
+from geometry.schema.part_fields import Membrane, Resonator, Shell
+from geometry.schema.ports import Port, largest_gap
 from geometry.solids.carrier import array_carrier, build_carrier, carrier_places
 from geometry.solids.measure import hole_diameters, tessellate
+from geometry.solids.round_solids import cylinder
 from geometry.solids.shell import build_shell
-from geometry.stated.cavity_shapes import web
-from geometry.stated.fields import DesignError
-from geometry.stated.making import Printing
-from geometry.stated.parts import Membrane, Resonator, Shell
-from geometry.stated.ports import Port, largest_gap
 
 RESONATOR = Resonator(cavity_diameter=6, cavity_height=2.5, wall_thickness=2)
 MEMBRANE = Membrane(material="silicone-shore-a-30", thickness=0.5, rim_width=1.5)

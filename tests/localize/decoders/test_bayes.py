@@ -16,7 +16,7 @@ from localize.decoders.frame_covariance import HUM, INTEGRATION_STEP, SOURCE_RMS
 from localize.signals import stimulus, threads
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import taps
-from localize.signals.noise import NoiseSpectrum
+from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.propagation import microphone_signals
 
 

@@ -10,12 +10,12 @@ import pytest
 from shared import solved
 
 import localize
-from acoustic_fem.library.result import Library, measured_library
+from acoustic_fem.library.transfer_functions import Library, measured_library
 from geometry.ground.refusal import Refusal
 from localize.decoders.drift import STATES
 from localize.learned.onnx import export_onnx
 from localize.signals.array_response import response_of
-from studies.made_sensor.rig import HiddenScatter, Rig
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 GRID = np.arange(1.0, 101.0, 3.0)
 NOISE = 1e-3

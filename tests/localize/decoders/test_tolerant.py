@@ -13,7 +13,7 @@ from rings import triangle
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.library.result import MEASURED
+from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.scatter import ScatteredDesign, Tolerance, scatter_factors
 from localize.decoders import tolerant_decoder
 from localize.decoders.tolerant import WARMTH

@@ -10,7 +10,7 @@ import pytest
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.library.result import MEASURED
+from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.scatter import ScatteredDesign, scatter_factors
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
 from localize import Decision

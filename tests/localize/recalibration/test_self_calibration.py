@@ -14,14 +14,14 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
-from acoustic_fem.library.result import Library
+from acoustic_fem.library.transfer_functions import Library
 from localize.decoders.likelihood import NOISE_SHARE
 from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, passed
-from localize.recalibration.objections import gaps, likeliest_order, numbers
-from localize.recalibration.search import value_and_slope
+from localize.recalibration.parameter_search import value_and_slope
+from localize.recalibration.rejections import gaps, likeliest_order, numbers
 from localize.recalibration.self_calibration import SLOPES, SelfCalibrationError, self_calibrate
 from localize.signals.array_response import response_of
-from studies.made_sensor.rig import HiddenScatter, Rig
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 
 def top1(library: Library, response: localize.ArrayResponse) -> float:

@@ -13,7 +13,7 @@ from geometry.ground.refusal import Refusal
 from localize.contacts import pulse_times, pulse_wave
 from localize.recognition.pulse import PulseDecoder, waves_of
 from localize.recognition.takes import heard, prepared
-from localize.signals.noise import NoiseSpectrum
+from localize.signals.noise_model import NoiseSpectrum
 
 ARRAY = rc_line(3, np.concatenate([np.arange(0.25, 10.0, 0.25), np.arange(10.0, 501.0, 2.0)]))
 

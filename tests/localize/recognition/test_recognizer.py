@@ -18,8 +18,8 @@ from geometry.ground.refusal import Refusal
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError
-from localize.recognition.events import event_pressure
-from localize.recognition.hearing import Ear
+from localize.recognition.event_kinds import event_pressure
+from localize.recognition.filter_bank import Ear
 from localize.recognition.recorded_takes import Stretch, cut, stretches
 from localize.recognition.takes import TakeMaker, heard
 from localize.recordings.touch_manifest import TouchManifestError, read_labelled_manifest

@@ -11,7 +11,7 @@ from geometry.ground.refusal import Refusal
 from localize.contacts import Contact
 from localize.contacts.contact import covered_force
 from localize.decoders.reconstruct import Reconstructor
-from localize.recognition.events import EVENTS, PEAK, event_pressure
+from localize.recognition.event_kinds import EVENTS, PEAK, event_pressure
 from localize.recognition.power_maps import WINDOW
 from localize.recognition.takes import LEAD, SUBJECTS, TakeMaker, at_usual_speed, heard
 from localize.recognition.textures import PROFILES, SPEED, Profile, felt_height, passing_pressure, texture_pressure

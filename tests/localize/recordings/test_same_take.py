@@ -12,8 +12,8 @@ from localize.recordings.recording import read_recording
 from localize.recordings.same_take import LEAST_TOUCHED, find_same_take
 from localize.recordings.touch_manifest import PARTS, TouchManifestError
 from localize.signals.array_response import ArrayResponse
-from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
-from studies.made_sensor.rig_touches import TouchSession, record_touches
+from studies.test_rig.rig_touches import TouchSession, record_touches
+from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 FULL_SCALE = 2.0
 NOISE = 1e-3

@@ -17,8 +17,8 @@ from localize.live.events import Decision, TrackedGesture
 from localize.signals import response_of
 from localize.signals.array_response import ArrayResponse
 from localize.tracking.footprints import footprints_over
-from localize.tracking.gestures import GestureTracker
 from localize.tracking.path import PathTracker, Track
+from localize.tracking.path_gestures import GestureTracker
 from localize.tracking.smoothing import HOP_TIME, Cells, smoothed
 
 

@@ -12,12 +12,12 @@ from typer.testing import CliRunner
 
 import acoustic_fem
 import geometry
-from acoustic_fem.library.result import MEASURED
+from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.design.design_file import write_design
 from studies.cli import calibrations
 from studies.cli.app import app
 from studies.cli.options import in_options
-from studies.made_sensor.rig import Recorder, Rig
+from studies.test_rig.virtual_rig import Recorder, Rig
 
 GRID = np.linspace(1.0, 100.0, 34)
 

@@ -13,7 +13,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library import exchange
 from acoustic_fem.library.exchange import export
-from acoustic_fem.library.result import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
+from acoustic_fem.library.transfer_functions import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
 from geometry.layout.arrangement import lay_out
 from localize.signals.array_response import UncoveredWarning
 from studies.cli.app import app

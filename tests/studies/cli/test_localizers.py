@@ -134,7 +134,9 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
 def test_evaluate_takes_the_noise_of_the_design_unless_told(
     command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("studies.judging.report.render", lambda found: "")  # the numbers are what matters here
+    monkeypatch.setattr(
+        "studies.evaluation.evaluation_report.render", lambda found: ""
+    )  # the numbers are what matters here
     folder, verdict = small_run().folder, tmp_path / "verdict"
     used = []
     for words in ((), ("--noise", "1e-3"), ("--noise", "0")):

@@ -188,12 +188,12 @@ def test_a_run_keeps_a_design_that_was_changed_by_hand_and_a_measured_library(
 ) -> None:
     from dataclasses import replace
 
-    from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.library.transfer_functions import MEASURED
 
     def stopped(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("studies.run.chain._make_parts", stopped)
+    monkeypatch.setattr("studies.run.pipeline._make_parts", stopped)
     words = ["run", "row.toml", "--out", "demo"]
     for _ in range(2):
         assert CliRunner().invoke(app, words).exit_code == 130

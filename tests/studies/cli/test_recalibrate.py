@@ -13,8 +13,8 @@ import acoustic_fem
 import localize
 from localize.live.front_end import HIGH_PASS
 from studies.cli.app import main
-from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
-from studies.made_sensor.rig_touches import TouchSession, record_touches
+from studies.test_rig.rig_touches import TouchSession, record_touches
+from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 
 def recording(path: Path, frames: Array) -> Path:

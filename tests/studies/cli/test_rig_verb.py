@@ -15,7 +15,7 @@ import studies
 def test_the_verb_writes_what_the_call_writes(
     command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    module = "studies.made_sensor.rig_session"
+    module = "studies.test_rig.rig_session"
     for name, value in (("SECONDS", 4.0), ("TAKES", 1), ("TAKE_SECONDS", 4.0)):
         monkeypatch.setattr(f"{module}.{name}", value)
     geometry.save_design(small_design(), tmp_path / "row.toml")

@@ -11,7 +11,7 @@ from shared import solved
 
 import acoustic_fem
 import localize
-from acoustic_fem.library.result import MEASURED, measured_library
+from acoustic_fem.library.transfer_functions import MEASURED, measured_library
 from geometry.ground.refusal import Refusal
 from localize.signals.array_response import response_of
 from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained

@@ -60,7 +60,7 @@ def test_kinds_are_told_in_the_noise_and_air_of_the_place(tmp_path: Path, monkey
         return SimpleNamespace(microphones=own.microphones, design=own.design, line=library.design.lines)
 
     monkeypatch.setattr(localize, "load_recognizer", lambda _: own, raising=False)
-    monkeypatch.setattr("localize.recognition.hearing.Ear", Ear)
+    monkeypatch.setattr("localize.recognition.filter_bank.Ear", Ear)
     monkeypatch.setattr("studies.listening.recognized.open_localizer", open_localizer)
     there = studies.Decoding(noise=2e-3, ambient=60.0, air=LocalAir(pressure=8e4))
     for decoding in (there, None):

@@ -15,11 +15,12 @@ from hypothesis import given, strategies as st
 
 import acoustic_fem
 import geometry
-from acoustic_fem.library.noise import detection_limits
+from acoustic_fem.library.noise_floor import detection_limits
 from geometry.assembly.bill import Prices, bill_of_materials
 from geometry.layout import size
 from geometry.layout.size import array_size
 from studies.metrics import build, shared
+from studies.metrics.batch_responses import Responses
 from studies.metrics.build import volumes_of
 from studies.metrics.confusion import predict_confusion
 from studies.metrics.pairs import (
@@ -31,10 +32,9 @@ from studies.metrics.pairs import (
     trapezoidal_weights,
     worst_heard,
 )
-from studies.metrics.responses import Responses
 from studies.metrics.separation import pair_distances, separability
 from studies.metrics.shared import SharedFigures
-from studies.metrics.touch import touch_response
+from studies.metrics.touch_metrics import touch_response
 from studies.study.metric_registry import METRICS, metrics_named
 
 

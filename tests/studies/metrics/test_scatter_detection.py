@@ -20,9 +20,9 @@ from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign
 from geometry.design.design_file import value_of
 from localize.signals.array_response import response_of
-from studies.made_sensor.rig import HiddenScatter, Rig
 from studies.metrics.scatter_detection import FREQUENCIES, UNKNOWN, scatter_detection, scatter_slopes
 from studies.study.metric_registry import METRICS
+from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 EXAMPLES = Path(__file__).parents[3] / "docs" / "examples"
 NAMES = ("tube.inner_diameter", "tube.length", "resonator.cavity_height", "membrane.thickness")

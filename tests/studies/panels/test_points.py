@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import acoustic_fem
-from acoustic_fem.library.noise import detection_limits
+from acoustic_fem.library.noise_floor import detection_limits
 from geometry import ArrayDesign, Refusal, prototype
 from studies.metrics.confusion import predict_confusion
 from studies.metrics.covered_area import FINGER, coverage
@@ -42,7 +42,7 @@ def test_the_figures_are_those_of_python(name: str) -> None:
         assert point["force"] == pytest.approx(float(limits.sel(point=number)), rel=1e-12)
     assert found["hardest"] == [list(pair) for pair in apart.equally_hard]
 
-    from localize.signals.noise import microphone_noise
+    from localize.signals.noise_model import microphone_noise
 
     noise = microphone_noise(design.microphone, library.medium)
     predicted = predict_confusion(library.transfer_function.values[None], library.frequency, noise)

@@ -8,10 +8,10 @@ from geometry import prototype
 from geometry.ground.refusal import Refusal
 from geometry.layout.overlaps import OverlapError
 from geometry.pictures import mold_cut, viewer, views
-from studies.cli.tables import show_check
-from studies.run.chain import run_design
+from studies.cli.terminal_tables import show_check
 from studies.run.check import check_design
 from studies.run.part_folder import ALL_THE_SAME, export_parts
+from studies.run.pipeline import run_design
 from studies.study.file import read_study
 from studies.sweep.survey import surveyed
 

@@ -19,7 +19,7 @@ from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.duct.meshed_section import MeshedSection
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.made_sensors import made_fidelity, made_transfer_functions
+from acoustic_fem.scatter.as_built_sensors import made_fidelity, made_transfer_functions
 from acoustic_fem.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
 from studies.cli.app import app
 from studies.scatter.effects import deviation, scatter_effects, scattered_accuracy, sobol_indices

@@ -31,7 +31,7 @@ MODULES = (
     "localize.decoders.judgement, localize.decoders.tolerant, localize.graphs.onnx_localizer, localize.learned.onnx, "
     "localize.learned.training, localize.live.sources, h5netcdf, matplotlib.backends.backend_agg, matplotlib.pyplot, "
     "onnx, onnxruntime, optuna, PIL.features, pyvista, rich.table, safetensors.torch, scipy.cluster.hierarchy, "
-    "scipy.fftpack, scipy.io, studies, studies.findings, studies.judging, studies.made_sensor, studies.run, "
+    "scipy.fftpack, scipy.io, studies, studies.findings, studies.evaluation, studies.test_rig, studies.run, "
     "studies.sweep.run, studies.optimization.search, torch, torch._dynamo, trimesh, xarray, zarr"
 )
 

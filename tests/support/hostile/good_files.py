@@ -16,8 +16,8 @@ from hostile.commands import Commands
 from localize import TouchGenerator
 from localize.signals.array_response import response_of
 from studies import Rig
-from studies.made_sensor import Recorder
-from studies.made_sensor.rig_touches import TouchSession, record_touches
+from studies.test_rig import Recorder
+from studies.test_rig.rig_touches import TouchSession, record_touches
 
 STUDY = """
 name = "bores"

@@ -11,7 +11,7 @@ from typing import Any
 import tomlkit
 
 from geometry.design.array_design import ArrayDesign
-from geometry.stated.declared import fields_of
+from geometry.schema.declared_fields import fields_of
 from hostile.damage import Change
 
 Words = tuple[str, ...]

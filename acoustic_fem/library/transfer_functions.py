@@ -1,0 +1,310 @@
+"""Transfer functions of a whole array: ``solve`` and its labelled result."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence, Sized
+from dataclasses import asdict, astuple, dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from acoustic_fem.library.other_air import air_ratio
+from acoustic_fem.library.provenance import library_provenance
+from acoustic_fem.library.touch_pressure import touch_flow, touch_response
+from acoustic_fem.quantities.local_air import LocalAir, design_air
+from acoustic_fem.quantities.medium import Medium
+from geometry.design.array_design import ArrayDesign
+from geometry.ground.refusal import Refusal
+from geometry.layout.placement import point_places
+
+#: What stands in place of a fidelity in a library made from recordings (:mod:`acoustic_fem.calibration`).
+MEASURED = "measured"
+
+#: Name -> dimensions, units and description of the results.
+VARIABLES = {
+    "transfer_function": (
+        ("point", "microphone", "frequency"),
+        "Pa/Pa",
+        "pressure at the microphone per pressure in the touched cavity",
+    ),
+    "source_response": (
+        ("point", "microphone", "frequency"),
+        "Pa s/m^3",
+        "pressure at the microphone per volume velocity injected at the membrane of the point",
+    ),
+    "point_impedance": (
+        ("point", "frequency"),
+        "Pa s/m^3",
+        "pressure in the cavity per volume velocity injected at its membrane",
+    ),
+    "microphone_impedance": (
+        ("microphone", "microphone_2", "frequency"),
+        "Pa s/m^3",
+        "pressure at the microphone per volume velocity injected at the front of the second microphone",
+    ),
+}
+
+#: Attributes of the response per newton, which follows from the source response and the design.
+FORCE_RESPONSE = {
+    "units": "Pa/N",
+    "long_name": "pressure at the microphone per force on the middle quarter of the membrane's radius",
+}
+
+#: Real, unlike the others: what is known of the errors of measured transfer functions.
+DEVIATION = (
+    ("point", "microphone", "frequency"),
+    "Pa/Pa",
+    "standard deviation of the real part, and of the imaginary part, of the transfer function",
+)
+
+#: Those of them that older files and measured libraries may lack.
+OPTIONAL = frozenset({"microphone_impedance"})
+
+
+@dataclass(frozen=True, eq=False)
+class Library:
+    """Responses of one array at a grid of frequencies, with everything needed to make them again.
+
+    The volume velocity is injected in parallel with the membrane's own compliance, which stays part of
+    the array: a touch that would sweep the volume q of a membrane in vacuo injects j w q.
+    """
+
+    transfer_function: xr.DataArray
+    """Microphone pressure per pressure in the touched cavity, (point, microphone, frequency) complex128, Pa/Pa.
+    Microphone pressure: on the diaphragm, behind the sound hole.
+    """
+    source_response: xr.DataArray
+    """Microphone pressure per injected volume velocity, (point, microphone, frequency) complex128, Pa s/m^3."""
+    point_impedance: xr.DataArray
+    """Cavity pressure per injected volume velocity, (point, frequency) complex128, Pa s/m^3."""
+    design: ArrayDesign
+    """The array."""
+    fidelity: str
+    """How the cells were computed, one of :data:`acoustic_fem.FIDELITIES`, or :data:`MEASURED`."""
+    medium: Medium
+    """The air."""
+    provenance: Mapping[str, Any]
+    """Code and library versions, creation time, seed, hash of the frequency grid, and how each distinct cell was
+    solved.
+    """
+    microphone_impedance: xr.DataArray | None = None
+    """Pressure at a microphone per volume velocity injected at the front of another, (microphone, microphone_2,
+    frequency) complex128, Pa s/m^3, the microphones' own load included: what thermal noise needs. None in files of
+    older versions and in measured libraries.
+    """
+    transfer_function_deviation: xr.DataArray | None = None
+    """One standard deviation of the real part and of the imaginary part of the transfer function, (point, microphone,
+    frequency) float64, Pa/Pa. None where it was computed.
+    """
+
+    @property
+    def frequency(self) -> NDArray[np.float64]:
+        """Grid of frequencies, (n_freq,) float64, ascending, Hz."""
+        return np.asarray(self.transfer_function["frequency"].values)
+
+    @property
+    def force_response(self) -> xr.DataArray:
+        """Microphone pressure per force on the membrane, (point, microphone, frequency) complex128, Pa/N.
+
+        The force is spread over a patch of a quarter of the opening's radius in the middle of the membrane and
+        pushes inwards; it injects j w V(w) per newton, V from the elastic solution of the design's membrane.
+        Other patches, and responses per displacement and per outside pressure: :meth:`touch_response`.
+        """
+        return self.touch_response("force").rename("force_response").assign_attrs(FORCE_RESPONSE)
+
+    @property
+    def cavity_response(self) -> xr.DataArray:
+        """Pressure in the touched cavity per force on its membrane, (point, frequency) complex128, Pa/N.
+
+        The force is that of :attr:`force_response`, which is this times the transfer function.
+        """
+        impedance = self.point_impedance.transpose("point", "frequency")
+        return (
+            impedance.copy(data=impedance.values * touch_flow(self.design, impedance, "force"))
+            .assign_attrs({"units": "Pa/N", "long_name": "pressure in the cavity per force on its membrane"})
+            .rename("cavity_response")
+        )
+
+    def touch_response(self, touch: str, *, contact_radius: float | None = None) -> xr.DataArray:
+        """Pressure at the microphones per touch of each membrane.
+
+        Args:
+            touch: "displacement" (m), "force" (N) or "pressure" (Pa).
+            contact_radius: of the patch that is touched, m; by default a quarter of the opening's radius.
+
+        Returns:
+            (point, microphone, frequency) complex128, Pa per unit of the touch.
+
+        Raises:
+            Refusal: an unknown touch, or a contact radius out of range.
+        """
+        return touch_response(
+            self.design, self.source_response, self.point_impedance, touch, contact_radius=contact_radius
+        )
+
+    def in_air(
+        self,
+        pressure: float | None = None,
+        temperature_c: float | None = None,
+        humidity: float | None = None,
+        altitude: float | None = None,
+    ) -> Library:
+        """The same sensor at another place, without a new 3-D solve.
+
+        All responses are multiplied by what the closed forms say that the air changes (:func:`air_ratio`); of a
+        library that was measured too. Of array-2x6, 1 to 200 Hz, that is within 0.23 % of a new 3-D solve at 2000 m,
+        where the air changes the far microphone by 63 %, within 0.05 % at 10 K more, and within 0.4 % at 60 kPa and
+        0 degC. The rubber stays as it was: what it does with temperature is no matter of the air.
+
+        Args:
+            pressure: static pressure there, not reduced to sea level, 5e4 to 1.2e5 Pa.
+            temperature_c: temperature, -20 to 60 degC.
+            humidity: relative, 0 to 1.
+            altitude: in place of the pressure, m above the sea: that of the standard atmosphere.
+
+        Returns:
+            A library whose design and medium say the new air; what is not given is as it was. The library itself where
+            nothing changes.
+
+        Raises:
+            Refusal: a value out of range, pressure and altitude at once, or a library of other air than its design's.
+        """
+        values = LocalAir(pressure, altitude, temperature_c, humidity).design_values
+        if not values:
+            return self
+        design = self.design.with_values(values)
+        medium, before = design_air(design), design_air(self.design)
+        if not np.allclose(astuple(self.medium), astuple(before), rtol=1e-6):
+            raise Refusal(
+                f"{self.design.name}: its library was made in a medium of its own (pressure {self.medium.pressure:g} "
+                f"Pa, viscosity {self.medium.viscosity:g} Pa s) and not in the air of its design: which is meant is "
+                "not known"
+            )
+        if design.air == self.design.air:
+            return self
+        ratio = air_ratio(self.design, self.frequency, before, medium)
+        deviation = self.transfer_function_deviation
+        stored = {name: getattr(self, name) for name in VARIABLES}
+        return library_from_arrays(
+            design,
+            self.frequency,
+            {
+                name: array.transpose(*VARIABLES[name][0]).values * ratio[name]
+                for name, array in stored.items()
+                if array is not None
+            },
+            self.fidelity,
+            medium,
+            {**self.provenance, "brought_from_air": asdict(self.medium)},
+            None
+            if deviation is None
+            else deviation.transpose(*DEVIATION[0]).values * np.abs(ratio["transfer_function"]),
+        )
+
+
+def library_from_arrays(
+    design: ArrayDesign,
+    frequency: NDArray[np.float64],
+    values: Mapping[str, NDArray[np.complex128]],
+    fidelity: str,
+    medium: Medium,
+    provenance: Mapping[str, Any],
+    deviation: NDArray[np.float64] | None = None,
+) -> Library:
+    """A library from bare arrays.
+
+    Args:
+        design: the array.
+        frequency: (n_freq,) float64, ascending, Hz.
+        values: complex128 arrays by the names of :data:`VARIABLES`, of the dimensions, such as (point, microphone,
+            frequency), and in the units that are listed there; those of :data:`OPTIONAL` may be missing.
+        fidelity: how the cells were computed, one of :data:`acoustic_fem.FIDELITIES`, or :data:`MEASURED`.
+        medium: the air.
+        provenance: what made the values.
+        deviation: (n_point, n_microphone, n_freq) float64, Pa/Pa, that of the transfer function, where it was measured.
+    """
+    rows: dict[str, NDArray[Any]] = {name: values[name] for name in VARIABLES if name in values or name not in OPTIONAL}
+    if deviation is not None:
+        rows["transfer_function_deviation"] = deviation
+    grid = np.asarray(frequency, dtype=np.float64).tobytes()
+    labels = _labels(point_places(design), design.microphones, grid, tuple(rows))
+    dataset = labels.copy(deep=True, data=rows)
+    arrays = {name: dataset[name] for name in rows}
+    return Library(**arrays, design=design, fidelity=fidelity, medium=medium, provenance=dict(provenance))
+
+
+@lru_cache(maxsize=4)  # coordinates and attributes of xarray cost more than a network of twelve points
+def _labels(
+    points: tuple[tuple[int, int], ...], microphones: tuple[str, ...], grid: bytes, names: tuple[str, ...]
+) -> xr.Dataset:
+    """Variables of a library with their coordinates and attributes and without their values.
+
+    Args:
+        points: line and place of each.
+        microphones: names.
+        grid: frequencies, Hz, as bytes of float64.
+        names: of the variables.
+    """
+    frequency = np.frombuffer(grid)
+    lines, places = zip(*points, strict=True)
+    coordinates: dict[str, tuple[str, Sized, dict[str, str]]] = {
+        "point": ("point", list(range(1, len(lines) + 1)), {"long_name": "sensing point, from 1"}),
+        "line": ("point", list(lines), {"long_name": "index of its line, from 0"}),
+        "place": ("point", list(places), {"long_name": "index along its line, from 0"}),
+        "microphone": ("microphone", list(microphones), {"long_name": "microphone"}),
+        "microphone_2": ("microphone_2", list(microphones), {"long_name": "second microphone"}),
+        "frequency": ("frequency", frequency, {"units": "Hz", "long_name": "frequency"}),
+    }
+    sizes = {name: len(values) for name, (dimension, values, _) in coordinates.items() if name == dimension}
+    described = {**VARIABLES, "transfer_function_deviation": DEVIATION}
+    variables = {}
+    for name in names:
+        dimensions, units, description = described[name]
+        empty = np.broadcast_to(0.0, [sizes[dimension] for dimension in dimensions])
+        variables[name] = (dimensions, empty, {"units": units, "long_name": description})
+    return xr.Dataset(variables, coords=coordinates)
+
+
+def measured_library(
+    design: ArrayDesign,
+    known: Library,
+    transfer_function: NDArray[np.complex128],
+    deviation: NDArray[np.float64],
+    libraries: Sequence[str],
+    provenance: Mapping[str, Any],
+) -> Library:
+    """Library of a made sensor: its transfer functions as measured, the rest from the library known before.
+
+    Impedances are not measured: the point impedance stays, and the source response is that times the transfer function.
+
+    Args:
+        design: of the sensor.
+        known: library of that design, or of one with the same points and microphones, on the same frequencies.
+        transfer_function: (n_point, n_microphone, n_freq) Pa/Pa.
+        deviation: (n_point, n_microphone, n_freq) one standard deviation of the real part, and of the imaginary part,
+            of the transfer function, Pa/Pa.
+        libraries: distributions whose versions matter.
+        provenance: what it was measured from, as JSON can hold it.
+    """
+    impedance = known.point_impedance.transpose("point", "frequency").values
+    return library_from_arrays(
+        design,
+        known.frequency,
+        {
+            "transfer_function": transfer_function,
+            "source_response": transfer_function * impedance[:, None],
+            "point_impedance": impedance,
+        },
+        MEASURED,
+        known.medium,
+        {**library_provenance(known.frequency, libraries), **provenance},
+        deviation,
+    )
+
+
+def described(library: Library) -> dict[str, Any]:
+    """Provenance of a library and how its cells were computed, for that of another which is made from it."""
+    return {"fidelity": library.fidelity, **library.provenance}

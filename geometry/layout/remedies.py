@@ -1,0 +1,98 @@
+"""What would mend a design that cannot be built as it is laid out: the nearest one that can, by one change or two."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import value_of
+from geometry.layout.overlaps import OverlapError, refuse_overlaps
+from geometry.layout.placement import ArrayLayout
+from geometry.schema.field_errors import DesignError
+
+#: Lengths that part bodies where they grow, and how far they are tried.
+_APART = ("layout.diameter", "layout.palm", "layout.spread", "microphone_tube.length", "tube.length")
+_GROWTH, _STEPS = 1.1, 14
+#: Shares of the half of a straight tube that are tried for the walls at its ends.
+_WALLS = (0.95, 0.8, 0.6, 0.4)
+
+
+def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: str = "") -> None:
+    """Refuse a design that cannot be built as it is laid out, and say what would mend it.
+
+    Args:
+        design: the array.
+        layout: where its parts lie, where it is known already.
+        unless: what else there is to say, such as how it is drawn all the same.
+
+    Raises:
+        OverlapError: see :func:`geometry.layout.overlaps.overlaps`.
+    """
+    try:
+        refuse_overlaps(design, layout)
+    except OverlapError as error:
+        raise OverlapError(*error.problems, also="; ".join(filter(None, (mend_of(design), unless)))) from None
+
+
+def mend_of(design: ArrayDesign) -> str:
+    """The change of a design after which it can be built, in words; empty where none of those tried does it.
+
+    Tried in turn, each by laying the changed design out: tubes that lie straight at the stated pitch, with thinner
+    walls where these are in the way; straight tubes at their own pitch; a larger cylinder, palm or spread, longer
+    tubes; thinner walls.
+    """
+    return next((words for words, values in _changes(design) if _can_be_built(design, values)), "")
+
+
+def _changes(design: ArrayDesign) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Changes in words and as values by dotted name."""
+    cavity, wall, pitch = design.resonator.cavity_diameter, design.resonator.wall_thickness, design.layout.pitch
+    if pitch is not None:
+        straight = round(pitch - cavity, 6)
+        change = f"mend: tube.length = {straight:g} mm (layout.pitch - resonator.cavity_diameter)"
+        lengths = {"tube.length": straight}
+        yield change, lengths
+        for share in _WALLS:
+            thin = round(share * straight / 2, 3)
+            if thin < wall:
+                yield (
+                    f"{change} and resonator.wall_thickness below half of it, such as {thin:g} mm",
+                    {**lengths, **_walls(design, thin)},
+                )
+        graded = any(len(design.inner_tubes_of(line)) > 1 for line in design.lines)
+        own = "" if graded else f", or {cavity + design.tube.length:g} mm"
+        yield (
+            f"mend: leave out layout.pitch{own}: the tubes then lie straight",
+            {"layout.pitch": None},
+        )
+    for name in _APART:
+        now = _number(design, name)
+        for step in range(1, _STEPS + 1 if now is not None else 0):
+            larger = float(f"{(now or 0.0) * _GROWTH**step:.3g}")
+            yield f"mend: {name} of {larger:g} in place of {now:g}", {name: larger}
+    for share in (0.8, 0.6, 0.4):
+        thin = round(share * wall, 3)
+        yield f"mend: resonator.wall_thickness of {thin:g} mm in place of {wall:g} mm", _walls(design, thin)
+
+
+def _walls(design: ArrayDesign, thickness: float) -> dict[str, Any]:
+    """Thinner walls of the shells, and a membrane that they carry."""
+    return {
+        "resonator.wall_thickness": thickness,
+        "membrane.rim_width": min(design.membrane.rim_width, thickness),
+    }
+
+
+def _number(design: ArrayDesign, name: str) -> float | None:
+    value = value_of(design, name)
+    return value if isinstance(value, (int, float)) else None
+
+
+def _can_be_built(design: ArrayDesign, values: dict[str, Any]) -> bool:
+    try:
+        changed = design.with_values(values)
+        refuse_overlaps(changed)
+    except DesignError:
+        return False
+    return True

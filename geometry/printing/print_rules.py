@@ -1,0 +1,158 @@
+"""The rules of a process applied to one part: what was measured, the limit, the place, the verdict."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.printing.pose import Pose, find_pose
+from geometry.schema.print_processes import PrintProcess, Relation, Rule, Verdict
+
+if TYPE_CHECKING:
+    import cadquery as cq
+
+    from geometry.solids.measure import Round, Tessellation
+
+#: Entries of a part's parameters that are radial gaps to what is put into it, and how the report calls them.
+GAPS = {
+    "glue_gap": "gap around tube",
+    "pin_clearance": "gap around pin",
+    "guide_clearance": "gap of guides",
+    "board_gap": "gap around board",
+}
+#: Facets of a casting that look up: the z of their normals; walls have a draft.
+_UPWARDS = 0.5
+#: Shorter than this share of its diameter a free-standing cylinder is a plate, not a pin.
+_PLATE = 0.5
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One rule applied to one part."""
+
+    part: str
+    """Name of the part."""
+    rule: str
+    """Name of the rule."""
+    value: float
+    """What was measured, in ``unit``."""
+    limit: float
+    """What the value is held against, in ``unit``."""
+    unit: str
+    """Unit of value and limit."""
+    verdict: Verdict
+    """How the value stands to the rule."""
+    reason: str
+    """Where the limit comes from, or what was measured."""
+    place: tuple[float, float, float] | None = None
+    """Place of the worst spot, in the part's own coordinates, mm; None where the rule has no one place."""
+    relation: Relation = "at least"
+    """How the value must stand to the limit."""
+
+
+def judge_printed(
+    name: str, solid: cq.Shape, facets: Tessellation, process: PrintProcess, parameters: Mapping[str, Any]
+) -> list[Finding]:
+    """Every rule of a process on a part that is printed.
+
+    Args:
+        name: of the part.
+        solid: the part, one valid solid.
+        facets: as exported.
+        process: with its rules.
+        parameters: what the part was generated from; gaps to what is put into it are judged where they are known.
+    """
+    from geometry.printing.walls import Faces, narrowest_gap, thinnest_wall
+    from geometry.solids.measure import inner_voids, rounds
+
+    faces = Faces(solid, facets)
+    wall, gap = thinnest_wall(faces), narrowest_gap(faces)
+    findings = [_by_rule(name, "thinnest wall", wall.value, "mm", process.wall, wall.place)]
+    round_ones = rounds(solid)
+    holes = [one for one in round_ones if one.hollow]
+    if holes:
+        findings.append(_by_rule(name, "narrowest hole", holes[0].diameter, "mm", process.hole, holes[0].place))
+    if math.isfinite(gap.value):
+        findings.append(_by_rule(name, "narrowest gap", gap.value, "mm", process.slot, gap.place))
+    pins = [one for one in round_ones if not one.hollow and one.length > _PLATE * one.diameter]
+    if pins:
+        pin = max(pins, key=_aspect)
+        findings.append(_by_rule(name, "slenderest pin", _aspect(pin), "", process.pin_aspect, pin.place))
+    for key, called in GAPS.items():
+        if isinstance(parameters.get(key), float):
+            findings.append(_by_rule(name, called, parameters[key], "mm", process.clearance, None))
+    pose = find_pose(facets, process)
+    findings += _built(name, facets, process, holes, pose)
+    voids = inner_voids(solid)
+    reason = "voids without a way out for liquid resin or powder"
+    findings.append(Finding(name, "trapped volumes", voids, 0, "", "fail" if voids else "ok", reason, None, "at most"))
+    findings += [_size(name, process, pose), _facets(name, facets, process)]
+    return findings
+
+
+def judge_cast(name: str, facets: Tessellation, process: PrintProcess) -> Finding:
+    """The one rule on a part that is cast between printed plates: its thinnest place above its flat lower face."""
+    corners = facets.vertices[facets.triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    upwards = corners[normals[:, 2] > _UPWARDS * np.linalg.norm(normals, axis=1)]
+    thickness = float(upwards[:, :, 2].min() - facets.vertices[:, 2].min())
+    return _by_rule(name, "cast thickness", thickness, "mm", process.cast_thickness, None)
+
+
+def judge_shims(name: str, step: float, process: PrintProcess) -> Finding:
+    """Whether shims of neighbouring steps are told apart by what they do: a warning, since they can be measured."""
+    tolerance = process.tolerance
+    source = f"two shims true to {tolerance:g} mm each may be the wrong way round, measure them; {process.source}"
+    return _by_rule(name, "step of shims", step, "mm", Rule(0.0, 2 * tolerance, source), None)
+
+
+def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[Round], pose: Pose) -> list[Finding]:
+    """What depends on the direction of building."""
+    from geometry.printing.overhangs import overhangs, sealed_cup
+
+    findings = []
+    if process.overhang_angle > 0:
+        hang = overhangs(facets, process.overhang_angle, pose.upside_down)
+        finding = _by_rule(name, "widest overhang", hang.span, "mm", process.overhang_span, hang.place)
+        note = f"built {pose.words}, flatter than {process.overhang_angle:g} degrees: {hang.area:.3g} mm^2 in all"
+        findings.append(_with_note(finding, note))
+    if math.isfinite(process.cup_volume.advised):
+        advised = process.hole.advised
+        narrowest = max(min(holes[0].diameter, advised) if holes else advised, process.hole.limit)
+        cup = sealed_cup(facets, narrowest, pose.upside_down)
+        findings.append(_by_rule(name, "sealed cup", cup.value, "mm^3", process.cup_volume, cup.place))
+    return findings
+
+
+def _size(name: str, process: PrintProcess, pose: Pose) -> Finding:
+    size, room = max(zip(pose.size, process.build_volume, strict=True), key=lambda pair: pair[0] / pair[1])
+    verdict: Verdict = "ok" if pose.fits else "fail"
+    reason = f"laid {pose.words}; build volume: {process.source}"
+    return Finding(name, "size", size, room, "mm", verdict, reason, None, "at most")
+
+
+def _facets(name: str, facets: Tessellation, process: PrintProcess) -> Finding:
+    half = process.pixel / 2
+    verdict: Verdict = "ok" if facets.deviation <= half else "warn"
+    reason = f"half a pixel, as exported; {process.source}"
+    return Finding(name, "facets off the surface", facets.deviation, half, "mm", verdict, reason, None, "at most")
+
+
+def _by_rule(
+    part: str, name: str, value: float, unit: str, rule: Rule, place: tuple[float, float, float] | None
+) -> Finding:
+    verdict = rule.verdict(value)
+    limit = rule.limit if verdict == "fail" else rule.advised
+    return Finding(part, name, value, limit, unit, verdict, rule.source, place, rule.relation)
+
+
+def _with_note(finding: Finding, note: str) -> Finding:
+    return replace(finding, reason=f"{finding.reason}; {note}")
+
+
+def _aspect(pin: Round) -> float:
+    return pin.length / pin.diameter

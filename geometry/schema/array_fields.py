@@ -1,0 +1,266 @@
+"""What a design file states of the whole array, and the lengths that follow, before any rule between its fields."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+from typing import Annotated, Literal, Self
+
+from pydantic import Field
+
+from geometry.schema.field_errors import Count, Millimetre, Number, Section
+from geometry.schema.kinds import PLAIN, Pattern, PointKind
+from geometry.schema.manufacture import Molding, Printing
+from geometry.schema.materials import MATERIALS, Material
+from geometry.schema.part_fields import Membrane, Microphone, Resonator, Shell, Tube
+
+MicrophoneName = Annotated[str, Field(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
+
+
+class Line(Section):
+    """Resonators in series between two microphones; points are numbered from the first of them."""
+
+    between: tuple[str, str] = Field(description="names of the two microphones at its ends")
+    points: Count = Field(ge=1, le=1000, description="number of sensing points")
+    tube: Tube | None = Field(default=None, description="tube between its points, where it differs")
+    microphone_tube: Tube | None = Field(default=None, description="tube to its microphones, where it differs")
+    pattern: Pattern | None = Field(default=None, description="kinds of its points and tubes, where they differ")
+
+
+class Layout(Section):
+    """Where the resonators lie."""
+
+    kind: Literal["serpentine", "ring", "area", "cylinder", "hand"] = Field(
+        description="serpentine: rows of `columns` points, one block per line; ring: lines are the sides of a "
+        "polygon, microphones its corners; area: all lines one after the other along one way over rows of `columns` "
+        "points, microphones around it; cylinder: a serpentine wound on a cylinder, rows around it; hand: fingers of "
+        "`columns` points that fan out from the wrist"
+    )
+    columns: Count = Field(
+        default=1000, ge=1, le=1000, description="points per row of a serpentine or an area, or per finger"
+    )
+    pitch: Millimetre | None = Field(default=None, description="distance of neighbours; default: tubes lie straight")
+    diameter: Millimetre | None = Field(
+        default=None, ge=2, le=2000, description="cylinder on which the shells stand; for kind = 'cylinder' only"
+    )
+    palm: Millimetre | None = Field(
+        default=None, ge=5, le=300, description="wrist to the first point of each finger; for kind = 'hand' only"
+    )
+    spread: Number | None = Field(
+        default=None,
+        ge=1,
+        le=60,
+        description="angle between neighbouring fingers; for kind = 'hand' only",
+        json_schema_extra={"unit": "degrees"},
+    )
+
+
+class Air(Section):
+    """State of the air in the array."""
+
+    temperature: Number = Field(
+        default=20.0, ge=-20, le=60, description="temperature", json_schema_extra={"unit": "degC"}
+    )
+    humidity: Number = Field(default=0.5, ge=0, le=1, description="relative humidity, 0 to 1")
+    pressure: Number = Field(
+        default=101325.0, ge=5e4, le=1.2e5, description="static pressure", json_schema_extra={"unit": "Pa"}
+    )
+
+
+class StatedArray(Section):
+    """Everything one array is made of, each field allowed in itself; whether they go together is not yet checked.
+
+    The fields are documented by ``acoustic-fem check --fields`` and in docs/design-file.md.
+    """
+
+    name: str = Field(
+        min_length=1,
+        max_length=80,
+        pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$",
+        description="name of the array, also in file names",
+    )
+    description: str = Field(default="", description="what it is, for people")
+    microphones: tuple[MicrophoneName, ...] = Field(min_length=2, max_length=16, description="names of the microphones")
+    resonator: Resonator = Field(description="printed shell of a sensing point")
+    shell: Shell = Field(default=Shell(), description="what else is printed on the shells")
+    membrane: Membrane = Field(description="silicone disc on each shell")
+    tube: Tube = Field(description="tube between neighbouring points")
+    microphone_tube: Tube = Field(
+        default_factory=lambda stated: stated.get("tube"), description="tube from the end of a line to its microphone"
+    )
+    microphone: Microphone = Field(description="the microphones, all alike")
+    lines: tuple[Line, ...] = Field(min_length=1, description="the lines")
+    layout: Layout = Field(description="where the resonators lie")
+    air: Air = Field(default=Air(), description="state of the air")
+    printing: Printing = Field(default=Printing(), description="how the parts are made")
+    mold: Molding = Field(default=Molding(), description="how the membranes are cast")
+    materials: dict[str, Material] = Field(default_factory=dict, description="materials beside the built-in ones")
+    point_kinds: dict[str, PointKind] = Field(
+        default_factory=dict, description="kinds of points that the patterns of lines name"
+    )
+    tube_kinds: dict[str, Tube] = Field(
+        default_factory=dict, description="kinds of tubes that the patterns of lines name"
+    )
+
+    @property
+    def followers(self) -> frozenset[str]:
+        """Tables that nobody stated and that are as others are, however these change: the microphone tube's."""
+        return frozenset({"microphone_tube"}) - self.model_fields_set
+
+    @property
+    def point_count(self) -> int:
+        """Number of sensing points."""
+        return sum(line.points for line in self.lines)
+
+    def material(self, name: str) -> Material:
+        """The material of that name: the design's own, else the built-in one."""
+        return self.materials[name] if name in self.materials else MATERIALS[name]
+
+    def stated_tubes(self) -> Iterator[tuple[str, Tube, bool]]:
+        """Every tube that is stated: name of its field, itself, whether it leads to a microphone."""
+        yield "tube", self.tube, False
+        yield "microphone_tube", self.microphone_tube, True
+        for index, line in enumerate(self.lines):
+            if line.tube is not None:
+                yield f"lines.{index}.tube", line.tube, False
+            if line.microphone_tube is not None:
+                yield f"lines.{index}.microphone_tube", line.microphone_tube, True
+        for name, tube in self.tube_kinds.items():
+            yield f"tube_kinds.{name}", tube, False
+
+    def materials_in_use(self) -> Iterator[tuple[str, str]]:
+        """Names of the materials of all parts, each after its field."""
+        yield "membrane.material", self.membrane.material
+        yield "printing.material", self.printing.material
+        if self.resonator.floor_material is not None:
+            yield "resonator.floor_material", self.resonator.floor_material
+        for field, tube, _ in self.stated_tubes():
+            if tube.sheath_material is not None:
+                yield f"{field}.sheath_material", tube.sheath_material
+
+    # -- kinds ------------------------------------------------------------------------------------------
+    def kind_at(self, line: Line, place: int) -> str:
+        """Name of the kind of a point, from 0 along its line; that of what is stated for all is empty."""
+        if line.pattern is None or line.pattern.points is None:
+            return PLAIN
+        return line.pattern.points[line.pattern.index(place, line.points)]
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Names of the kinds of points in use, each once in the order of the points; see :meth:`kind_at`."""
+        if not self.point_kinds:
+            return (PLAIN,)
+        return tuple(dict.fromkeys(self.kind_at(line, place) for line in self.lines for place in range(line.points)))
+
+    @property
+    def kind_of_point(self) -> tuple[int, ...]:
+        """Index into :attr:`kinds` of every point, in the order of the numbers."""
+        if not self.point_kinds:
+            return (0,) * self.point_count
+        index = {name: k for k, name in enumerate(self.kinds)}
+        return tuple(index[self.kind_at(line, place)] for line in self.lines for place in range(line.points))
+
+    def of_kind(self, kind: str) -> Self:
+        """The same array with all its points of one kind: its resonator and membrane are those of the kind."""
+        if not self.point_kinds:
+            return self
+        own = PointKind() if kind == PLAIN else self.point_kinds[kind]
+        lines = [
+            line.model_copy(update={"pattern": line.pattern and line.pattern.model_copy(update={"points": None})})
+            for line in self.lines
+        ]
+        alike = {"resonator": own.resonator(self.resonator), "membrane": own.membrane(self.membrane)}
+        return self.model_copy(update={**alike, "lines": tuple(lines), "point_kinds": {}})
+
+    def resonator_at(self, line: Line, place: int) -> Resonator:
+        """Shell of a point, from 0 along its line."""
+        kind = self.kind_at(line, place)
+        return self.resonator if kind == PLAIN else self.point_kinds[kind].resonator(self.resonator)
+
+    def membrane_at(self, line: Line, place: int) -> Membrane:
+        """Membrane of a point, from 0 along its line."""
+        kind = self.kind_at(line, place)
+        return self.membrane if kind == PLAIN else self.point_kinds[kind].membrane(self.membrane)
+
+    def tube_of(self, line: Line) -> Tube:
+        """Tube between the points of a line that has no pattern of tubes."""
+        return line.tube or self.tube
+
+    def microphone_tube_of(self, line: Line) -> Tube:
+        """Tube from the ends of a line to its microphones."""
+        return line.microphone_tube or self.microphone_tube
+
+    def tube_kind_at(self, line: Line, segment: int) -> str:
+        """Name of the kind of tube that a pattern gives at a place of a line, as :meth:`tube_at`; else empty."""
+        count = line.points - 1
+        if line.pattern is None or line.pattern.tubes is None or not 0 < segment <= count:
+            return PLAIN
+        return line.pattern.tubes[line.pattern.index(segment - 1, count)]
+
+    def tube_at(self, line: Line, segment: int) -> Tube:
+        """Tube of a line that has so many of its points before it: 0 and all of them lead to its microphones."""
+        if segment in (0, line.points):
+            return self.microphone_tube_of(line)
+        kind = self.tube_kind_at(line, segment)
+        return self.tube_of(line) if kind == PLAIN else self.tube_kinds[kind]
+
+    def segments_of(self, line: Line) -> tuple[Tube, ...]:
+        """Tubes between the points of a line, in its order: one less than points."""
+        if line.pattern is None or line.pattern.tubes is None:
+            return (self.tube_of(line),) * (line.points - 1)
+        return tuple(self.tube_at(line, segment) for segment in range(1, line.points))
+
+    def segment_counts_of(self, line: Line) -> tuple[tuple[Tube, int], ...]:
+        """The different ones of :meth:`segments_of` by kind, each with how many there are."""
+        if line.points == 1:
+            return ()
+        if line.pattern is None or line.pattern.tubes is None:
+            return ((self.tube_of(line), line.points - 1),)
+        counts = Counter(self.tube_kind_at(line, segment) for segment in range(1, line.points))
+        return tuple((self.tube_kinds[kind], count) for kind, count in counts.items())
+
+    def inner_tubes_of(self, line: Line) -> tuple[Tube, ...]:
+        """The different ones of :meth:`segments_of` by kind."""
+        return tuple(tube for tube, _ in self.segment_counts_of(line))
+
+    @property
+    def tubes(self) -> tuple[Tube, ...]:
+        """Tubes that the array uses, one per kind and line: those between points, then those to microphones."""
+        inner = [tube for line in self.lines for tube in self.inner_tubes_of(line)]
+        return (*inner, *(self.microphone_tube_of(line) for line in self.lines))
+
+    def tubes_of(self, line: Line) -> tuple[Tube, ...]:
+        """Tubes of a line from its first microphone to its second: one more than points."""
+        outer = self.microphone_tube_of(line)
+        return (outer, *self.segments_of(line), outer)
+
+    def tube_fields_of(self, number: int) -> tuple[str, ...]:
+        """Dotted names of where the design states the tubes of a line, by its index, as :meth:`tubes_of` has them."""
+        line = self.lines[number]
+        outer = "microphone_tube" if line.microphone_tube is None else f"lines.{number}.microphone_tube"
+        inner = "tube" if line.tube is None else f"lines.{number}.tube"
+        kinds = (self.tube_kind_at(line, segment) for segment in range(1, line.points))
+        return (outer, *(inner if kind == PLAIN else f"tube_kinds.{kind}" for kind in kinds), outer)
+
+    # -- lengths ----------------------------------------------------------------------------------------
+    def steps_of(self, line: Line) -> tuple[float, ...]:
+        """Distances of neighbouring axes along a line, one less than points, mm."""
+        diameter = self.resonator.cavity_diameter
+        return tuple(self.layout.pitch or diameter + tube.length for tube in self.segments_of(line))
+
+    def span_of(self, line: Line) -> float:
+        """Distance of the axes of a line's first and last point where its tubes lie as designed, mm."""
+        steps = self.steps_of(line)
+        # Equal steps are multiplied, not summed: the same to the last digit as for a line without a pattern.
+        return len(steps) * steps[0] if len(set(steps)) == 1 else math.fsum(steps)
+
+    def pitch_of(self, line: Line) -> float:
+        """Largest distance of neighbouring axes on a line, mm."""
+        longest = max((tube.length for tube in self.inner_tubes_of(line)), default=self.tube_of(line).length)
+        return self.layout.pitch or self.resonator.cavity_diameter + longest
+
+    def microphone_reach_of(self, line: Line) -> float:
+        """Distance of the axes of a line's last point and its microphone's chamber if the tube is straight, mm."""
+        length = self.microphone_tube_of(line).length
+        return self.resonator.cavity_diameter / 2 + length + self.microphone.chamber_diameter / 2

@@ -1,0 +1,61 @@
+"""Kinds of points and tubes that a design names, and the pattern in which a line has them."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from geometry.schema.field_errors import Flag, Millimetre, Section
+from geometry.schema.part_fields import Membrane, Resonator
+
+#: Name of what :class:`geometry.schema.array_fields.StatedArray` states for all points, where a line has no pattern.
+PLAIN = ""
+
+
+class PointKind(Section):
+    """A kind of sensing point: how its shell and its membrane differ from those that the design states.
+
+    Shells of all kinds stand on one floor and have their ports at one height, that of the stated resonator: tubes lie
+    level, and the membranes of higher cavities lie higher.
+    """
+
+    cavity_height: Millimetre | None = Field(
+        default=None, ge=0.4, le=50, description="floor of the cavity to the membrane; default: that of the resonator"
+    )
+    membrane_thickness: Millimetre | None = Field(
+        default=None, ge=0.05, le=10, description="thickness of the disc as cast; default: that of the membrane"
+    )
+
+    def resonator(self, stated: Resonator) -> Resonator:
+        """The shell of this kind, made from the stated one."""
+        if self.cavity_height is None or self.cavity_height == stated.cavity_height:
+            return stated
+        ports = stated.port_axis_height
+        return stated.model_copy(update={"cavity_height": self.cavity_height, "port_height": ports})
+
+    def membrane(self, stated: Membrane) -> Membrane:
+        """The membrane of this kind, made from the stated one."""
+        if self.membrane_thickness is None or self.membrane_thickness == stated.thickness:
+            return stated
+        return stated.model_copy(update={"thickness": self.membrane_thickness})
+
+
+class Pattern(Section):
+    """Which kind stands at each place of a line."""
+
+    points: tuple[str, ...] | None = Field(
+        default=None, description="name of a kind for each point, in the order of the line; default: all as stated"
+    )
+    tubes: tuple[str, ...] | None = Field(
+        default=None, description="name of a kind for each tube between its points; default: all as stated"
+    )
+    mirrored: Flag = Field(
+        default=False, description="both lists end in the middle of the line, and its second half is the mirror image"
+    )
+
+    def entries(self, count: int) -> int:
+        """Number of names that a list for so many places must have."""
+        return (count + 1) // 2 if self.mirrored else count
+
+    def index(self, place: int, count: int) -> int:
+        """Index of the name of a place, from 0, of so many."""
+        return min(place, count - 1 - place) if self.mirrored else place

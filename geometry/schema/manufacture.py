@@ -1,0 +1,118 @@
+"""How the parts of a design are made: the process they are printed in, and the mold of its membranes."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from geometry.schema.field_errors import Count, Millimetre, Number, Section
+
+CubicMillimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm^3"})]
+
+
+Ratio = Annotated[Number, Field(gt=0)]
+
+
+class PrintRules(Section):
+    """Figures of the printing process that differ from the built-in ones; nothing given changes nothing."""
+
+    wall: Millimetre | None = Field(default=None, description="thinnest wall")
+    wall_advised: Millimetre | None = Field(default=None, description="thinnest wall without risk")
+    hole: Millimetre | None = Field(default=None, description="narrowest round hole")
+    hole_advised: Millimetre | None = Field(default=None, description="narrowest round hole without risk")
+    slot: Millimetre | None = Field(default=None, description="narrowest gap between walls")
+    slot_advised: Millimetre | None = Field(default=None, description="narrowest gap between walls without risk")
+    clearance: Millimetre | None = Field(default=None, description="narrowest radial gap between parts that mate")
+    clearance_advised: Millimetre | None = Field(default=None, description="the same without risk")
+    pin_aspect: Ratio | None = Field(default=None, description="largest height of a pin per its diameter")
+    pin_aspect_advised: Ratio | None = Field(default=None, description="the same without risk")
+    overhang_angle: Number | None = Field(
+        default=None,
+        gt=0,
+        lt=90,
+        description="faces that look down and are flatter than this hang",
+        json_schema_extra={"unit": "degrees"},
+    )
+    overhang_span: Millimetre | None = Field(default=None, description="widest overhang")
+    overhang_span_advised: Millimetre | None = Field(default=None, description="widest overhang without support")
+    cup_volume: CubicMillimetre | None = Field(default=None, description="largest cup sealed on the resin's film")
+    cup_volume_advised: CubicMillimetre | None = Field(default=None, description="the same without risk")
+    cast_thickness: Millimetre | None = Field(default=None, description="thinnest cast disc")
+    cast_thickness_advised: Millimetre | None = Field(default=None, description="thinnest cast disc without risk")
+    pixel: Millimetre | None = Field(default=None, description="width of a pixel, laser spot or nozzle")
+    tolerance: Millimetre | None = Field(default=None, description="a printed length is true to plus or minus this")
+    build_volume: tuple[Millimetre, Millimetre, Millimetre] | None = Field(
+        default=None, description="width, depth and height of the machine, mm"
+    )
+
+
+class Printing(Section):
+    """How the shells and molds are printed and joined."""
+
+    process: Literal["sla-resin", "dlp-fine", "fdm", "mjf"] = Field(
+        default="sla-resin", description="process of the rules"
+    )
+    material: str = Field(default="photopolymer-resin", description="material of shells and molds")
+    glue_gap: Millimetre = Field(default=0.05, le=1, description="radial gap around a tube in its port")
+    port_lip: Millimetre = Field(default=0.3, le=10, description="shoulder on which a tube stops in its port")
+    carrier: Literal["none", "row", "sheet"] = Field(
+        default="none",
+        description="all shells in one piece instead of singly: joined in a row or a sheet by snap-off necks",
+    )
+    carrier_gap: Millimetre = Field(default=4.0, ge=2, le=50, description="between neighbouring shells of a carrier")
+    carrier_neck: Millimetre = Field(default=0.5, ge=0.2, le=3, description="width and height of a snap-off neck")
+    rules: PrintRules = Field(default=PrintRules(), description="figures of the process that differ")
+
+
+class Molding(Section):
+    """The mold in which membranes are cast."""
+
+    kind: Literal["two-part", "open-face"] = Field(
+        default="two-part", description="two-part: base and lid; open-face: base and a scraper that rides on its lands"
+    )
+    rows: Count = Field(default=1, ge=1, le=20, description="rows of cavities")
+    columns: Count = Field(default=1, ge=1, le=20, description="cavities per row")
+    draft: Number = Field(
+        default=1.0,
+        ge=0,
+        le=10,
+        description="slope of the walls, membranes included; assumed",
+        json_schema_extra={"unit": "degrees"},
+    )
+    land_width: Millimetre = Field(default=0.6, ge=0.2, le=5, description="width of the land around a cavity; assumed")
+    land_height: Millimetre = Field(
+        default=0.5, ge=0.2, le=5, description="height of the lands, the gap between the halves elsewhere; assumed"
+    )
+    groove_width: Millimetre = Field(default=1.2, ge=0.5, le=5, description="width of the overflow groove; assumed")
+    vent_diameter: Millimetre = Field(
+        default=1.0, ge=0.3, le=5, description="two vents per cavity, through the lid; assumed"
+    )
+    pin_diameter: Millimetre = Field(default=2.5, ge=1, le=10, description="registration pins; assumed")
+    pin_clearance: Millimetre = Field(
+        default=0.1,
+        ge=0.02,
+        le=1,
+        description="radial gap of a pin in its socket, gap of the scraper's guides; assumed",
+    )
+    sockets: Literal["through", "blind"] = Field(
+        default="through", description="of the pins in the lid; blind ones cannot be pushed apart from outside"
+    )
+    shim_step: Millimetre = Field(
+        default=0.05, ge=0.01, le=0.5, description="by this the shims raise the lid, one set per step; assumed"
+    )
+    shim_count: Count = Field(default=2, ge=0, le=10, description="sets of shims for thicker membranes; assumed")
+    silicone_shrinkage: Number = Field(
+        default=0.001,
+        ge=0,
+        le=0.1,
+        description="linear, on curing; data sheets of platinum-cure silicones: at most 0.001",
+    )
+    resin_shrinkage: Number = Field(
+        default=0.0, ge=0, le=0.1, description="linear, of the printed mold beyond what the printer corrects; assumed"
+    )
+
+    @property
+    def scale(self) -> float:
+        """Lengths of the drawn cavity per those of the membrane."""
+        return 1 / ((1 - self.silicone_shrinkage) * (1 - self.resin_shrinkage))

@@ -1,0 +1,165 @@
+"""Materials by name: membrane silicones and printing resins, each value with its source."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from geometry.ground.refusal import Refusal, counted
+from geometry.schema.field_errors import Number, Section
+
+#: Frequency of a modulus that comes from a hardness or from another static test, Hz. A rubber's hardness is read one
+#: to three seconds after it is loaded (ASTM D2240, ISO 48-4), and a spring-pot has relaxed after t seconds to its
+#: storage modulus at about 0.09 / t Hz: from t^-alpha / Gamma(1 - alpha) = w^alpha cos(pi alpha / 2), alpha small.
+STATIC_FREQUENCY = 0.1
+
+
+RelaxationTime = Annotated[Number, Field(ge=1e-6, le=1e6)]
+RelaxationModulus = Annotated[Number, Field(gt=0, le=1e5)]
+
+
+class Material(Section):
+    """An isotropic material as a design file states it."""
+
+    youngs_modulus: Number = Field(
+        ge=1e-3,
+        le=1e5,
+        description="Young's modulus: its real part at modulus_frequency; for law = 'prony' that after long rest",
+        json_schema_extra={"unit": "MPa"},
+    )
+    poisson_ratio: Number = Field(gt=0, lt=0.5, description="Poisson's ratio")
+    density: Number = Field(ge=500, le=5000, description="density", json_schema_extra={"unit": "kg/m^3"})
+    loss_factor: Number | None = Field(
+        default=None, ge=0, le=1, description="loss factor eta, the same at all frequencies; not for law = 'prony'"
+    )
+    law: Literal["spring-pot", "constant", "prony"] = Field(
+        default="spring-pot",
+        description="modulus over frequency: spring-pot: E (1 + j eta) (f / modulus_frequency)^(2/pi atan eta); "
+        "constant: E (1 + j eta), not causal; prony: a table of relaxations",
+    )
+    modulus_frequency: Number = Field(
+        default=STATIC_FREQUENCY,
+        ge=1e-6,
+        le=1e6,
+        description="frequency at which youngs_modulus holds; about 0.1 for Shore hardness and static tests",
+        json_schema_extra={"unit": "Hz"},
+    )
+    relaxation_times: tuple[RelaxationTime, ...] | None = Field(
+        default=None, min_length=1, max_length=40, description="relaxation times in s, for law = 'prony' only"
+    )
+    relaxation_moduli: tuple[RelaxationModulus, ...] | None = Field(
+        default=None, min_length=1, max_length=40, description="relaxing moduli in MPa, one for each of those times"
+    )
+    source: str = Field(description="where the values come from")
+
+    @property
+    def law_in_words(self) -> str:
+        """Its modulus over frequency, for people."""
+        if self.law == "prony":
+            relaxations = counted(len(self.relaxation_times or ()), "relaxation")
+            return f"E = {self.youngs_modulus:g} MPa after long rest, {relaxations}"
+        if self.law == "constant" and self.loss_factor:
+            return (
+                f"E = {self.youngs_modulus:g} MPa and loss factor {self.loss_factor:g} at all frequencies, "
+                "which is not causal: no material has both"
+            )
+        if not self.loss_factor:
+            return f"E = {self.youngs_modulus:g} MPa without loss"
+        slope = 2 / math.pi * math.atan(self.loss_factor)
+        return (
+            f"E = {self.youngs_modulus:g} MPa at {self.modulus_frequency:g} Hz, loss factor {self.loss_factor:g}, "
+            f"so that E rises as f^{slope:.3f}"
+        )
+
+    @model_validator(mode="after")
+    def _law_is_complete(self) -> Self:
+        times, moduli = self.relaxation_times, self.relaxation_moduli
+        if self.law != "prony":
+            if times is not None or moduli is not None:
+                raise Refusal(f"relaxation_times and relaxation_moduli need law = 'prony', not {self.law!r}")
+            if self.loss_factor is None:
+                raise Refusal(f"loss_factor is missing; law = {self.law!r} needs it")
+            return self
+        if times is None or moduli is None:
+            raise Refusal("relaxation_times and relaxation_moduli must be given for law = 'prony'")
+        if len(times) != len(moduli):
+            raise Refusal(
+                f"relaxation_times has {len(times)} values, relaxation_moduli {len(moduli)}; as many are needed"
+            )
+        if self.loss_factor is not None:
+            raise Refusal(f"loss_factor = {self.loss_factor:g} must not be given for law = 'prony', whose table has it")
+        return self
+
+
+def youngs_modulus_from_shore_a(shore_a: float) -> float:
+    """Static Young's modulus of an elastomer from its Shore A hardness, about that at 0.1 Hz.
+
+    E = 0.0981 (56 + 7.62336 S) / (0.137505 (254 - 2.54 S)) in MPa (A. N. Gent, "On the relation
+    between indentation hardness and Young's modulus", Rubber Chem. Technol. 31 (1958) 896).
+    Trustworthy to about 30 %; below Shore A 10 hardness hardly measures stiffness and a modulus
+    measured on the cured silicone should be given instead. At 10 Hz a rubber of loss factor 0.05, 0.1 or
+    0.2 is 1.16, 1.34 or 1.78 times as stiff as at 0.1 Hz (:data:`STATIC_FREQUENCY`): the scatter of the
+    loss factor adds to that of the hardness.
+
+    Args:
+        shore_a: hardness, 0 to 90.
+
+    Returns:
+        Young's modulus in MPa.
+
+    Raises:
+        Refusal: hardness outside 0 to 90.
+    """
+    if not 0 <= shore_a <= 90:
+        raise Refusal(f"shore_a = {shore_a:g} must be between 0 and 90")
+    return 0.0981 * (56 + 7.62336 * shore_a) / (0.137505 * (254 - 2.54 * shore_a))
+
+
+def blend_modulus(first: float, second: float, fraction_of_first: float) -> float:
+    """Modulus of a blend of two silicones: geometric mean weighted by volume (Lichtenecker's rule).
+
+    Args:
+        first: modulus of the first part, MPa.
+        second: modulus of the second part, MPa.
+        fraction_of_first: volume fraction of the first part, 0 to 1.
+    """
+    if not 0 <= fraction_of_first <= 1:
+        raise Refusal(f"fraction_of_first = {fraction_of_first:g} must be between 0 and 1")
+    return first**fraction_of_first * second ** (1 - fraction_of_first)
+
+
+def _silicone(youngs_modulus: float, source: str) -> Material:
+    return Material(
+        youngs_modulus=round(youngs_modulus, 4),
+        poisson_ratio=0.49,
+        density=1070.0,
+        loss_factor=0.1,
+        modulus_frequency=STATIC_FREQUENCY,
+        source=source,
+    )
+
+
+_GENT = "static modulus by Gent (1958) from Shore A, +-30 %; Poisson ratio, density, loss factor assumed"
+
+#: Materials that a design may name without stating them, each value with its source.
+MATERIALS: dict[str, Material] = {
+    "silicone-shore-a-0": _silicone(youngs_modulus_from_shore_a(0), _GENT),
+    "silicone-shore-a-5": _silicone(youngs_modulus_from_shore_a(5), _GENT),
+    "silicone-shore-a-10": _silicone(youngs_modulus_from_shore_a(10), _GENT),
+    "silicone-shore-a-20": _silicone(youngs_modulus_from_shore_a(20), _GENT),
+    "silicone-shore-a-30": _silicone(youngs_modulus_from_shore_a(30), _GENT),
+    "silicone-shore-a-50": _silicone(youngs_modulus_from_shore_a(50), _GENT),
+    "silicone-blend-5-1-shore-a-0-5": _silicone(
+        blend_modulus(youngs_modulus_from_shore_a(0), youngs_modulus_from_shore_a(5), 5 / 6),
+        "5:1 blend of Shore A 0 and 5, geometric mean of " + _GENT,
+    ),
+    "photopolymer-resin": Material(
+        youngs_modulus=2500.0,
+        poisson_ratio=0.38,
+        density=1180.0,
+        loss_factor=0.03,
+        source="typical rigid photopolymer, assumed; used for the mass of shells only",
+    ),
+}

@@ -1,0 +1,235 @@
+"""What the microphones record while a contact moves over an array.
+
+The force on each membrane goes through its impulse response to each microphone, and the pressures of all membranes
+add, for the array is linear. The impulse responses are those of :mod:`localize.signals.propagation`: the transfer
+functions on lines 0.25 Hz apart, times the pressure in the cavity per force, the top of the band faded as for every
+touch. Noise and sound outside are those of :class:`localize.TouchGenerator`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.fft
+import torch
+from numpy.typing import NDArray
+
+from acoustic_fem.quantities.checks import in_range
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
+from localize.contacts.contact import Contact, covered_force, surface_of
+from localize.signals.array_response import ArrayResponse, interpolated, interpolated_from_zero, response_of
+from localize.signals.finger_stimuli import top_faded
+from localize.signals.noise_model import NoiseChoice
+from localize.signals.random_streams import Purpose
+from localize.signals.stimulus import (
+    LINE_COUNT,
+    LINE_SPACING,
+    SAMPLE_LENGTH,
+    SAMPLE_RATE,
+    Device,
+    Stimuli,
+    line_frequencies,
+)
+from localize.signals.touch_generator import TouchGenerator
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+
+RATES = (250.0, 1e5)
+"""Lowest and highest sample rate, Hz."""
+LONGEST = 1000.0
+"""Length of the longest take, s."""
+_FINEST = 64
+_BLOCKS = 4096
+
+
+@dataclass(frozen=True, eq=False)
+class Take:
+    """What the microphones of an array record of a contact, and what is true of it."""
+
+    signals: Array
+    """Pressures at the microphones; (n_microphone, n_sample) float64, Pa."""
+    sample_rate: float
+    """Sample rate, Hz."""
+    time: Array
+    """Times of the samples, those of the contact; (n_sample,) float64, s."""
+    path: Array
+    """Middle of the contact, mm, as :attr:`Contact.path`; (n_sample, 2) float64."""
+    force: Array
+    """Force of the contact as it was heard, its roughness drawn; (n_sample,) float64, N."""
+    point: NDArray[np.int64]
+    """Index of the point whose middle is nearest, from 0, -1 where nothing presses; (n_sample,) int64."""
+    label: str
+    """What the contact is."""
+
+
+class ContactRecorder:
+    """Recorder of many contacts on one array; what they share is computed once.
+
+    Args:
+        array: a library, or a response with places and forces.
+        sample_rate: a multiple of 0.25 Hz, 250 to 100000 Hz.
+        microphone_noise: as of :class:`localize.TouchGenerator`.
+        ambient: level of the sound outside, dB SPL; None for silence.
+        seed: of noise, sound and roughness; any non-negative integer.
+        purpose: streams of different purposes never share a number.
+
+    Raises:
+        Refusal: bare transfer functions, which know neither places nor forces; a rate out of range, or not 1 kHz
+            where there is noise or sound; as :class:`localize.TouchGenerator`.
+    """
+
+    def __init__(
+        self,
+        array: Library | ArrayResponse,
+        sample_rate: float = SAMPLE_RATE,
+        *,
+        microphone_noise: NoiseChoice = 0.0,
+        ambient: float | None = None,
+        seed: int = 0,
+        purpose: Purpose = "evaluation",
+    ) -> None:
+        in_range("sample_rate", sample_rate, *RATES, "Hz")
+        self._period = round(sample_rate / LINE_SPACING)
+        if abs(self._period * LINE_SPACING - sample_rate) > 1e-9:
+            raise Refusal(f"sample_rate = {sample_rate!r} Hz must be a multiple of {LINE_SPACING:g} Hz")
+        self.response = response_of(array)
+        self.sample_rate, self.seed, self.purpose = float(sample_rate), seed, purpose
+        self._place, _ = surface_of(self.response)
+        self._background: TouchGenerator | None = None
+        if ambient is not None or microphone_noise != 0.0:
+            if sample_rate != SAMPLE_RATE:
+                raise Refusal(
+                    f"sample_rate = {sample_rate:g} Hz must be {SAMPLE_RATE:g} Hz where there is noise or sound"
+                )
+            self._background = TouchGenerator(
+                self.response,
+                seed,
+                purpose,
+                microphone_noise,
+                stimuli=_silence,
+                ambient=None if ambient is None else (ambient, ambient),
+            )
+        self._taps = self._impulse_responses()
+        self._length = 0
+        self._on_bins: dict[int, NDArray[np.complex128]] = {}
+
+    def _impulse_responses(self) -> Array:
+        """(n_point, n_microphone, period) Pa/N per sample; what comes before time zero stands at the end."""
+        response = self.response
+        if response.cavity_response is None:
+            raise Refusal(f"{response.name}: contacts need a library with a design: it tells the pressure of a force")
+        grid = response.frequency
+        band = (float(grid[0]), min(float(grid[-1]), SAMPLE_RATE / 2))
+        fade = top_faded(band).numpy().astype(np.float64)
+        lines = line_frequencies()[: int(np.flatnonzero(fade)[-1]) + 1]
+        touched = interpolated_from_zero(response.transfer_function, grid, lines, response.sealed)
+        in_cavity = interpolated(response.cavity_response, grid, lines) * fade[: len(lines)]
+        bins = self._period // 2 + 1
+        through = (touched * in_cavity[:, None])[..., :bins]
+        return np.asarray(scipy.fft.irfft(through, n=self._period))
+
+    def _bins_of(self, point: int, length: int) -> NDArray[np.complex128]:
+        """(n_microphone, length // 2 + 1): the spectrum of a point's impulse response on a longer period."""
+        if length != self._length:
+            self._length, self._on_bins = length, {}
+        if point not in self._on_bins:
+            taps, ahead = self._taps[point], self._period // 2
+            longer = np.zeros((len(taps), length))
+            longer[:, : self._period - ahead] = taps[:, : self._period - ahead]
+            longer[:, -ahead:] = taps[:, -ahead:]
+            self._on_bins[point] = scipy.fft.rfft(longer)
+        return self._on_bins[point]
+
+    def take(self, contact: Contact, sample: int = 0) -> Take:
+        """What is recorded from the first time of a contact to its last.
+
+        Args:
+            contact: what presses.
+            sample: index of the take: each has noise, sound and roughness of its own, the same whenever it is made.
+
+        Raises:
+            Refusal: a contact above 1000 s.
+        """
+        in_range("contact: its length", contact.seconds, 0.0, LONGEST, "s")
+        count = math.floor(contact.seconds * self.sample_rate + 1e-6) + 1
+        fine = min(max(1, math.ceil(1 / (self.sample_rate * np.diff(contact.time).min()) - 1e-6)), _FINEST)
+        steps = contact.time[0] + np.arange(count * fine) / (self.sample_rate * fine)
+        heard = contact.at(steps).roughened(self.seed, self.purpose, sample)
+        force = covered_force(heard, self.response)
+        signals = self._through(force, count, fine)
+        if self._background is not None:
+            signals += _noise(self._background, sample, count)
+        at_samples = heard.force[::fine]
+        path = heard.path[::fine]
+        nearest = np.linalg.norm(path[:, None] - self._place, axis=-1).argmin(axis=1)
+        return Take(
+            signals=signals,
+            sample_rate=self.sample_rate,
+            time=steps[::fine],
+            path=path,
+            force=at_samples,
+            point=np.where(at_samples > 0, nearest, -1),
+            label=contact.label,
+        )
+
+    def _through(self, force: Array, count: int, fine: int) -> Array:
+        """(n_microphone, count) Pa of forces (count * fine, n_point) N."""
+        # Whole seconds, so that takes of nearly one length share their spectra.
+        rate = math.ceil(self.sample_rate)
+        length = scipy.fft.next_fast_len(-(-count // rate) * rate + self._period, real=True)
+        bins = length // 2 + 1
+        total = np.zeros((len(self.response.microphones), bins), np.complex128)
+        for point in np.flatnonzero(force.any(axis=0)):
+            spectrum = scipy.fft.rfft(force[:, point], n=length * fine)[:bins] / fine
+            total += self._bins_of(int(point), length) * spectrum
+        return np.asarray(scipy.fft.irfft(total, n=length)[:, :count])
+
+
+def record(
+    contact: Contact,
+    array: Library | ArrayResponse,
+    sample_rate: float = SAMPLE_RATE,
+    *,
+    microphone_noise: NoiseChoice = 0.0,
+    ambient: float | None = None,
+    seed: int = 0,
+    purpose: Purpose = "evaluation",
+    sample: int = 0,
+) -> Take:
+    """What the microphones record of one contact; of many, :class:`ContactRecorder` is quicker.
+
+    ``sample_rate`` in Hz, ``ambient`` in dB SPL; arguments and errors as for :class:`ContactRecorder` and
+    :meth:`ContactRecorder.take`.
+    """
+    recorder = ContactRecorder(
+        array, sample_rate, microphone_noise=microphone_noise, ambient=ambient, seed=seed, purpose=purpose
+    )
+    return recorder.take(contact, sample)
+
+
+def _noise(background: TouchGenerator, sample: int, count: int) -> Array:
+    """(n_microphone, count) Pa: seconds of noise and sound, each faded into the next with its power kept."""
+    half = SAMPLE_LENGTH // 2
+    blocks = -(-count // half) + 1
+    made = background.samples(sample * _BLOCKS, blocks).signals.numpy().astype(np.float64)
+    fade = np.sin(np.pi * (np.arange(SAMPLE_LENGTH) + 0.5) / SAMPLE_LENGTH)
+    noise = np.zeros((made.shape[1], (blocks + 1) * half))
+    for number, block in enumerate(made * fade):
+        noise[:, number * half : number * half + SAMPLE_LENGTH] += block
+    return noise[:, half : half + count]
+
+
+def _silence(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device) -> Stimuli:
+    """Stimuli of nothing; arguments as :class:`localize.signals.stimulus.StimulusSource`."""
+    none = torch.zeros(count, dtype=torch.int64, device=device)
+    return Stimuli(
+        spectrum=torch.zeros(count, LINE_COUNT, dtype=torch.complex64, device=device),
+        interval=none - 1,
+        components=none,
+    )

@@ -1,0 +1,61 @@
+"""The decoder of a library as C99 for a microcontroller, with what it costs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from localize.embedded.budget import Budget, Cost, cost_of
+from localize.embedded.decoder_tables import EmbeddedTables, Precision, embedded_tables
+from localize.embedded.readme import readme
+from localize.embedded.source import source_files, table_bytes
+from localize.signals.array_response import ArrayResponse
+from localize.signals.noise_model import NoiseChoice
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+
+@dataclass(frozen=True, eq=False)
+class EmbeddedDecoder:
+    """A decoder as C."""
+
+    tables: EmbeddedTables
+    """Tables of its array."""
+    cost: Cost
+    """What it costs."""
+    files: Mapping[str, str]
+    """Text of each file by name."""
+
+    @property
+    def table_bytes(self) -> int:
+        """Bytes of the tables."""
+        return table_bytes(self.tables)
+
+
+def embed(
+    library: Library | ArrayResponse,
+    precision: Precision = "float32",
+    microphone_noise: NoiseChoice = "design",
+    budget: Budget | None = None,
+) -> EmbeddedDecoder:
+    """The decoder that needs no training as C99: no heap, constant tables, nothing but ``math.h``.
+
+    It decides as :class:`localize.TouchStream` does with :class:`localize.BayesDecoder` on the library and, where the
+    library has a design, :class:`localize.SoundTest`, behind the high-pass of 3 Hz and with no noise or hum followed.
+
+    Args:
+        library: transfer functions of at least two points and two microphones.
+        precision: of the larger tables: ``float32``, or ``int16`` for little more than half the flash.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        budget: what the microcontroller has for it; by default all it takes.
+
+    Raises:
+        Refusal: over the budget, with the numbers; an unknown precision; or as :class:`localize.BayesDecoder`.
+    """
+    tables = embedded_tables(library, precision, microphone_noise)
+    cost = cost_of(tables)
+    if budget is not None:
+        budget.check(cost, f"{tables.name} in {precision}")
+    return EmbeddedDecoder(tables, cost, {**source_files(tables), "README.md": readme(tables, cost)})

@@ -1,0 +1,217 @@
+"""Files of networks: what they say of themselves, as schemas, and their weights."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, get_type_hints
+
+import torch
+from pydantic import ConfigDict, Field, create_model, model_validator
+from torch import Tensor
+
+from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import parse_json
+from geometry.ground.whole_files import whole_file, write_text
+from localize.graphs.description import (
+    LARGEST_DESCRIPTION,
+    LARGEST_MODEL,
+    Array,
+    Count,
+    Digest,
+    Share,
+    Strict,
+    check_format,
+    described,
+    is_sealed,
+    sealed,
+)
+from localize.learned.classifier import MapClassifier, NetworkShape
+from localize.learned.features import FeatureChoice, map_count
+from localize.learned.training_plan import TrainingPlan
+from localize.signals.noise_model import NoiseChoice
+
+_Model = TypeVar("_Model", bound=Strict)
+_Classifier = TypeVar("_Classifier", bound=MapClassifier)
+
+
+class Network(Strict):
+    """Fields of :class:`localize.learned.classifier.NetworkShape`, which checks how they go together."""
+
+    maps: Annotated[int, Field(ge=1, le=1000)]
+    points: Annotated[int, Field(ge=2, le=120_000)]
+    width: Annotated[int, Field(ge=1, le=1024)]
+    depths: Annotated[list[Annotated[int, Field(ge=1, le=32)]], Field(min_length=1, max_length=8)]
+    patch: Annotated[list[Annotated[int, Field(ge=1, le=64)]], Field(min_length=2, max_length=2)]
+    merge_last: bool
+    features: FeatureChoice
+
+    def shape(self) -> NetworkShape:
+        """Sizes of the network.
+
+        Raises:
+            Refusal: sizes that do not go together.
+        """
+        cut = (self.patch[0], self.patch[1])
+        return NetworkShape(**{**self.model_dump(), "depths": tuple(self.depths), "patch": cut})
+
+
+class _Plan(Strict):
+    @model_validator(mode="after")
+    def _in_range(self) -> Self:
+        TrainingPlan(**{name: getattr(self, name) for name in type(self).model_fields})
+        return self
+
+
+def _plan_model() -> type[_Plan]:
+    """Schema of the fields of a plan, whose ranges it checks itself."""
+    later = {"FeatureChoice": FeatureChoice, "NoiseChoice": NoiseChoice}
+    kinds = get_type_hints(TrainingPlan, localns=later)
+    fields: dict[str, Any] = {each.name: (kinds[each.name], ...) for each in dataclasses.fields(TrainingPlan)}
+    return create_model("Plan", __base__=_Plan, **fields)
+
+
+if TYPE_CHECKING:
+    Plan = _Plan
+else:
+    Plan = _plan_model()
+
+
+class Training(Strict):
+    """The record of a training; that of recordings comes on top."""
+
+    model_config = ConfigDict(extra="allow")
+
+    loss: Annotated[list[float], Field(max_length=10_000)]
+    held_out_accuracy: Annotated[list[Share], Field(max_length=10_000)]
+    epochs: Count
+    touches: Count
+    held_out_touches: Count
+    seconds: Annotated[float, Field(ge=0)]
+    cut_short: bool
+    microphone_noise: Annotated[float, Field(ge=0, le=100)]
+    sensors: Count
+    device: str
+
+
+class LocalizerDescription(Array):
+    """What ``localizer.json`` says."""
+
+    format: str
+    version: int
+    weights: Annotated[str, Field(pattern=r"^weights-[0-9a-f]{12}\.safetensors$")]
+    weights_sha256: Digest
+    network: Network
+    plan: Plan
+    training: Training
+    sha256: Digest
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if len(self.line) != self.network.points:
+            raise Refusal(f"line and place must hold {self.network.points} values, as network.points says")
+        maps = map_count(len(self.microphones), self.network.features)
+        if self.network.maps != maps:
+            raise Refusal(f"network.maps = {self.network.maps} must be {maps} for {len(self.microphones)} microphones")
+        return self
+
+
+class TrainingState(Strict):
+    """Fields of :class:`localize.learned.checkpoint.Progress`."""
+
+    step: Count
+    turned: Share
+    seconds: Annotated[float, Field(ge=0)]
+    losses: list[float]
+    curve: Annotated[list[tuple[Count, Count, float, Share, float, dict[str, Share]]], Field(max_length=10_000)]
+
+
+def save_model(path: Path, description: Mapping[str, Any], classifier: MapClassifier) -> None:
+    """Write a description and the weights it names into a folder, which is made.
+
+    The description is renamed into place last: a run that is killed leaves the model that was there before.
+
+    Args:
+        path: of the description.
+        description: what it says, but for the weights and its checksum.
+        classifier: the network.
+    """
+    from safetensors.torch import save
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    weights = save({name: value.contiguous() for name, value in classifier.state_dict().items()})
+    digest = hashlib.sha256(weights).hexdigest()
+    name = f"weights-{digest[:12]}.safetensors"
+    with whole_file(path.parent / name) as beside:
+        beside.write_bytes(weights)
+    write_text(path, json.dumps(sealed({**description, "weights": name, "weights_sha256": digest}), indent=1))
+    for old in path.parent.glob("weights-*.safetensors"):
+        if old.name != name:
+            old.unlink()
+
+
+def read_model(
+    path: Path, model: type[_Model], kind: tuple[str, int, str], refusal: type[Refusal]
+) -> tuple[dict[str, Any], _Model, dict[str, Tensor]]:
+    """Read what :func:`save_model` wrote.
+
+    Args:
+        path: of the description.
+        model: its schema, with the fields ``weights`` and ``weights_sha256``.
+        kind: its format and version, and what it is of, such as "a localizer".
+        refusal: class of the errors.
+
+    Returns:
+        What the description says, the same checked, and the weights by name, each of the shape of its layer.
+
+    Raises:
+        Refusal: of the class given: a file is missing, cut short, changed, too large or of something else, or a value
+            in it is not allowed.
+    """
+    from safetensors.torch import load
+
+    format, version, what = kind
+    text = read_bytes(path, f"{what}'s description", refusal, LARGEST_DESCRIPTION)
+    values = parse_json(text, str(path), refusal)
+    check_format(values, format, version, path, refusal, what)
+    said = described(model, text, path, refusal)
+    if not is_sealed(values):
+        raise refusal(f"{path}: changed or damaged: its checksum is not that of what it says")
+    weights_path = path.parent / values["weights"]
+    weights = read_bytes(weights_path, f"the weights of {what}", refusal, LARGEST_MODEL)
+    if hashlib.sha256(weights).hexdigest() != values["weights_sha256"]:
+        raise refusal(f"{weights_path}: cut short or changed: its checksum is not the one in {path.name}")
+    with library_reads(weights_path, f"the weights of {what}", refusal):
+        return values, said, load(weights)
+
+
+def with_weights(make: Callable[[], _Classifier], weights: Mapping[str, Tensor]) -> _Classifier:
+    """Network with weights that fit it, ready to name; it is laid out without memory first, so that it never takes
+    more than they do.
+
+    Args:
+        make: makes the network.
+        weights: of it, by name.
+
+    Raises:
+        Refusal: other weights than the network has, or some that are not finite.
+    """
+    with torch.device("meta"):
+        wanted = make().state_dict()
+    for name in sorted({*wanted, *weights}):
+        if name not in wanted or name not in weights:
+            raise Refusal(
+                f"the weights do not fit the network: {name} is {'none of it' if name in weights else 'missing'}"
+            )
+        mine, other = ((tuple(each[name].shape), each[name].dtype) for each in (wanted, weights))
+        if mine != other:
+            raise Refusal(f"the weights do not fit the network: {name} is {other}, must be {mine}")
+        if not torch.isfinite(weights[name]).all():
+            raise Refusal(f"the weights hold a value of {name} that is not finite")
+    classifier = make()
+    classifier.load_state_dict(dict(weights))
+    return classifier.eval()

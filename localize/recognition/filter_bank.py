@@ -1,0 +1,145 @@
+"""A recognizer put to work: touches of a recording, the waveform at the point of each, and its kind."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
+from localize.decoders.reconstruct import Reconstructor
+from localize.evaluation.accuracy import Locator
+from localize.live.front_end import HIGH_PASS, HighPass
+from localize.recognition.handwriting import WRITTEN, LineReader
+from localize.recognition.power_maps import WINDOW
+from localize.recognition.recognizer import Recognizer
+from localize.recognition.recorded_takes import (
+    APART,
+    HOP,
+    LETTERS_APART,
+    Stretch,
+    cut,
+    heard_frames,
+    stretched_waveform,
+    stretches,
+    written_maps,
+)
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import FRAME
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
+from localize.signals.stimulus import SAMPLE_RATE
+from localize.tracking.sliding import straight_slide
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+
+@dataclass(frozen=True, eq=False)
+class ToldTouch:
+    """Touch whose kind is told."""
+
+    start: float
+    """Time from which something is heard, s."""
+    end: float
+    """Time to which something is heard, s."""
+    point: int
+    """Point that is touched, from 0."""
+    probability: Array
+    """Probability of each kind; (n_label,) float64."""
+
+
+class Ear:
+    """Recognizer with the filters of its array.
+
+    Args:
+        library: of the array.
+        recognizer: for it.
+        noise: of the microphones, above which something is heard; by default that of the training. Waveforms are made
+            by the filters of the training in any case.
+    """
+
+    def __init__(
+        self, library: Library | ArrayResponse, recognizer: Recognizer, noise: NoiseChoice | None = None
+    ) -> None:
+        self._response = response = response_of(library)
+        self._noise: NoiseChoice = recognizer.plan["microphone_noise"] if noise is None else noise
+        level = response.noise(self._noise)
+        self._rms = level.rms if isinstance(level, NoiseSpectrum) else level
+        self._recognizer = recognizer
+        self._reconstructor = Reconstructor(response, recognizer.plan["microphone_noise"] or 1e-5)
+
+    def touches(
+        self, signals: Array, point: int | None, speed: float | None, locator: Locator
+    ) -> tuple[ToldTouch, ...]:
+        """Touches of a recording in the order of time; one that is too short at an end of it is left out.
+
+        Args:
+            signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
+            point: that is touched, from 0; None to have each named.
+            speed: of what slides, mm/s; None to have it told from the points that a straight slide passes.
+            locator: names points.
+
+        Raises:
+            Refusal: a recognizer of what slides, no speed, and something that is heard is no straight slide.
+        """
+        if self._recognizer.subject == WRITTEN:
+            return self._letters(signals)
+        found = []
+        slides = self._recognizer.at_usual_speed and speed is None
+        frames = heard_frames(signals, self._recognizer.microphones, self._rms)
+        for each in stretches(frames, LETTERS_APART if slides else APART):
+            if slides:
+                touched, windows = self._passing(locator, signals, each)
+            else:
+                touched = self._named(locator, signals, each) if point is None else point
+                waveform, stretched = stretched_waveform(self._reconstructor, signals, touched, speed)
+                windows = cut(waveform, Stretch(round(each.begin * stretched), round(each.end * stretched)))
+            if not len(windows):
+                continue
+            # windows of one touch overlap, and are hardly independent: their mean is what is told
+            probability = self._recognizer.recognize(windows[:, -WINDOW:]).mean(0)
+            found.append(ToldTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, touched, probability))
+        return tuple(found)
+
+    def _letters(self, signals: Array) -> tuple[ToldTouch, ...]:
+        """Letters of a recording, each with the point at which it begins."""
+        reader = LineReader(self._response, self._noise)
+        frames = heard_frames(signals, self._recognizer.microphones, self._rms)
+        maps, found = written_maps(reader, signals, frames)
+        if not found:
+            return ()
+        told = self._recognizer.of_maps(maps)
+        return tuple(
+            ToldTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, reader.begins(signals, each.begin), probability)
+            for each, probability in zip(found, told, strict=True)
+        )
+
+    def _passing(self, locator: Locator, signals: Array, each: Stretch) -> tuple[int, Array]:
+        """The point in the middle of a slide, and windows (n, 1024) about the times at which points are passed."""
+        begin = max(0, each.begin - FRAME)
+        slide = straight_slide(self._response, locator.locate, signals[:, begin : each.end + FRAME])
+        if slide is None:
+            raise Refusal(
+                f"`speed` must be given: what is heard from {each.begin / SAMPLE_RATE:.2f} to "
+                f"{each.end / SAMPLE_RATE:.2f} s is no straight slide over three points, which would tell it"
+            )
+        found = [np.zeros((0, WINDOW))]
+        for touched, time in zip(slide.point, slide.time, strict=True):
+            waveform, stretched = stretched_waveform(self._reconstructor, signals, int(touched), slide.speed)
+            # A contact that comes down or is lifted is a step.
+            first, last = (round(stretched * edge) for edge in (each.begin + FRAME, each.end - FRAME))
+            middle = round(stretched * (begin + SAMPLE_RATE * time)) - WINDOW // 2
+            starts = np.clip([middle - HOP, middle, middle + HOP], first, max(first, last - WINDOW))
+            windows = sliding_window_view(waveform, WINDOW)[np.unique(starts[starts <= len(waveform) - WINDOW])]
+            found.append(windows[np.isfinite(windows).all(1)])
+        return int(slide.point[len(slide.point) // 2]), np.concatenate(found)
+
+    @staticmethod
+    def _named(locator: Locator, signals: Array, each: Stretch) -> int:
+        """Most probable point over the frames of a touch, which are heard as a stream hears them."""
+        begin = max(0, min(each.begin - FRAME // 5, signals.shape[1] - FRAME))
+        heard = HighPass(len(signals), HIGH_PASS).begin(signals)[:, begin : max(each.end + FRAME // 5, begin + FRAME)]
+        return int(locator.locate(heard).argmax())

@@ -1,0 +1,60 @@
+"""How a recognizer is trained: a choice, which loads nothing of what it names until it is made."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from localize.learned.training_plan import check_ranges
+
+if TYPE_CHECKING:
+    from localize.signals.noise_model import NoiseChoice
+
+
+@dataclass(frozen=True)
+class RecognitionPlan:
+    """Plan of the training of a recognizer. The same plan on the same library and machine gives the same one.
+
+    Raises:
+        Refusal: a field outside its range, with field, value and range.
+    """
+
+    takes: int = 300
+    """Number of simulated takes of every kind, the same in every epoch; recordings replace them."""
+    epochs: int = 15
+    """Number of epochs."""
+    batch: int = 64
+    """Number of takes of a step."""
+    learning_rate: float = 3e-3
+    """Highest learning rate; a cosine takes it to zero."""
+    weight_decay: float = 0.01
+    """Weight decay of AdamW."""
+    smoothing: float = 0.02
+    """Share of a label that is spread over all kinds."""
+    salt_and_pepper: float = 0.0
+    """Share of the values of a map that are set to its lowest or highest, drawn anew in every step."""
+    microphone_noise: NoiseChoice = "design"
+    """Noise of the microphones: Pa rms over 0 to 500 Hz, white; or "design" for that of the library's design."""
+    seed: int = 0
+    """Seed of takes, initial weights and splits."""
+    time_limit: float | None = None
+    """Time limit of the training behind the takes, s; None trains as planned, with the same result on a busy
+    machine."""
+    network: str = "patches"
+    """Name of the network's shape, one of :data:`localize.learned.classifier.NETWORKS`."""
+    bfloat16: bool = False
+    """Whether the network computes in bfloat16 while it is trained."""
+
+    @classmethod
+    def of(cls, subject: str) -> RecognitionPlan:
+        """Plan of a subject: for letters the paper's two stages of blocks, 60 samples of each and salt and pepper; for
+        textures half as many takes again, for a third of them pass their point.
+        """
+        if subject == "letters":
+            return cls(takes=60, epochs=20, salt_and_pepper=0.05, network="two-stage")
+        return cls(takes=450) if subject == "textures" else cls()
+
+    def __post_init__(self) -> None:
+        check_ranges(
+            vars(self), whole={"takes": (5, 1_000_000)}, real={"smoothing": (0.0, 0.5), "salt_and_pepper": (0.0, 0.5)}
+        )

@@ -1,0 +1,82 @@
+"""Noise of the microphones, as a pressure in front of them.
+
+A microphone records its response times the pressure in its chamber, plus noise of its own. The vent makes the
+response fall below its corner, the noise does not fall with it: as a pressure in the chamber the noise has the
+density n(f) / |R(f)|, with the density n and the response R of :mod:`acoustic_fem.network.microphone`. Signals in this
+package are pressures in the chambers, and all microphones are alike, so that ratios of recorded signals are those of
+the pressures.
+
+Below 1 Hz, the lowest frequency of the stimuli, such a noise grows without limit; a recording is taken as high-passed
+there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+if TYPE_CHECKING:
+    from acoustic_fem.quantities.medium import Medium
+    from geometry.schema.part_fields import Microphone
+
+#: White noise of so many Pa rms over 0 to 500 Hz, or the noise of the design's microphone.
+NoiseChoice = float | Literal["design"]
+
+NOISE_BAND = (1.0, 500.0)
+"""Band in which a microphone's noise is taken, Hz: from the lowest frequency of the stimuli to half the sample rate."""
+_STEPS_PER_HERTZ = 20
+
+
+@dataclass(frozen=True, eq=False)
+class NoiseSpectrum:
+    """Coloured Gaussian noise, independent for each microphone."""
+
+    power: NDArray[np.float64]
+    """Mean square of the noise in the hertz around 0, 1, ..., 499 Hz; (500,) float64, Pa^2."""
+    source: str
+    """Name of what makes the noise, and where its figures come from."""
+
+    @property
+    def rms(self) -> float:
+        """Root mean square of the noise over 1 to 500 Hz, Pa."""
+        return float(np.sqrt(self.power.sum()))
+
+
+def input_density(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.float64]:
+    """Density of a microphone's noise as a pressure in its chamber, n / |R|.
+
+    Args:
+        microphone: from the design.
+        frequency: Hz, (n,) or any other shape.
+        medium: the gas.
+
+    Returns:
+        Same shape as the frequencies, float64, Pa/sqrt(Hz).
+
+    Raises:
+        Refusal: a frequency that is not finite and positive.
+    """
+    from acoustic_fem.network.microphone import noise_density, response
+
+    return np.asarray(noise_density(microphone, frequency) / np.abs(response(microphone, frequency, medium)))
+
+
+def microphone_noise(microphone: Microphone, medium: Medium) -> NoiseSpectrum:
+    """Noise of a design's microphone over 1 to 500 Hz, as a pressure in its chamber.
+
+    Args:
+        microphone: from the design.
+        medium: the gas.
+    """
+    low, high = NOISE_BAND
+    frequency = low + (np.arange(round((high - low) * _STEPS_PER_HERTZ)) + 0.5) / _STEPS_PER_HERTZ
+    lines = round(high)
+    power = np.bincount(
+        np.clip(np.rint(frequency), 1, lines - 1).astype(np.int64),
+        weights=input_density(microphone, frequency, medium) ** 2 / _STEPS_PER_HERTZ,
+        minlength=lines,
+    )
+    return NoiseSpectrum(power.astype(np.float64), f"microphone {microphone.model}: {microphone.source}")

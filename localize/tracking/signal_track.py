@@ -1,0 +1,65 @@
+"""The paths of a recording: the front end of a stream, and a tracker behind it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from localize.contacts.radii import MOVING
+from localize.decoders.bayes import BayesDecoder, sound_levels
+from localize.live.front_end import Listening
+from localize.live.stream import TouchStream
+from localize.signals.array_response import response_of
+from localize.signals.noise_model import NoiseChoice
+from localize.tracking.path import PathTracker, Track
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+BLOCK = 1000
+"""Number of samples that are taken at once: decisions carry their frames, and those of an hour take memory."""
+
+
+def track(
+    library: Library,
+    signals: NDArray[np.float64],
+    radius: float = MOVING,
+    microphone_noise: NoiseChoice = "design",
+    ambient: float | None = None,
+) -> list[Track]:
+    """Paths of contacts over the surface of an array.
+
+    Args:
+        library: with a design.
+        signals: (n_microphone, n_sample) float64, Pa, at 1 kHz, as :func:`localize.read_recording` gives them.
+        radius: of the contact, mm.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        ambient: level of the sound around, dB SPL; None for quiet.
+
+    Returns:
+        Paths in the order of time.
+
+    Raises:
+        Refusal: as :class:`localize.tracking.PathTracker` and :class:`localize.TouchStream`.
+    """
+    response = response_of(library)
+    decoder = BayesDecoder(response, microphone_noise, sound_levels(ambient))
+    stream = TouchStream(decoder, listening=Listening(frames=True))
+    return tracks_of(stream, PathTracker(response, radius, microphone_noise, ambient), signals)
+
+
+def tracks_of(stream: TouchStream, tracker: PathTracker, signals: NDArray[np.float64]) -> list[Track]:
+    """Paths that a tracker finds behind a stream, both new.
+
+    Args:
+        stream: whose ``listening`` keeps its frames.
+        tracker: of the same array.
+        signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
+    """
+    for first in range(0, signals.shape[1], BLOCK):
+        for event in stream.push(signals[:, first : first + BLOCK]):
+            tracker.take(event)
+    tracker.finish()
+    return tracker.tracks

@@ -1,0 +1,59 @@
+"""A bending study from a rig to its files."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from studies.bending.bending_rig import BendingRig
+from studies.output.display import Display
+from studies.output.folders import check_folder
+from studies.output.frequencies import FREQUENCIES, stated_frequencies
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from studies.bending.solution import Bending
+
+
+@dataclass(frozen=True, eq=False)
+class BendingStudy:
+    """Results of a bending study, and their files."""
+
+    result: Bending
+    """Transfer functions at every angle, and how far they lie from those of the straight tube."""
+    files: tuple[Path, ...]
+    """Files that were written: ``bending.png``, ``bending.csv`` and ``bending.json``."""
+
+
+def bending_study(
+    out: str | os.PathLike[str],
+    rig: BendingRig | None = None,
+    *,
+    fidelity: str = "navier-stokes",
+    frequency: ArrayLike | str = FREQUENCIES,
+    display: Display | None = None,
+) -> BendingStudy:
+    """Results of bending a tube on the publication's rig, the bent bore solved in 3-D: does it transmit less?
+
+    Args:
+        out: the folder to write to; earlier files of a study are replaced.
+        rig: the tube; by default the published one.
+        fidelity: of the bent bore, ``"navier-stokes"`` or ``"helmholtz"``.
+        frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
+        display: shows what is being done.
+
+    Raises:
+        Refusal: a folder that cannot be written, or a bad frequency or fidelity, before any work.
+    """
+    folder = Path(out)
+    from studies.bending.bending_files import RESULT, save_bending
+    from studies.bending.solution import solve_bending
+
+    check_folder(folder, "bend", RESULT)
+
+    with (display or Display()).stage("Bending") as report:
+        result = solve_bending(rig or BendingRig(), stated_frequencies(frequency), fidelity, report)
+    return BendingStudy(result, save_bending(result, folder))

@@ -1,0 +1,201 @@
+"""The verb live."""
+
+from __future__ import annotations
+
+import os
+import sys
+from contextlib import ExitStack
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Annotated, Self
+
+import typer
+
+from geometry.ground.refusal import Refusal, counted
+from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RefusedShare
+from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
+from studies.cli.terminal_tables import show, table_of
+from studies.listening.live import LiveInput, listen
+from studies.listening.opening import Decoding
+
+if TYPE_CHECKING:
+    from localize.live.listener import Heard
+    from studies.cli.live_display import LivePicture
+    from studies.listening.live import LiveSession, LiveSummary
+
+
+def _list_devices(wanted: bool) -> None:
+    if not wanted:
+        return
+    from localize.live.sound_device import input_devices
+
+    table = table_of("device", "name", "audio system", "channels", "rate (Hz)", "", numbers=(0, 3, 4))
+    for each in input_devices():
+        default = "default" if each.default else ""
+        table.add_row(str(each.number), each.name, each.host, str(each.channels), f"{each.rate:g}", default)
+    show(table)
+    raise typer.Exit
+
+
+def live(
+    model: Annotated[
+        Path,
+        typer.Argument(
+            metavar="MODEL",
+            help="A trained localizer (a folder), an .onnx file, or a library for the model-based decoder, which "
+            "expects the tolerances of manufacturing unless the library is a calibrated one.",
+            show_default=False,
+        ),
+    ],
+    device: Annotated[
+        str | None,
+        typer.Option(help="The sound card: its number, or a part of its name.", show_default="that of the system"),
+    ] = None,
+    list_devices: Annotated[
+        bool, typer.Option("--list-devices", callback=_list_devices, is_eager=True, help="List sound cards and stop.")
+    ] = False,
+    channels: Annotated[
+        str | None,
+        typer.Option(
+            metavar="A=1,B=2",
+            help="Which channel, from 1, is which microphone.",
+            show_default="the first ones, in the order of the design",
+        ),
+    ] = None,
+    full_scale: Annotated[
+        float, typer.Option(help="Pa: the pressure at full scale of the sound card or file.")
+    ] = LiveInput.full_scale,
+    replay: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE.wav", help="Play this in real time instead of listening.", show_default=False),
+    ] = None,
+    record: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.wav",
+            help="Record what comes in, at the rate at which it does, to a new file; readable even if the program is "
+            "killed.",
+            show_default=False,
+        ),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Write a line of JSON for every frame here, 16 ms apart.", show_default=False)
+    ] = None,
+    noise: DecoderNoise = None,
+    library: ArrayLibrary = None,
+    waveform: Annotated[
+        bool, typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity.")
+    ] = False,
+    ambient: DecoderAmbient = None,
+    refuse: RefusedShare = None,
+    follow_drift: FollowDrift = False,
+    radius: Annotated[
+        float | None,
+        typer.Option(
+            metavar="MM",
+            help="Tell also where on the surface a contact of this radius is, and its gestures, for a library.",
+            show_default="points alone",
+        ),
+    ] = None,
+    pressure: Pressure = None,
+    altitude: Altitude = None,
+    temperature: Temperature = None,
+) -> None:
+    r"""Name touches while they happen: listen to the microphones on a sound card, or play a recording in real time.
+
+    A terminal shows the array; where the output is none, it is a line of JSON for every frame. A sound card that is
+    unplugged is waited for. Ctrl-C ends with a summary. Sound cards need: pip install 'acoustic-fem\[live]'.
+
+    Example: [bold]acoustic-fem live library.nc --device USB --record touches.wav --out touches.jsonl[/bold]
+    """
+    if device is not None and replay is not None:
+        raise typer.BadParameter("--device must not be given beside --replay")
+    wanted = int(device) if device is not None and device.isdecimal() else device
+    source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
+    words = {name: f"--{name}" for name in ("channels", "device", "radius", "refused")}
+    from acoustic_fem.quantities.local_air import LocalAir
+
+    with (
+        named(full_scale="--full-scale", microphone_noise="--noise", loudest="--ambient", **words, **AIR_OPTIONS),
+        _Output(waveform) as output,
+    ):
+        air = LocalAir(pressure, altitude, temperature)
+        decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
+        summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
+    _print_summary(summary)
+    if summary.unrecorded:
+        raise Refusal(f"{summary.unrecorded}; what came in until then is in the file")
+
+
+class _Output:
+    """What is done with every event: the picture of a terminal, elsewhere a line of JSON."""
+
+    def __init__(self, waveform: bool) -> None:
+        from rich.console import Console
+
+        self._console = Console()
+        self._waveform = waveform
+        self._picture: LivePicture | None = None
+        self._stack = ExitStack()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._stack.close()
+
+    def hear(self, session: LiveSession, heard: Heard, line: str) -> bool:
+        """Put out an event; whether there is anyone left who reads it."""
+        if self._console.is_terminal:
+            self._shown(session).hear(heard)
+            return True
+        try:
+            print(line, flush=True)
+        except BrokenPipeError:
+            # Whoever read the lines has gone; Python would fail once more when it flushes them at the end.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return False
+        return True
+
+    def _shown(self, session: LiveSession) -> LivePicture:
+        if self._picture is None:
+            from studies.cli.live_display import LivePicture
+
+            self._picture = LivePicture(
+                session.source,
+                session.array,
+                session.microphones,
+                lambda: session.recent,
+                session.latencies,
+                self._waveform,
+            )
+            self._stack.enter_context(self._picture.live(self._console))
+        return self._picture
+
+
+def _print_summary(summary: LiveSummary) -> None:
+    """On stderr, beside the lines of the events."""
+    states = ", ".join(f"{count} {state}" for state, count in summary.states.items()) or "none"
+    faults = ", ".join(f"{count} {kind}" for kind, count in summary.faults.items()) or "none"
+    lost = f" ({counted(summary.samples_lost, 'sample')})" if summary.samples_lost else ""
+    p50, p99 = (1e3 * summary.latencies.percentile(share) for share in (50, 99))
+    for line in (
+        f"listened for {summary.seconds:.1f} s: {counted(summary.touches, 'touch')}; decisions: {states}",
+        f"faults: {faults}{lost}",
+        f"latency: p50 {p50:.1f} ms, p99 {p99:.1f} ms, at most {1e3 * summary.latencies.largest:.1f} ms",
+        f"assumed is {summary.assumes}",
+        *([] if summary.doubt is None else [f"warning: {summary.doubt}"]),
+        *summary.recordings,
+    ):
+        print(line, file=sys.stderr)
+
+
+def _channel_map(text: str) -> dict[str, int]:
+    """``A=1,B=2`` as microphone -> channel."""
+    pairs = [part.partition("=") for part in text.split(",")]
+    for name, equals, value in pairs:
+        if not (name.strip() and equals and value.strip().isdecimal()):
+            raise typer.BadParameter(f"--channels {text} must be like A=1,B=2: microphone and channel from 1")
+    return {name.strip(): int(value) for name, _, value in pairs}

@@ -1,0 +1,304 @@
+"""What the verbs print on the console."""
+
+from __future__ import annotations
+
+import os
+import textwrap
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.ground.extras import is_installed
+from geometry.ground.refusal import counted, in_one_line
+from studies.output.display import number
+
+if TYPE_CHECKING:
+    from rich.table import Column, Table
+
+    from acoustic_fem import Library
+    from geometry.plan.wiring_graph import WiringCounts
+    from geometry.printing.printability import PrintReport
+    from studies.run.check import DesignCheck
+    from studies.run.part_folder import MadeParts
+    from studies.run.quality import DesignQuality
+
+#: Blanks of a table: at both its edges, and between columns.
+_EDGES, _GAP = 2, 3
+#: Texts are broken between words in columns that keep at least so many characters; numbers never are.
+_LEAST_TEXT = 24
+#: Characters of a line into a file or a pipe, where a row is a line however long it is.
+_UNBROKEN = 100_000
+#: Problems of one kind that are printed.
+_FIRST = 10
+
+
+def table_of(*columns: str, numbers: tuple[int, ...] = ()) -> Table:
+    """An empty table; columns at the indices ``numbers`` are aligned to the right."""
+    from rich import box
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for index, column in enumerate(columns):
+        table.add_column(column, justify="right" if index in numbers else "left", no_wrap=True)
+    return table
+
+
+def tell(text: str) -> None:
+    """Print one line on stdout, whatever names stand in it."""
+    print(in_one_line(text))
+
+
+def show(table: Table) -> None:
+    """Print a table on stdout.
+
+    On a terminal it is as wide as that, or as ``COLUMNS`` says: long texts are broken between words, and columns that
+    do not fit follow in blocks beneath. Into a file or a pipe it is as wide as it takes.
+    """
+    from rich.console import Console
+
+    known = Console().is_terminal or "COLUMNS" in os.environ
+    console = Console(width=None if known else _UNBROKEN, markup=False, highlight=False)
+    first, *rest = range(len(table.columns))
+    while rest:
+        count = len(rest)
+        while count > 1 and _widths(table, [first, *rest[:count]], console.width) is None:
+            count -= 1
+        console.print(_part(table, [first, *rest[:count]], console.width))
+        rest = rest[count:]
+
+
+def _widths(table: Table, chosen: list[int], most: int) -> list[int] | None:
+    """Widths of some columns of a table: headings are narrowed first, then texts; None where that is not enough."""
+    columns = [table.columns[k] for k in chosen]
+    widths = [max(_longest(str.splitlines, each.header), _longest(str.splitlines, *each.cells)) for each in columns]
+    room = most - _EDGES - _GAP * (len(chosen) - 1)
+    for least in (_under_headings(columns), _under_texts(columns)):
+        while sum(widths) > room and any(width > own for width, own in zip(widths, least, strict=True)):
+            wide = [k for k in range(len(chosen)) if widths[k] > least[k]]
+            widths[max(wide, key=lambda k: widths[k])] -= 1
+    return widths if sum(widths) <= room else None
+
+
+def _under_headings(columns: list[Column]) -> list[int]:
+    """Widths of columns whose headings are broken between words, and whose cells are whole."""
+    return [max(_longest(str.split, each.header), _longest(str.splitlines, *each.cells)) for each in columns]
+
+
+def _under_texts(columns: list[Column]) -> list[int]:
+    """Widths of columns whose texts are broken between words too, but keep room for a few; numbers never are."""
+    whole = _under_headings(columns)
+    return [
+        width if column.justify == "right" else max(min(width, _LEAST_TEXT), _longest(str.split, *column.cells))
+        for width, column in zip(whole, columns, strict=True)
+    ]
+
+
+def _longest(parts: Callable[[str], list[str]], *texts: object) -> int:
+    """Characters of the longest part of some texts."""
+    return max((len(part) for text in texts for part in parts(str(text))), default=0)
+
+
+def _part(table: Table, chosen: list[int], most: int) -> Table:
+    """A table of some columns of another, for a console so wide; lines go on as far in as they begin."""
+    columns = [table.columns[k] for k in chosen]
+    widths = _widths(table, chosen, most) or [most] * len(chosen)
+    numbers = tuple(place for place, column in enumerate(columns) if column.justify == "right")
+    part = table_of(*(str(column.header) for column in columns), numbers=numbers)
+    for cells in zip(*(column.cells for column in columns), strict=True):
+        part.add_row(*(_wrapped(str(cell), width) for cell, width in zip(cells, widths, strict=True)))
+    for column, width in zip(part.columns, widths, strict=True):
+        column.header = _wrapped(str(column.header), width)
+    return part
+
+
+def _wrapped(text: str, width: int) -> str:
+    """A text in lines of at most so many characters, words whole."""
+    return "\n".join(
+        wrapped
+        for line in text.splitlines()
+        for wrapped in textwrap.wrap(
+            line, width, subsequent_indent=line[: len(line) - len(line.lstrip())], break_long_words=False,
+            break_on_hyphens=False,
+        )
+    )  # fmt: skip
+
+
+def show_fields() -> None:
+    """Every field of a design file."""
+    from geometry.design.array_design import ArrayDesign
+    from geometry.schema.declared_fields import fields_of
+
+    table = table_of("field", "range", "default")
+    for field in fields_of(ArrayDesign):
+        stated = str(field.default).lower() if isinstance(field.default, bool) else str(field.default)
+        default = "required" if field.required else "" if field.default in (None, "", {}) else stated
+        allowed = field.allowed or field.kind
+        name = f"{field.name}\n  {field.description}"
+        table.add_row(name, allowed, default if field.kind != "a table" else "")
+    show(table)
+
+
+def show_check(found: DesignCheck) -> None:
+    """All findings on a design, first what keeps it from being made."""
+    print(f"{found.design.name}: {found.verdict}")
+    _show_first(found.problems, "- {}")
+    if found.mend:
+        tell(f"- {found.mend}")
+    _show_unjudged(found)
+    if found.printing is not None:
+        _show_verdict(found.printing)
+    length, width, height = max(found.size[:2]), min(found.size[:2]), found.size[2]
+    print(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
+    print(found.covered)
+    _show_quality(found.quality)
+    _show_wiring(found.wiring)
+    table = table_of("distinct cell", "places", numbers=(1,))
+    for cell, places in found.cells:
+        table.add_row(cell.label, str(places))
+    show(table)
+    if found.kinds:
+        table = table_of("kind", "of", "sizes", "count", numbers=(3,))
+        for kind in found.kinds:
+            table.add_row(kind.name or "as stated", kind.what, kind.sizes, str(kind.count))
+        show(table)
+    table = table_of("fidelity", "time, and how far off it was")
+    for line in found.fidelities:
+        table.add_row(*line.split(": ", 1))
+    show(table)
+    if found.part_counts:
+        _show_counts(found.part_counts)
+    _show_notes(found.notes, found.misfits if found.overlaps else ())
+    table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
+    for frequency, level, point in found.attenuation:
+        table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")
+    show(table)
+    table = table_of("the models assume", "value", "limit", "", numbers=(1,))
+    for item in found.validity:
+        table.add_row(
+            f"{item.assumption}\n  {item.meaning}",
+            f"{number(item.value)} {item.unit}",
+            f"{item.relation} {item.limit:g} {item.unit}",
+            "ok" if item.holds else "warn",
+        )
+    show(table)
+    if found.printing is not None:
+        _show_print_problems(found.printing)
+
+
+def _show_unjudged(found: DesignCheck) -> None:
+    """What nothing is installed for."""
+    if not is_installed("train"):
+        tell("how good it is was not judged: pip install 'acoustic-fem[train]'")
+    if found.printing is None:
+        tell("parts were not drawn, so that neither fit nor printing is judged: pip install 'acoustic-fem[cad]'")
+
+
+def _show_counts(counts: Mapping[str, int]) -> None:
+    table = table_of("part", "count", numbers=(1,))
+    for part, count in counts.items():
+        table.add_row(part, str(count))
+    show(table)
+
+
+def _show_quality(quality: DesignQuality | None) -> None:
+    if quality is not None:
+        table = table_of("how good", "value", "of", numbers=(1,))
+        for row in quality.lines:
+            table.add_row(*row)
+        show(table)
+
+
+def _show_wiring(wiring: WiringCounts) -> None:
+    table = table_of("wiring", "", numbers=(1,))
+    lines = f"microphones joined by {counted(wiring.lines, 'line')}"
+    if wiring.most_lines > wiring.lines:
+        lines += f"; {wiring.most_lines} are possible"
+    for row in (
+        (lines, str(wiring.microphones)),
+        ("points", str(wiring.points)),
+        ("points per microphone", f"{wiring.points_per_microphone:.3g}"),
+        ("  against one microphone per point", f"{wiring.gain_over_one_transducer_per_point:.3g} times"),
+        ("  against addressing by rows + columns", f"{wiring.gain_over_row_column:.3g} times"),
+    ):
+        table.add_row(*row)
+    show(table)
+
+
+def show_library(path: Path, library: Library) -> None:
+    """A library that was written, in one line."""
+    points, microphones, frequencies = (
+        library.transfer_function.sizes[name] for name in ("point", "microphone", "frequency")
+    )
+    tell(
+        f"{path}: {counted(points, 'point')}, {counted(microphones, 'microphone')}, {counted(frequencies, 'frequency')}"
+    )
+
+
+def show_parts(made: MadeParts) -> None:
+    """What was made: parts with their files, tubes to cut, the bill, where to read which part goes where."""
+    from geometry.layout.cutting import cutting_list
+
+    table = table_of("part", "count", "volume (mm^3)", "files", numbers=(1, 2))
+    for name in dict.fromkeys(file.part for file in made.files):
+        own = [file for file in made.files if file.part == name]
+        words = ", ".join(file.path.name for file in own) + "".join(f"; also {other}" for other in own[0].also)
+        words += "" if own[0].count else "; spare, on no plate: all are in the carrier"
+        table.add_row(name, str(own[0].count), f"{own[0].cad_volume:.1f}", words)
+    show(table)
+    table = table_of(
+        "tube", "count", "sheath (mm)", "spring (mm)", "bore (mm)", "outside (mm)", numbers=(1, 2, 3, 4, 5)
+    )
+    for cut in cutting_list(made.design):
+        lengths = f"{cut.cut_length:g}", f"{cut.spring_length:g}"
+        table.add_row(
+            cut.place, str(cut.count), *lengths, f"{cut.tube.inner_diameter:g}", f"{cut.tube.outer_diameter:g}"
+        )
+    show(table)
+    bill = made.bill
+    money = bill.prices.currency
+    print(
+        f"resin {bill.resin_ml:.3g} ml and {bill.tooling_resin_ml:.3g} ml in molds, "
+        f"silicone {bill.silicone_ml:.3g} ml, tube {bill.tube_m:.3g} m: "
+        f"about {bill.cost:.2f} {money}, molds {bill.tooling_cost:.2f} {money} (bill.txt)"
+    )
+    print("which part goes to which point, and which tube between: assembly.txt")
+    for name in made.too_large:
+        tell(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
+    _show_notes(made.notes, made.misfits)
+
+
+def _show_notes(notes: tuple[str, ...], misfits: tuple[str, ...]) -> None:
+    """What could not be built as drawn, and the first of what does not go together."""
+    for note in notes:
+        tell(f"note: {note}")
+    _show_first(misfits, "note: {}")
+
+
+def _show_first(lines: tuple[str, ...], form: str) -> None:
+    """The first of some lines, and how many more there are."""
+    for line in lines[:_FIRST]:
+        tell(form.format(line))
+    if len(lines) > _FIRST:
+        print(form.format(f"and {counted(len(lines) - _FIRST, 'more problem')}"))
+
+
+def show_findings(printing: PrintReport) -> None:
+    """The print verdict and what leads to it."""
+    _show_verdict(printing)
+    _show_print_problems(printing)
+
+
+def _show_verdict(printing: PrintReport) -> None:
+    tell(f"printing, {printing.process.title}: {printing.verdict}")
+
+
+def _show_print_problems(printing: PrintReport) -> None:
+    if printing.problems:
+        table = table_of("part, measure and place (mm)", "value", "must be", "verdict", numbers=(1,))
+        for finding in printing.problems:
+            value = f"{finding.value:.3g} {finding.unit}"
+            limit = f"{finding.relation} {finding.limit:.3g} {finding.unit}"
+            place = "" if finding.place is None else ", ".join(f"{0.0 + round(x, 2):g}" for x in finding.place)
+            measure = f"{finding.rule} at {place}" if place else finding.rule
+            table.add_row(f"{finding.part}\n  {measure}", value, limit, finding.verdict)
+        show(table)

@@ -1,0 +1,206 @@
+"""Evaluation of a localizer beside the model-based decoder, under conditions that are not those of training."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.library.provenance import versions
+from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.scatter.as_built_sensors import scatter_factors
+from acoustic_fem.scatter.tolerances import ScatteredDesign
+from geometry.ground.refusal import Refusal
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from localize.evaluation.accuracy import Evaluation, Locator
+    from localize.evaluation.conditions import Outcome
+    from localize.signals.array_response import ArrayResponse
+    from localize.signals.noise_model import NoiseChoice
+
+Progress = Callable[[str, float], None]
+#: Shares of the workshop's tolerances that sensors are made with.
+SCATTER = (0.25, 0.5, 1.0)
+#: Sensors that are made with each.
+SENSORS = 12
+#: Virtual rigs, and the group of what is found on them.
+RIGS, RIG_GROUP = 8, "virtual rigs"
+#: Touches per point in a condition, as a share of those of the whole evaluation.
+SHARE = 0.1
+#: Touches in a condition, if the whole evaluation has as many: their interval is then at most 4 points either way.
+LEAST = 600
+
+
+@dataclass(frozen=True)
+class Judged:
+    """Results of one localizer."""
+
+    name: str
+    """Name of the localizer."""
+    overall: Evaluation
+    """Results on the library as it is."""
+    outcomes: tuple[Outcome, ...]
+    """Results under each condition."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Results as JSON can hold them."""
+        return {**self.overall.to_dict(), "conditions": [asdict(outcome) for outcome in self.outcomes]}
+
+
+@dataclass(frozen=True)
+class FullEvaluation:
+    """Results of all localizers: what the report shows."""
+
+    design: str
+    """Name of the design."""
+    points: tuple[int, ...]
+    """Numbers of the points."""
+    judged: tuple[Judged, ...]
+    """Results of each localizer, in the order in which they were given."""
+    created: datetime
+    """Time at which the evaluation was made."""
+    provenance: dict[str, Any]
+    """Design, fidelity, library, seed and versions."""
+    unscattered: str = ""
+    """Reason for which nothing was judged on mis-made sensors; empty where it was."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Results as JSON can hold them."""
+        return {
+            "design": self.design,
+            "created": self.created.isoformat(timespec="seconds"),
+            "provenance": self.provenance,
+            **{each.name: each.to_dict() for each in self.judged},
+        }
+
+
+def evaluate_fully(
+    locators: dict[str, Locator],
+    library: Library,
+    response: ArrayResponse,
+    touches: int,
+    noise: NoiseChoice,
+    seed: int,
+    progress: Progress,
+) -> FullEvaluation:
+    """Results of localizers on a library, then under each condition that it allows, then on mis-made sensors.
+
+    Args:
+        locators: by name.
+        library: of a design.
+        response: of that library.
+        touches: held-out touches per point; in a condition a tenth as many, at least 600 of all points together, but
+            never more.
+        noise: of the microphones, where the condition is not the noise.
+        seed: of touches and of mis-made sensors.
+        progress: called with what is being done and the fraction done.
+    """
+    from localize import evaluate
+    from localize.evaluation.conditions import evaluate_conditions, evaluate_sensors
+
+    few = min(touches, max(round(SHARE * touches), math.ceil(LEAST / response.point_count)))
+    progress("mis-made sensors", 0.0)
+    made, unscattered = scattered_sensors(library, response, seed, SENSORS, SCATTER)
+    rigs = [] if unscattered else rig_sensors(library, response, seed, RIGS)
+    found = []
+    for number, (name, locator) in enumerate(locators.items()):
+        stage = _stage(progress, name, number / len(locators), 1 / len(locators))
+        stage("all touches", 0.0)
+        overall = evaluate(locator, response, touches, noise, seed=seed)
+        outcomes = evaluate_conditions(locator, response, few, noise, seed, stage)
+        stage("mis-made sensors", 1.0)
+        outcomes += evaluate_sensors(locator, response, made, max(1, few // 5), noise, seed)
+        outcomes += evaluate_sensors(locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP)
+        found.append(Judged(name, overall, tuple(outcomes)))
+    return FullEvaluation(
+        design=response.name,
+        points=tuple(range(1, response.point_count + 1)),
+        judged=tuple(found),
+        created=datetime.now(UTC),
+        provenance={
+            **versions(seed, ("numpy", "scipy", "torch", "onnxruntime")),
+            "design": response.provenance["design"],
+            "fidelity": library.fidelity,
+            "library": dict(library.provenance),
+        },
+        unscattered=unscattered,
+    )
+
+
+def _stage(
+    progress: Callable[[str, float], None], name: str, begin: float, size: float
+) -> Callable[[str, float], None]:
+    """Progress of one localizer as part of the whole."""
+    return lambda what, share: progress(f"{name}: {what}", begin + size * share)
+
+
+def rig_sensors(
+    library: Library, response: ArrayResponse, seed: int, count: int
+) -> list[tuple[str, float | None, NDArray[np.complex128]]]:
+    """Set of virtual rigs, uncalibrated: made sensors with what no decoder knows, :class:`studies.HiddenScatter`.
+
+    What the rigs change is computed with closed forms and taken over to a library of any fidelity; above 160 Hz it
+    stays as it is there.
+
+    Args:
+        library: of a design whose scatter is known.
+        response: of that library.
+        seed: of the first rig.
+        count: of rigs.
+
+    Returns:
+        Name, no share, and (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
+    """
+    import acoustic_fem
+    from studies.test_rig.virtual_rig import HEARD, Rig
+
+    grid = np.unique(np.clip(response.frequency, *HEARD))
+    place = np.minimum(np.searchsorted(grid, response.frequency), len(grid) - 1)
+    nominal = acoustic_fem.solve(library.design, grid, "lumped").transfer_function.values
+    rigs = [Rig(library.design, seed + k).transfer_function(grid) / nominal for k in range(count)]
+    return [("uncalibrated", None, response.transfer_function * np.stack(rigs)[..., place])]
+
+
+def scattered_sensors(
+    library: Library, response: ArrayResponse, seed: int, count: int, shares: Sequence[float]
+) -> tuple[list[tuple[str, float, NDArray[np.complex128]]], str]:
+    """Sets of :func:`mis_made` and an empty text; none, and the reason, where the scatter of a design is not known.
+
+    Arguments as there, shapes too: (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
+    """
+    try:
+        return mis_made(library, response, seed, count, shares), ""
+    except Refusal as error:
+        return [], str(error)
+
+
+def mis_made(
+    library: Library, response: ArrayResponse, seed: int, count: int = SENSORS, shares: Sequence[float] = SCATTER
+) -> list[tuple[str, float, NDArray[np.complex128]]]:
+    """Sets of sensors with shares of the workshop's tolerances.
+
+    A library of any fidelity is scattered around itself, see :func:`acoustic_fem.scatter.scatter_factors`.
+
+    Args:
+        library: of a design.
+        response: of that library.
+        seed: of the sensors.
+        count: sensors of each set.
+        shares: of the tolerances, one for each set.
+
+    Returns:
+        Name and share of each set, and (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
+    """
+    scattered, air = ScatteredDesign(library.design), design_air(library.design)
+
+    def made(share: float) -> NDArray[np.complex128]:
+        factors = scatter_factors(scattered, air, response.frequency, count, seed, share=share)
+        return response.transfer_function * factors
+
+    return [(f"{share:g} of the tolerances", share, made(share)) for share in shares]

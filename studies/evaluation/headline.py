@@ -1,0 +1,119 @@
+"""Headline figures of a localizer: sums of sines on the nominal sensor, beside them what they do not promise.
+
+Taps on the same sensor, and the same sines on sensors that are not calibrated: made with a workshop's tolerances, which
+the tolerant decoder draws too, and virtual rigs, which have what no decoder knows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+from localize.evaluation.accuracy import Evaluation
+from studies.evaluation.full_evaluation import LEAST, RIG_GROUP, RIGS, Progress, rig_sensors, scattered_sensors
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from localize.evaluation.accuracy import Locator
+    from localize.evaluation.conditions import Outcome
+    from localize.signals.array_response import ArrayResponse
+    from localize.signals.noise_model import NoiseChoice
+
+#: Whose signals a headline figure is of.
+SIGNALS = "sums of sines on the nominal sensor"
+#: Name of the decoder that knows the tolerances of manufacturing.
+TOLERANT = "tolerant decoder"
+#: Mis-made sensors that are judged, the seed that they are drawn with, and their share of the workshop's tolerances.
+SENSORS, SENSOR_SEED, WHOLE = 8, 1, 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Headline(Evaluation):
+    """Results on sums of sines on the nominal sensor, and what stands beside them."""
+
+    outcomes: tuple[Outcome, ...]
+    """Results on taps, then on mis-made sensors and on virtual rigs where these are known."""
+    sensors: int = SENSORS
+    """Number of the mis-made sensors."""
+    unscattered: str = ""
+    """Reason for which mis-made sensors are not among them; empty where they are."""
+
+    @classmethod
+    def of(cls, overall: Evaluation, outcomes: Sequence[Outcome], sensors: int, unscattered: str) -> Headline:
+        """Headline of an evaluation, with those of the outcomes that belong beside it."""
+        chosen = tuple(each for each in outcomes if is_beside(each.group, each.name, each.value))
+        return cls(**vars(overall), outcomes=chosen, sensors=sensors, unscattered=unscattered)
+
+    @property
+    def signals(self) -> str:
+        """Whose signals the headline figures are of."""
+        return SIGNALS
+
+    @property
+    def beside(self) -> tuple[tuple[str, Outcome], ...]:
+        """What stands beside the headline: whose signals, and the results."""
+        made = f"sums of sines on {self.sensors} mis-made sensors"
+        of_rigs = f"sums of sines on {RIGS} virtual rigs"
+
+        def signals(each: Outcome) -> str:
+            if each.worst is None:
+                return f"{each.name} on the nominal sensor"
+            return of_rigs if each.group == RIG_GROUP else made
+
+        return tuple((signals(each), each) for each in self.outcomes)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Results as JSON can hold them."""
+        own = {"signals": SIGNALS, "conditions": [asdict(each) for each in self.outcomes]}
+        return {**super().to_dict(), **own, **({"unscattered": self.unscattered} if self.unscattered else {})}
+
+
+def is_beside(group: str, name: str, value: float | None) -> bool:
+    """Whether a condition stands beside the headline: taps, sensors with the whole of the tolerances, virtual rigs."""
+    return (
+        (group, name) == ("stimulus", "taps")
+        or (group == "mis-made sensors" and value == WHOLE)
+        or (group == RIG_GROUP)
+    )
+
+
+def judge_headlines(
+    locators: dict[str, Locator],
+    library: Library,
+    response: ArrayResponse,
+    touches: int,
+    noise: NoiseChoice,
+    seed: int,
+    progress: Progress,
+) -> dict[str, Headline]:
+    """Headline of each localizer by its name. Three seconds for the sensors, then one for each localizer of 12 points.
+
+    Args:
+        locators: by name.
+        library: of a design.
+        response: of that library.
+        touches: held-out touches per point; beside the headline so many that all points together have 600, if they
+            may be as many.
+        noise: of the microphones.
+        seed: of the touches.
+        progress: called with what is being done and the fraction done.
+    """
+    from localize import evaluate
+    from localize.evaluation.conditions import conditions, evaluate_conditions, evaluate_sensors
+
+    progress("mis-made sensors", 0.0)
+    made, unscattered = scattered_sensors(library, response, SENSOR_SEED, SENSORS, (WHOLE,))
+    rigs = [] if unscattered else rig_sensors(library, response, SENSOR_SEED, RIGS)
+    few = min(touches, math.ceil(LEAST / response.point_count))
+    wanted = [each for each in conditions(response) if is_beside(each.group, each.name, each.value)]
+    found = {}
+    for number, (name, locator) in enumerate(locators.items()):
+        progress(name, (1 + number) / (1 + len(locators)))
+        overall = evaluate(locator, response, touches, noise, seed=seed)
+        outcomes = evaluate_conditions(locator, response, few, noise, seed, wanted=wanted)
+        outcomes += evaluate_sensors(locator, response, made, max(1, few // SENSORS), noise, seed)
+        outcomes += evaluate_sensors(locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP)
+        found[name] = Headline.of(overall, outcomes, SENSORS, unscattered)
+    return found

@@ -1,0 +1,139 @@
+"""A localizer trained on a library, with its files."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.ground.refusal import Refusal
+from studies.output.display import Display
+from studies.output.folders import check_folder
+from studies.output.sole_writer import sole_writer_of
+
+if TYPE_CHECKING:
+    from localize import Evaluation, Localizer, RecognitionPlan, Recognizer, TrainingPlan
+
+#: Where the state of a training is kept until it is done.
+_CHECKPOINT = "checkpoint.safetensors"
+
+
+@dataclass(frozen=True, eq=False)
+class TrainedLocalizer:
+    """Trained localizer, and how it did."""
+
+    folder: Path
+    """Folder of the localizer, its curves and its confusions."""
+    localizer: Localizer
+    """Localizer as :func:`localize.load_localizer` reads it from there."""
+    judged: Evaluation
+    """Evaluation on touches that it has not seen."""
+
+
+def train_localizer(
+    library: str | os.PathLike[str],
+    out: str | os.PathLike[str],
+    *,
+    plan: TrainingPlan | None = None,
+    recordings: str | os.PathLike[str] | None = None,
+    display: Display | None = None,
+) -> TrainedLocalizer:
+    """Localizer trained on touches made from a library, and on recorded ones where there are some.
+
+    Killed and called again it goes on where it was, to the same weights.
+
+    Args:
+        library: the file.
+        out: the folder for the localizer, ``training.csv`` and ``confusion.csv``, and a picture of each.
+        plan: how to train; by default with the noise of the design's microphone.
+        recordings: a manifest of recorded touches, half of all that is trained on.
+        display: shows what is being done.
+
+    Raises:
+        Refusal: a folder that cannot be written or holds a finished localizer or another training, or a file that
+            cannot be read; or another training is writing to the folder.
+    """
+    folder = Path(out)
+    checkpoint = folder / _CHECKPOINT
+    _check_unfinished(folder)
+    check_folder(folder, "train", _CHECKPOINT, reads=(library, recordings))
+    import acoustic_fem
+    from localize import TrainingPlan, evaluate, train
+    from localize.signals.array_response import response_of
+    from studies.evaluation.training_files import TOUCHES, write_training_files
+
+    plan = plan or TrainingPlan(microphone_noise="design")
+    response = response_of(acoustic_fem.load(library))
+    with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Localizer") as report:
+        _check_unfinished(folder)  # by whoever wrote to it until now
+        report("training", 0.0)
+        localizer = train(
+            response,
+            plan,
+            lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs),
+            checkpoint=checkpoint,
+            recordings=None if recordings is None else Path(recordings),
+        )
+        localizer.save(folder)
+        judged = evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
+        write_training_files(folder, localizer, judged)
+        checkpoint.unlink()
+    return TrainedLocalizer(folder, localizer, judged)
+
+
+def train_kinds(
+    library: str | os.PathLike[str],
+    out: str | os.PathLike[str],
+    kind: str,
+    *,
+    plan: RecognitionPlan | None = None,
+    recordings: str | os.PathLike[str] | None = None,
+    display: Display | None = None,
+) -> Recognizer:
+    """Recognizer of kinds of touch, as :func:`localize.load_recognizer` reads it from its folder.
+
+    Killed and called again it goes on where it was, to the same weights.
+
+    Args:
+        library: the file.
+        out: the folder for the recognizer, ``training.csv`` and ``confusion.csv``, and a picture of each.
+        kind: sort of what it tells, see :func:`localize.train_recognizer`.
+        plan: how to train.
+        recordings: a manifest of recorded touches with labels, where ``kind`` is "labels".
+        display: shows what is being done.
+
+    Raises:
+        Refusal: as :func:`train_localizer` and :func:`localize.train_recognizer`.
+    """
+    folder = Path(out)
+    checkpoint = folder / _CHECKPOINT
+    _check_unfinished(folder)
+    check_folder(folder, "train", _CHECKPOINT, reads=(library, recordings))
+    import acoustic_fem
+    from localize import train_recognizer
+    from studies.evaluation.training_files import write_recognizer_files
+
+    loaded = acoustic_fem.load(library)
+    with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Recognizer") as report:
+        _check_unfinished(folder)
+        report("takes", 0.0)
+        recognizer = train_recognizer(
+            loaded,
+            kind,
+            plan,
+            lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", 0.5 + 0.5 * p.epoch / p.epochs),
+            checkpoint,
+            None if recordings is None else Path(recordings),
+            lambda share: report("takes", 0.5 * share),
+        )
+        recognizer.save(folder)
+        write_recognizer_files(folder, recognizer)
+        checkpoint.unlink()
+    return recognizer
+
+
+def _check_unfinished(folder: Path) -> None:
+    for name, what in (("localizer.json", "localizer"), ("recognizer.json", "recognizer")):
+        if (folder / name).exists() and not (folder / _CHECKPOINT).exists():
+            raise Refusal(f"{folder}: holds a finished {what}; remove it, or choose another folder")

@@ -1,8 +1,0 @@
-"""A localizer trained and judged, also under other conditions, and its report.
-
-Stands on: made_sensor, output.
-"""
-
-import lazy_loader
-
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

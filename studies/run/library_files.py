@@ -1,0 +1,80 @@
+"""Libraries as files: solved for a design, and brought into another format."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from geometry.ground.extras import check_extras
+from geometry.ground.missing_packages import check_system_libraries
+from studies.output.display import Display
+from studies.output.folders import check_new_library
+from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from acoustic_fem import Library
+    from acoustic_fem.quantities.local_air import LocalAir
+    from geometry.design.array_design import ArrayDesign
+
+
+def solve_library(
+    design: ArrayDesign,
+    out: str | os.PathLike[str],
+    *,
+    fidelity: str = "navier-stokes",
+    frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
+    air: LocalAir | None = None,
+    display: Display | None = None,
+) -> Library:
+    """Library of a design, also in a file: transfer functions from every point to every microphone.
+
+    Args:
+        design: the array.
+        out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
+        fidelity: see :func:`acoustic_fem.solve`.
+        frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
+        air: of the place where it is used; what is not given is the design's.
+        display: shows what is being done, then a line for each distinct cell.
+
+    Raises:
+        Refusal: a file that cannot be written, a bad frequency or fidelity, or a design that cannot be solved.
+    """
+    path, show = Path(out), display or Display()
+    check_new_library(path, (".nc",))
+    if fidelity not in CLOSED_FORMS:
+        check_extras("what solves in 3-D", "fem")
+        check_system_libraries()
+    import acoustic_fem
+    from acoustic_fem.library.exchange import write_library
+    from studies.run.pipeline import cell_lines
+
+    with show.stage("Cells") as report:
+        there = design if air is None else design.with_values(air.design_values)
+        library = acoustic_fem.solve(there, stated_frequencies(frequency), fidelity=fidelity, progress=report)
+        write_library(library, path)
+    for line in cell_lines(library):
+        show.note(line)
+    return library
+
+
+def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]) -> Library:
+    """Library of a file, written in another format, to the last digit.
+
+    Args:
+        library: the file to read: netCDF (``.nc``), SOFA (``.sofa``), ``.npz`` or ``.csv``.
+        out: the file to write, with another such suffix; a measured library is kept.
+
+    Raises:
+        Refusal: a file that is no library, or cannot be written.
+    """
+    from acoustic_fem.library.exchange import FORMATS, load, write_library
+
+    path = Path(out)
+    check_new_library(path, FORMATS, reads=(library,))
+    loaded = load(Path(library))
+    write_library(loaded, path)
+    return loaded

@@ -1,0 +1,296 @@
+"""The whole chain for one design: parts, transfer functions, localizer, figures, report."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.design.array_design import ArrayDesign
+from geometry.ground.missing_packages import check_system_libraries
+from geometry.ground.refusal import Refusal, counted
+from geometry.layout.arrangement import lay_out
+from geometry.layout.overlaps import buildability_notes
+from geometry.layout.remedies import refuse_unbuildable
+from geometry.layout.size import array_size
+from studies.metrics.pairs import BAND, disagreement, worst_heard
+from studies.metrics.separation import Separability, separability
+from studies.output.display import Display, Report
+from studies.output.folders import claim_folder, replaced_folder
+from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+from studies.run.findings import AGREEMENT, write_results
+from studies.run.part_folder import ALL_THE_SAME
+from studies.run.run_result import RunResult
+from studies.run.validity import model_validity
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from geometry.assembly.model import ArrayModel
+    from geometry.formats.part_files import ExportedFile
+    from geometry.layout.placement import ArrayLayout
+    from geometry.printing.printability import PrintReport
+    from localize import Localizer, TrainingPlan
+    from localize.evaluation.accuracy import Locator
+    from studies.evaluation.headline import Headline
+
+#: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:
+#: 25 s for 12 points and about five minutes for the largest arrays on one idle core, as many on a busy one.
+EPOCHS, TOUCHES_PER_POINT, MOST_TOUCHES = 20, 200, 300_000
+#: Stages: parts, cells, localizer, evaluation, figures.
+_STAGES = 5
+#: Pixels of the picture of one point, before it is cropped.
+POINT_PICTURE = (1600, 700)
+#: Held-out touches in all, and at least per point; their seed.
+EVALUATION_TOUCHES, LEAST_TOUCHES_PER_POINT = 3000, 40
+SEED = 0
+
+
+def run_design(
+    design: ArrayDesign,
+    out: str | os.PathLike[str],
+    *,
+    display: Display | None = None,
+    fidelity: str = "navier-stokes",
+    frequency: NDArray[np.float64] | None = None,
+    training: TrainingPlan | None = None,
+    allow_overlaps: bool = False,
+) -> RunResult:
+    """Result of the whole chain for one design, written into a folder with ``report.html``.
+
+    Cells come from the disk cache where an earlier run solved them. Files are written beside, then renamed, so
+    that a run that is killed leaves no half of one; ``report.html`` and ``results.json`` come last.
+
+    Args:
+        design: the design.
+        out: a new or empty folder, or one that an earlier run made.
+        display: shows what is being done.
+        fidelity: of the library, see :func:`acoustic_fem.solve`.
+        frequency: (n_freq,) float64, Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
+        training: how to train the localizer; by default :func:`training_plan`, with which the same design gives the
+            same report whatever else the machine does. The localizer is judged with the noise it was trained with.
+        allow_overlaps: go on also where parts are in each other's way; the report then says which.
+
+    Raises:
+        Refusal: parts are in each other's way, the folder holds something else, or the design cannot be built, solved
+            or decoded.
+        OSError: the folder cannot be written.
+    """
+    from geometry.design.design_file import write_design
+    from studies.run.run_report import write_report
+
+    show = display or Display()
+    check_points(design)
+    check_system_libraries()
+    layout = lay_out(design)
+    if not allow_overlaps:
+        refuse_unbuildable(design, layout, ALL_THE_SAME)
+    folder = claim_folder(out, write_design(design.completed()))
+    training = training or training_plan(design.point_count)
+    grid = stated_frequencies(LIBRARY_FREQUENCIES if frequency is None else frequency)
+
+    with show.stage("Parts", of=_STAGES) as report:
+        model, files, printing, figures = _make_parts(design, layout, folder, report)
+    library, lumped, limits = _solved(design, grid, fidelity, folder, show)
+    distances = separability(library.transfer_function)
+    localizer, network, bayes, tolerant = _judged_localizer(library, training, folder, show)
+
+    difference = None
+    if lumped is not None:
+        same_grid = library.transfer_function.sel(frequency=lumped.frequency)
+        difference = disagreement(lumped.transfer_function, same_grid)
+    with show.stage("Figures", of=_STAGES) as report:
+        figures = {**figures, **_draw_figures(folder, library, lumped, distances, network, report)}
+    result = RunResult(
+        design=design,
+        folder=folder,
+        created=datetime.now(UTC),
+        library=library,
+        lumped=lumped,
+        disagreement=difference,
+        separability=distances,
+        network=network,
+        bayes=bayes,
+        tolerant=tolerant,
+        training={**localizer.training, "plan": dict(localizer.plan)},
+        localizer_provenance=localizer.provenance,
+        printing=printing,
+        layout=model.layout,
+        part_counts=model.parts.counts,
+        files=files,
+        layout_notes=buildability_notes(design, model.layout),
+        validity=model_validity(design, library.medium, worst_heard(library.transfer_function, BAND[1])[0]),
+        warnings=limits,
+        figures=figures,
+        seconds=show.seconds,
+    )
+    write_results(result, folder / "results.json")
+    write_report(result, folder / "report.html")
+    return result
+
+
+def training_plan(points: int) -> TrainingPlan:
+    """Plan of a run's training: by the number of points alone, without a limit of time, with the design's own noise."""
+    from localize import TrainingPlan
+
+    touches = min(TOUCHES_PER_POINT, max(1, MOST_TOUCHES // (EPOCHS * points)))
+    return TrainingPlan(epochs=EPOCHS, seconds_per_point=touches, microphone_noise="design")
+
+
+def check_points(design: ArrayDesign, source: str | None = None) -> None:
+    """Refuse a design with nothing to tell apart, before any work.
+
+    Args:
+        design: the design.
+        source: what to call it in the message, such as its file; by default its name.
+
+    Raises:
+        Refusal: it has one point in all.
+    """
+    if design.point_count < 2:
+        raise Refusal(
+            f"{source or design.name}: lines.0.points = {design.point_count} must be at least 2: run needs at least 2 "
+            "points, to tell one from the other; solve and parts take one"
+        )
+
+
+def cell_lines(library: Library) -> list[str]:
+    """Lines of text, one for each distinct cell of a library: from the cache or solved, unknowns, seconds."""
+    lines = []
+    for cell in library.provenance["cells"]:
+        if "unknowns" not in cell:
+            lines.append(f"{cell['cell']}: {cell['method']}")
+        elif cell["cached"]:
+            lines.append(f"{cell['cell']}: from the cache ({counted(cell['unknowns'], 'unknown')})")
+        else:
+            lines.append(
+                f"{cell['cell']}: {counted(cell['unknowns'], 'unknown')} solved at {len(cell['sampled_frequencies'])} "
+                f"frequencies in {cell['seconds']:.1f} s"
+            )
+    return lines
+
+
+def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:
+    """Tell the user every warning; those that speak of a model's limits are returned for the report."""
+    from acoustic_fem.numerics.disk_cache import CacheWarning
+
+    told = dict.fromkeys((entry.category, str(entry.message)) for entry in caught)
+    for _, message in told:
+        show.note(f"note: {message}")
+    return tuple(message for category, message in told if not issubclass(category, CacheWarning))
+
+
+# -- stages ------------------------------------------------------------------------------------------------
+def _make_parts(
+    design: ArrayDesign, layout: ArrayLayout, folder: Path, report: Report
+) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
+    from geometry import export, print_report
+    from geometry.assembly.model import array_model
+    from geometry.formats.part_files import tessellate_distinct
+    from geometry.pictures.views import draw_array, draw_point
+    from studies.output.figure_style import crop_picture
+
+    report("CAD", 0.0)
+    model = array_model(design, layout=layout)
+    report("STL, STEP and 3MF", 0.2)
+    shapes = tessellate_distinct(model.parts)
+    with replaced_folder(folder / "parts") as fresh:
+        written = export(model.parts, fresh, shapes=shapes)
+    files = tuple(replace(file, path=folder / "parts" / file.path.name) for file in written)
+    report("print rules", 0.5)
+    printing = print_report(model.parts, design=design, shapes=shapes)
+    report("pictures", 0.7)
+    figures = {
+        "array": draw_array(model, folder / "figures" / "array.png", size=(1600, _picture_height(model))),
+        "point": draw_point(model, folder / "figures" / "point.png", size=POINT_PICTURE),
+    }
+    for path in figures.values():
+        crop_picture(path)
+    return model, files, printing, figures
+
+
+def _picture_height(model: ArrayModel) -> int:
+    """Pixels of a picture 1600 wide in which the array is as large as can be, with room for names."""
+    width, depth, _ = array_size(model.design, model.layout)
+    return int(np.clip(1600 * (0.15 + depth / width), 500, 1400))
+
+
+def _solved(
+    design: ArrayDesign, grid: NDArray[np.float64], fidelity: str, folder: Path, show: Display
+) -> tuple[Library, Library | None, tuple[str, ...]]:
+    """The library, that of closed forms in the band where it is another, and what was said of the models' limits."""
+    import acoustic_fem
+    from acoustic_fem.library.exchange import write_library
+
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", UserWarning)
+        with show.stage("Cells", of=_STAGES) as report:
+            library = acoustic_fem.solve(design, grid, fidelity=fidelity, progress=report)
+            write_library(library, folder / "library.nc")
+        for line in cell_lines(library):
+            show.note(line)
+        lumped = None
+        if fidelity != "lumped":
+            inside = (grid >= BAND[0]) & (grid <= BAND[1])
+            lumped = acoustic_fem.solve(design, grid[inside], fidelity="lumped")
+    return library, lumped, _said_of_models(caught, show)
+
+
+def _judged_localizer(
+    library: Library, training: TrainingPlan, folder: Path, show: Display
+) -> tuple[Localizer, Headline, Headline, Headline | None]:
+    """The trained localizer, and how it, the model-based decoder and the tolerant one name held-out touches."""
+    from localize import BayesDecoder, train
+    from localize.decoders.tolerant import tolerant_decoder
+    from localize.signals.array_response import response_of
+    from studies.evaluation.headline import TOLERANT, judge_headlines
+
+    with show.stage("Localizer", of=_STAGES) as report:
+        report("training", 0.0)
+        localizer = train(
+            library, training, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
+        )
+        with replaced_folder(folder / "localizer") as fresh:
+            localizer.save(fresh)
+    with show.stage("Evaluation", of=_STAGES) as report:
+        touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // library.design.point_count)
+        decoder = BayesDecoder(library, training.microphone_noise)
+        locators: dict[str, Locator] = {"network": localizer, "Bayes decoder": decoder}
+        noise = training.microphone_noise
+        tolerant = tolerant_decoder(library, noise)
+        if tolerant is not None:
+            locators[TOLERANT] = tolerant
+        judged = judge_headlines(locators, library, response_of(library), touches, noise, SEED, report)
+    return localizer, judged["network"], judged["Bayes decoder"], judged.get(TOLERANT)
+
+
+def _draw_figures(
+    folder: Path,
+    library: Library,
+    lumped: Library | None,
+    distances: Separability,
+    network: Headline,
+    report: Report,
+) -> dict[str, Path]:
+    from studies.output import response_figures as draw
+
+    where = folder / "figures"
+    report("curves", 0.0)
+    drawn = {
+        "transfer-functions": draw.draw_transfer_functions(library.transfer_function, where / "transfer-functions.png"),
+        "differences": draw.draw_differences(library.transfer_function, where / "differences.png"),
+    }
+    if lumped is not None:
+        same_grid = library.transfer_function.sel(frequency=lumped.frequency)
+        drawn["comparison"] = draw.draw_comparison(
+            lumped.transfer_function, same_grid, where / "comparison.png", (100 * AGREEMENT[0], AGREEMENT[1])
+        )
+    report("matrices", 0.6)
+    drawn["separability"] = draw.draw_separability(distances, where / "separability.png")
+    drawn["confusion"] = draw.draw_confusion(network.confusion, distances.points, where / "confusion.png")
+    return drawn

@@ -1,0 +1,171 @@
+"""``report.html``: one page that a designer can read without the program, the code or a network."""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Sequence
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+import studies
+from geometry.ground.refusal import counted
+from geometry.ground.whole_files import write_text
+from geometry.layout.cutting import cutting_list
+from studies.metrics.pairs import BAND
+from studies.output.display import number
+from studies.run.check import cell_uses
+from studies.run.findings import (
+    SENSITIVITY_AT,
+    agreement_sentence,
+    confusion_sentence,
+    key_figures,
+    noise_sentence,
+    point_rows,
+    printing_sentence,
+    training_sentence,
+    verdict,
+)
+
+if TYPE_CHECKING:
+    from geometry.air.cells import Cell
+    from studies.run.run_result import RunResult
+
+#: Frequencies at which lumped cells are compared with 3-D cells, Hz.
+CELLS_COMPARED_AT = (1.0, 10.0, 100.0)
+#: A table of more points is folded away.
+LONG_TABLE = 36
+_ORDER = {"fail": 0, "warn": 1, "ok": 2}
+
+
+def write_report(result: RunResult, path: Path) -> None:
+    """Write the page of a run: pictures inlined, no script, nothing fetched."""
+    write_text(path, render(result))
+
+
+def render(result: RunResult) -> str:
+    """Page of a run as text."""
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    environment = Environment(
+        loader=PackageLoader("studies"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters |= {"number": number, "counted": counted}
+    layout = result.layout
+    return environment.get_template("report.html").render(
+        style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
+        result=result,
+        design=result.design,
+        band=BAND,
+        verdict=verdict(result),
+        figures=key_figures(result),
+        pictures={name: _inlined(path) for name, path in result.figures.items()},
+        confusion=confusion_sentence(result),
+        agreement=agreement_sentence(result),
+        printing=printing_sentence(result),
+        training=training_sentence(result),
+        long_table=LONG_TABLE,
+        schematic=any(tube.schematic for tube in layout.tubes),
+        sensitivity_at=SENSITIVITY_AT,
+        points=point_rows(result),
+        microphones=list(result.design.microphones),
+        findings=sorted(result.printing.findings, key=lambda finding: _ORDER[finding.verdict]),
+        parts=_part_rows(result),
+        cuts=cutting_list(result.design, layout),
+        cells=_cell_rows(result, cell_uses(result.design, layout)),
+        cells_compared_at=CELLS_COMPARED_AT,
+        assumptions=_assumptions(result),
+        provenance=_provenance(result),
+    )
+
+
+def _inlined(path: Path) -> str:
+    return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode("ascii")
+
+
+def _part_rows(result: RunResult) -> list[dict[str, Any]]:
+    rows: dict[str, dict[str, Any]] = {}
+    for file in result.files:
+        row = rows.setdefault(
+            file.part,
+            {"part": file.part, "count": result.part_counts[file.part], "volume": file.cad_volume, "files": []},
+        )
+        row["files"].append({"format": file.format.upper(), "error": round(100 * file.volume_error, 4)})
+        if file.triangles is not None:
+            row["triangles"], row["deviation"] = file.triangles, file.linear_deviation
+    return list(rows.values())
+
+
+def _cell_rows(result: RunResult, cells: Sequence[tuple[Cell, int]]) -> list[dict[str, Any]]:
+    """How each distinct cell was obtained; where it was solved in 3-D, with the difference of its closed form."""
+    differences = _lumped_differences(result, [cell for cell, _ in cells]) if result.lumped is not None else {}
+    return [
+        {**dict(solved), "places": places, "differences": differences.get(cell.label)}
+        for (cell, places), solved in zip(cells, result.library.provenance["cells"], strict=True)
+    ]
+
+
+def _lumped_differences(result: RunResult, cells: Sequence[Cell]) -> dict[str, list[float]]:
+    """Per cell and frequency: largest difference of the lumped nodal admittance, in percent of its largest entry."""
+    from acoustic_fem.cell.design_cells import solve_cells
+    from acoustic_fem.cell.lumped import lumped_admittance
+
+    medium, frequency = result.library.medium, np.array(CELLS_COMPARED_AT)
+    solved = solve_cells(cells, frequency, medium)
+    differences = {}
+    for cell, solution in solved.items():
+        error = np.abs(lumped_admittance(cell, frequency, medium) - solution.admittance).max(axis=(1, 2))
+        differences[cell.label] = [float(v) for v in 100 * error / np.abs(solution.admittance).max(axis=(1, 2))]
+    return differences
+
+
+_MOUNTING = {"rim": "glued by its lower face on its rim", "clamped": "held at the wall of the cavity"}
+
+
+def _assumptions(result: RunResult) -> list[str]:
+    design = result.design
+    membrane = design.material(design.membrane.material)
+    return [
+        "Sound is small and linear; walls are at the temperature of the air, and rigid but for floors and "
+        "sheaths whose material is named.",
+        "A plane wave travels in the tubes; the grooves of a spring count as a wider bore, bends are left out.",
+        f"A membrane is {_MOUNTING[design.membrane.mounting]}, stretched by {design.membrane.stretch - 1:.3g}, and "
+        "pushes the air in the shape of its first mode; its material: "
+        f"{design.membrane.material}, {membrane.law_in_words} ({membrane.source}).",
+        noise_sentence(result),
+        "One point is touched at a time. But where mis-made sensors are named, the made sensor is exactly the designed "
+        "one. Mis-made ones have the scatter of bores, lengths, cavities and membranes of a careful workshop and are "
+        "not calibrated; calibration is what removes this loss. Virtual rigs are not calibrated either, and have "
+        "besides what no decoder knows: a rubber of another slope and loss, microphones, and the air of another place.",
+        f"Sums of sines have 1 to 100 components from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are pulses "
+        "of 5 to 100 ms. A network names only what it was trained on, here sums of sines.",
+    ]
+
+
+def _provenance(result: RunResult) -> list[tuple[str, str]]:
+    library = result.library
+    own = {key: value for key, value in library.provenance.items() if key != "cells"}
+    medium = library.medium
+    air = result.design.air
+    return [
+        ("made", result.created.strftime("%Y-%m-%d %H:%M UTC")),
+        ("fidelity", library.fidelity),
+        ("frequencies", f"{len(library.frequency)} from {library.frequency[0]:g} to {library.frequency[-1]:g} Hz"),
+        (
+            "air",
+            f"{air.temperature:g} °C, {100 * air.humidity:g} % relative humidity, {air.pressure:g} Pa: density "
+            f"{medium.density:.4f} kg/m³, viscosity {medium.viscosity:.4g} Pa s, "
+            f"sound speed {medium.sound_speed:.1f} m/s",
+        ),
+        ("library", json.dumps(own)),
+        ("localizer", json.dumps(result.localizer_provenance["localizer"])),
+        ("training", json.dumps(result.training["plan"])),
+        ("seconds", ", ".join(f"{name} {seconds:.1f}" for name, seconds in result.seconds.items())),
+    ]

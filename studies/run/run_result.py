@@ -1,0 +1,71 @@
+"""What a run of one design made: data only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.placement import ArrayLayout
+from studies.metrics.pairs import Disagreement
+from studies.metrics.separation import Separability
+from studies.run.validity import Validity
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from geometry.formats.part_files import ExportedFile
+    from geometry.printing.printability import PrintReport
+    from studies.evaluation.headline import Headline
+
+
+@dataclass(frozen=True, eq=False)
+class RunResult:
+    """Result of a run; the report is made from nothing else."""
+
+    design: ArrayDesign
+    """Design that was run."""
+    folder: Path
+    """Folder that the run wrote."""
+    created: datetime
+    """Time at which the run was made."""
+    library: Library
+    """Transfer functions of the array."""
+    lumped: Library | None
+    """Lumped library at 1 to 100 Hz, for comparison; None where the library itself is lumped."""
+    disagreement: Disagreement | None
+    """Disagreement of lumped with the library, at all points, microphones and frequencies from 1 to 100 Hz; None where
+    there is no other."""
+    separability: Separability
+    """Distances of all pairs of points."""
+    network: Headline
+    """Results of the trained localizer on held-out touches: sums of sines, beside them taps and mis-made sensors."""
+    bayes: Headline
+    """Results of the model-based decoder on the same touches."""
+    tolerant: Headline | None
+    """Results of the decoder that knows the tolerances of manufacturing on the same touches; None where it is not known
+    how the design scatters."""
+    training: Mapping[str, Any]
+    """Record of the training: plan, losses and accuracies by epoch."""
+    localizer_provenance: Mapping[str, Any]
+    """Provenance of the localizer."""
+    printing: PrintReport
+    """Report of the print rules on the parts."""
+    layout: ArrayLayout
+    """Where everything lies."""
+    part_counts: Mapping[str, int]
+    """Number of each part."""
+    files: tuple[ExportedFile, ...]
+    """Files of the parts."""
+    layout_notes: tuple[str, ...]
+    """Notes on what is drawn but could not be built as drawn."""
+    validity: tuple[Validity, ...]
+    """Assumptions of the models, each against its limit."""
+    warnings: tuple[str, ...]
+    """Warnings that the models gave about their limits while they ran."""
+    figures: Mapping[str, Path]
+    """Path of each figure, by name."""
+    seconds: Mapping[str, float]
+    """Time taken by each stage, s."""

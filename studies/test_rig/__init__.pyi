@@ -1,0 +1,8 @@
+from .calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
+from .calibration_figures import draw_calibration as draw_calibration
+from .priors import fit_priors as fit_priors, model_deviation as model_deviation
+from .recalibrating import Recalibration as Recalibration, recalibrate as recalibrate
+from .rig_contacts import record_contact as record_contact
+from .rig_session import RigSession as RigSession, record_rig as record_rig
+from .rig_touches import TouchSession as TouchSession, record_touches as record_touches
+from .virtual_rig import HiddenScatter as HiddenScatter, Recorder as Recorder, Rig as Rig

@@ -1,0 +1,124 @@
+"""From recordings of a made sensor to its library."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.ground.refusal import Refusal
+from studies.output.display import Display
+from studies.output.folders import check_new_file
+from studies.output.frequencies import CALIBRATION_FREQUENCIES, stated_frequencies
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from acoustic_fem import Library
+    from acoustic_fem.calibration import Calibration, Update
+    from acoustic_fem.quantities.local_air import LocalAir
+    from acoustic_fem.scatter.tolerances import Tolerance
+
+#: The manifest of a folder of recordings.
+MANIFEST = "calibration.toml"
+
+
+@dataclass(frozen=True, eq=False)
+class SensorCalibration:
+    """Calibration of a made sensor, and the library that was written."""
+
+    out: Path
+    """File of the library."""
+    figure: Path
+    """Picture beside it."""
+    library: Library
+    """Measured transfer functions with their uncertainty."""
+    calibration: Calibration
+    """Estimates of the measured points, and what was found of each recording."""
+    fit: Update | None
+    """Fit of the design's parts to the measured points, where points lack a good recording; else None. Where it has an
+    objection, the missing points are those of the design."""
+    expected: NDArray[np.float64] | None
+    """Shares of touches named right that are to be expected on sensors that agree with the fit, ascending;
+    (n_draw,) float64. None without a fit that is used, or where the frequencies do not cover the band of the
+    stimuli."""
+    measure_next: int | None
+    """Number of the point to measure next; None where no other is needed, or nothing is known of it."""
+
+
+def calibrate_sensor(
+    recordings: str | os.PathLike[str],
+    out: str | os.PathLike[str],
+    *,
+    fidelity: str = "lumped",
+    frequency: ArrayLike | str = CALIBRATION_FREQUENCIES,
+    tolerances: str | os.PathLike[str] | Sequence[Tolerance] | None = None,
+    air: LocalAir | None = None,
+    display: Display | None = None,
+) -> SensorCalibration:
+    """Calibration of a made sensor from recordings: measured transfer functions with their uncertainty, in a library.
+
+    Bad recordings are left out and named. Where points lack a good one, all follow from a fit of the sensor's parts to
+    the measured points; where no sensor within the tolerances is like the measured one, they keep those of the design.
+
+    Args:
+        recordings: a manifest (TOML), or a folder with one called ``calibration.toml``.
+        out: the library to write, netCDF (``.nc``), a new file; a figure goes beside it.
+        fidelity: of the design's own transfer functions, which stand in for missing points.
+        frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
+        tolerances: of the workshop, or a TOML file of them; by default assumed ones.
+        air: of the room of the recordings; what is not given is the design's.
+        display: shows what is being done.
+
+    Raises:
+        Refusal: a file that exists or cannot be written, a manifest or tolerances that cannot be read, a bad frequency,
+            or no good recording.
+    """
+    path, show = Path(out), display or Display()
+    picture = path.with_suffix(".png")
+    if path.suffix.lower() != ".nc":
+        raise Refusal(f"{path}: `out` must be a library, .nc; its figure goes beside it as .png")
+    check_new_file(path, kept="a measured library")
+    check_new_file(picture, kept="the figure of one")
+    import acoustic_fem
+    from acoustic_fem.calibration.fitted_model import UpdatedModel
+    from acoustic_fem.calibration.manifest import read_manifest
+    from acoustic_fem.calibration.measured_library import calibrate
+    from acoustic_fem.calibration.model_updating import update
+    from acoustic_fem.scatter.tolerances import tolerances_of
+    from studies.test_rig.calibration_figures import draw_calibration
+    from studies.test_rig.priors import fit_priors, model_deviation
+
+    grid, scatter, source = stated_frequencies(frequency), tolerances_of(tolerances), Path(recordings)
+    manifest = read_manifest(source / MANIFEST if source.is_dir() else source)
+    if air is not None:
+        manifest = replace(manifest, design=manifest.design.with_values(air.design_values))
+    with show.stage("Design") as report:
+        model = acoustic_fem.solve(manifest.design, grid, fidelity=fidelity, progress=report)
+    with show.stage("Recordings") as report:
+        calibration = calibrate(manifest, model, report)
+    fit, deviation = None, None
+    if calibration.missing:
+        with show.stage("Fit"):
+            fit = update(UpdatedModel(model, fit_priors(manifest.design, scatter)), calibration.estimates)
+            deviation = model_deviation(manifest.design, grid, scatter)
+    used = None if fit is None or fit.objection else fit
+    library = calibration.library(model, deviation, used)
+    acoustic_fem.save(library, path)
+    figure = draw_calibration(calibration, model, picture)
+    expected, measure_next = (None, None) if used is None else _prospect(used)
+    return SensorCalibration(path, figure, library, calibration, fit, expected, measure_next)
+
+
+def _prospect(fit: Update) -> tuple[NDArray[np.float64] | None, int | None]:
+    """What is to be expected of the fitted library, and what to measure next."""
+    from localize.recalibration import expected_accuracy, is_enough, least_known
+    from localize.signals import BAND
+
+    if fit.model.frequency[0] > BAND[0] or fit.model.frequency[-1] < BAND[1]:
+        return None, None
+    shares = expected_accuracy(fit)
+    return shares, None if is_enough(fit, shares) else least_known(fit)

@@ -1,0 +1,120 @@
+"""From touches of which nobody knows the points to the library of a sensor as it is now."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from studies.output.display import Display
+from studies.output.folders import check_new_file
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from acoustic_fem import Library
+    from acoustic_fem.quantities.local_air import LocalAir
+    from localize import SelfCalibration
+
+
+@dataclass(frozen=True, eq=False)
+class Recalibration:
+    """Recalibration of a sensor that was accepted."""
+
+    out: Path
+    """File that was written."""
+    library: Library
+    """Library that it holds, of the sensor as it is now."""
+    found: SelfCalibration
+    """Findings of the search on all touches and on those held out."""
+
+
+def recalibrate(
+    library: str | os.PathLike[str],
+    recordings: Sequence[str | os.PathLike[str]],
+    out: str | os.PathLike[str],
+    *,
+    full_scale: float | None = None,
+    noise: float | None = None,
+    seed: int = 0,
+    air: LocalAir | None = None,
+    display: Display | None = None,
+) -> Recalibration:
+    """Recalibration of a sensor from touches of which nobody knows the points.
+
+    A quarter of the frames is held out and judges; where they do not speak for the sensor found, nothing is written.
+
+    Args:
+        library: the file of the design, or of the last calibration.
+        recordings: files of touches of fingers or of a shaker, one at a time, spread over all points.
+        out: the library to write, netCDF (``.nc``), a new file.
+        full_scale: Pa, see :func:`localize.read_recording`.
+        noise: of the microphones, white, Pa rms over 0 to 500 Hz; by default that of the design's.
+        seed: of the choice of the touches that judge.
+        air: of the place of the recordings, to which the library is brought first; what is not given is the library's.
+        display: shows what is being done.
+
+    Raises:
+        Refusal: a file that exists or cannot be written, recordings that cannot be read or used, the same take twice,
+            or touches that do not speak for the sensor found.
+    """
+    path = Path(out)
+    check_new_file(path, ".nc", kept="a calibrated library")
+    import numpy as np
+
+    import acoustic_fem
+    from localize import SelfCalibrationError, read_recording, self_calibrate
+    from localize.live.front_end import HIGH_PASS, HighPass
+    from localize.signals.array_response import response_of
+    from localize.signals.frames import cut_frames
+    from localize.signals.noise_model import NoiseSpectrum
+
+    present = acoustic_fem.load(library)
+    if air is not None:
+        present = present.in_air(**asdict(air))
+    response = response_of(present)
+    paths = [Path(recording) for recording in recordings]
+    heard = [read_recording(recording, response.microphones, full_scale).signals for recording in paths]
+    passed = [HighPass(len(signals), HIGH_PASS).begin(signals) for signals in heard]
+    frames = [cut_frames(signals[None])[0] for signals in passed]
+    of_microphones = response.noise("design" if noise is None else noise)
+    level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
+    _refuse_the_same_take(paths, heard, frames, level)
+    with (display or Display()).stage("Touches") as report:
+        found = self_calibrate(present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS)
+    if not found.accepted:
+        raise SelfCalibrationError(f"refused, {path} is not written and {library} stays: {found.objection}")
+    calibrated = found.library()
+    acoustic_fem.save(calibrated, path)
+    return Recalibration(path, calibrated, found)
+
+
+def _refuse_the_same_take(
+    paths: Sequence[Path],
+    heard: Sequence[NDArray[np.float64]],
+    frames: Sequence[NDArray[np.float64]],
+    level: float,
+) -> None:
+    """A copy of what the search saw would judge it."""
+    import numpy as np
+
+    from localize import SelfCalibrationError
+    from localize.recalibration.self_calibration import touched
+    from localize.recordings.same_take import find_same_take
+    from localize.signals.frames import FRAME
+
+    # the last frame ends with its recording
+    first = [
+        signals.shape[1] % FRAME + FRAME * np.flatnonzero(touched(own, level))
+        for signals, own in zip(heard, frames, strict=True)
+    ]
+    loud = [number for number, own in enumerate(first) if len(own)]
+    same = find_same_take([heard[number].astype(np.float32) for number in loud], [first[number] for number in loud])
+    if same is not None:
+        raise SelfCalibrationError(
+            f"{paths[loud[same.second]]} is the same take as {paths[loud[same.first]]}: the correlation of a "
+            f"stretch of them is {same.correlation:.4f}; give each take once"
+        )

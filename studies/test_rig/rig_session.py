@@ -1,0 +1,140 @@
+"""A whole session with a virtual made sensor, on disk: calibration, touches with their points, and what was hidden."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from studies.output.display import Display
+from studies.output.folders import check_folder, make_folder, replaced_folder, write_json
+from studies.test_rig.calibrating import MANIFEST
+
+if TYPE_CHECKING:
+    from geometry import ArrayDesign
+    from studies.test_rig.rig_touches import TouchSession
+    from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
+
+#: What lies in the folder of a session.
+CALIBRATION, TOUCHES, TRUTH, TRUE_LIBRARY = "calibration", "touches", "truth.json", "truth.nc"
+#: Seconds of each recording for the calibration; takes of each part of the touches, and their seconds.
+SECONDS, TAKES, TAKE_SECONDS = 30.0, 2, 6.0
+#: Frequencies of the true library: FIRST:LAST:COUNT in Hz.
+TRUE_FREQUENCIES = "1:150:150"
+
+
+@dataclass(frozen=True, eq=False)
+class RigSession:
+    """Session with a virtual made sensor, as it lies on disk."""
+
+    folder: Path
+    """Folder of all that was written."""
+    rig: Rig
+    """The made sensor, whose parameters are hidden from whoever has the recordings alone."""
+    calibration: Path
+    """Manifest of the calibration, for :func:`studies.calibrate_sensor`."""
+    touches: Path
+    """Manifest of the touches with their points and parts, for :func:`studies.train_localizer`; each file of it is one
+    for :func:`studies.locate_recording` and :func:`studies.recalibrate`."""
+    truth: Path
+    """What was hidden: parameters, seed, versions and design, JSON."""
+    library: Path
+    """Library of the sensor as it is, which a perfect calibration would find."""
+    full_scale: float
+    """Pressure at full scale of the touches' files, Pa."""
+
+
+def record_rig(
+    design: ArrayDesign,
+    out: str | os.PathLike[str],
+    *,
+    seed: int = 0,
+    fidelity: Literal["lumped", "navier-stokes"] = "lumped",
+    scatter: HiddenScatter | None = None,
+    recorder: Recorder | None = None,
+    session: TouchSession | None = None,
+    display: Display | None = None,
+) -> RigSession:
+    """Recordings of a virtual made sensor: a calibration of all its points, touches of each, and what was hidden.
+
+    The sensor has what no fit and no decoder knows, :class:`studies.HiddenScatter`; so have the recordings,
+    :class:`studies.Recorder`, and the touches, :class:`studies.TouchSession`. The same seed gives the same files.
+
+    Args:
+        design: the nominal array.
+        out: a new or empty folder, or one of an earlier session.
+        seed: of the hidden parameters and of all recordings.
+        fidelity: ``lumped``, or ``navier-stokes`` for what 3-D cells change.
+        scatter: how far the hidden parameters lie from nominal.
+        recorder: how recordings are made; by default 30 s for each point of the calibration.
+        session: what is recorded of touches; by default two takes of 6 s of each part.
+        display: shows what is being done.
+
+    Raises:
+        Refusal: a negative seed, a design that the lumped batch does not take, or a folder that holds anything else or
+            cannot be written.
+    """
+    folder, show = Path(out), display or Display()
+    from studies.test_rig.rig_touches import TouchSession, record_touches
+    from studies.test_rig.virtual_rig import RIG_MARK, Recorder, Rig
+
+    check_folder(folder, "rig", RIG_MARK)
+    rig = Rig(design, seed, scatter, fidelity)
+    recorder = recorder or Recorder(seconds=SECONDS)
+    session = session or TouchSession(TAKES, TAKE_SECONDS)
+    make_folder(folder, "rig", RIG_MARK)
+    points = range(1, design.point_count + 1)
+    with show.stage("Calibration", of=3), replaced_folder(folder / CALIBRATION) as fresh:
+        calibration = rig.record(fresh, points, recorder).name
+    with show.stage("Touches", of=3), replaced_folder(folder / TOUCHES) as fresh:
+        touches = record_touches(rig, fresh, points, session, recorder).name
+    with show.stage("Truth", of=3):
+        library = _write_truth(rig, folder, recorder, session)
+    manifests = folder / CALIBRATION / calibration, folder / TOUCHES / touches
+    return RigSession(folder, rig, *manifests, folder / TRUTH, library, recorder.full_scale)
+
+
+def hidden_values(rig: Rig) -> dict[str, Any]:
+    """What is hidden of a made sensor, as JSON can hold it: parts, microphones, and the air of the place.
+
+    Args:
+        rig: the made sensor.
+
+    Returns:
+        Numbers of every part by the fields of :class:`acoustic_fem.batch.ArrayParameters`, SI; gains and high-passes by
+        the names of the microphones, against nominal; the air by the fields of :class:`acoustic_fem.Medium`.
+    """
+    parts = {field.name: getattr(rig.hidden, field.name)[0].tolist() for field in fields(rig.hidden)}
+    names = rig.design.microphones
+    return {
+        "parts": parts,
+        "microphone_gain": dict(zip(names, rig.gain.tolist(), strict=True)),
+        "microphone_corner": dict(zip(names, rig.corner.tolist(), strict=True)),
+        "air": asdict(rig.medium),
+    }
+
+
+def _write_truth(rig: Rig, folder: Path, recorder: Recorder, session: TouchSession) -> Path:
+    """The library of the sensor as it is, and the file of all that is hidden."""
+    import numpy as np
+
+    import acoustic_fem
+    from acoustic_fem.library.exchange import write_library
+    from acoustic_fem.library.provenance import versions
+    from acoustic_fem.library.transfer_functions import described, measured_library
+    from geometry.design.design_file import write_design
+    from studies.output.frequencies import stated_frequencies
+
+    settings = {"scatter": asdict(rig.scatter), "recorder": asdict(recorder), "session": asdict(session)}
+    made = {**versions(rig.seed, ("numpy", "scipy")), "fidelity": rig.fidelity}
+    grid = stated_frequencies(TRUE_FREQUENCIES)
+    nominal = acoustic_fem.solve(rig.design, grid, "lumped")
+    h = rig.transfer_function(grid)
+    about = {"seed": rig.seed, "rig": settings, "model": described(nominal)}
+    library = measured_library(rig.design, nominal, h, np.zeros(h.shape), ("numpy", "scipy"), about)
+    write_library(library, folder / TRUE_LIBRARY)
+    calibrated = {"manifest": f"{CALIBRATION}/{MANIFEST}", "touches": TOUCHES, "library": TRUE_LIBRARY}
+    design = write_design(rig.design.completed())
+    write_json(folder / TRUTH, {**made, **settings, **hidden_values(rig), "files": calibrated, "design": design})
+    return folder / TRUE_LIBRARY

@@ -1,0 +1,125 @@
+"""What a plan asks for is what the network is trained on: touches, labels, sound."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from rc_line import rc_line
+
+import localize
+from localize.learned import training
+from localize.learned.epochs import run_epochs
+from localize.learned.training import labels_of
+from localize.learned.training_plan import PLANS, TrainingPlan
+from localize.signals.disturbances import ROOM_LEVELS
+from localize.signals.finger_stimuli import Louder
+from localize.signals.stimulus import multi_sines
+
+SHORT = TrainingPlan(seconds_per_point=16, epochs=2, batch=32, microphone_noise=1e-3)
+
+
+def frames_of(plan, monkeypatch):
+    """Frames that are trained on, (n, n_microphone, 250), by epoch; those of as many of the first touches."""
+    lessons = []
+
+    def told(classifier, lesson, *others):
+        lessons.append(lesson)
+        return run_epochs(classifier, lesson, *others)
+
+    monkeypatch.setattr(training, "run_epochs", told)
+    assert localize.train(rc_line(4), plan).training["epochs"] == plan.epochs
+    (lesson,) = lessons
+    of_epoch = [range(k * lesson.steps_per_epoch, (k + 1) * lesson.steps_per_epoch) for k in range(plan.epochs)]
+    frames = [torch.cat([lesson.batch(step, plan.batch)[0] for step in steps]) for steps in of_epoch]
+    touches = localize.TouchGenerator(rc_line(4), plan.seed, "training", plan.microphone_noise, method=plan.method)
+    return frames, touches.samples(0, sum(map(len, frames))).signals[..., -250:]
+
+
+def test_every_epoch_draws_new_touches_unless_the_plan_says_that_they_stay(monkeypatch):
+    frames, touches = frames_of(SHORT, monkeypatch)
+    assert torch.allclose(torch.cat(frames), touches, atol=1e-6)
+
+
+def test_touches_that_stay_come_in_another_order_in_every_epoch(monkeypatch):
+    (first, second), touches = frames_of(replace(SHORT, new_touches=False, method="stft"), monkeypatch)
+    orders = [[int((touches[:64] - frame).abs().sum((1, 2)).argmin()) for frame in epoch] for epoch in (first, second)]
+    for epoch, order in zip((first, second), orders, strict=True):
+        assert sorted(order) == list(range(64))
+        assert torch.allclose(epoch, touches[order], atol=1e-6)
+    assert orders[0] != orders[1]
+
+
+def test_labels_are_shared_along_a_line_or_by_number():
+    array = replace(rc_line(4), line=np.array([0, 0, 1, 1]), place=np.array([0, 1, 0, 1]))
+    by_line, by_number = (
+        labels_of(array, TrainingPlan(label_sigma=1.0, label_neighbours=name)) for name in ("line", "number")
+    )
+    assert by_line[1, 2] == 0
+    assert by_number[1, 2] / by_number[1, 1] == pytest.approx(np.exp(-0.5))
+    assert by_number[1, 2] == by_number[1, 0]
+
+
+def test_a_network_is_trained_in_the_sound_of_rooms_where_the_library_knows_it():
+    array = rc_line(4)
+    heard = replace(array, ambient_response=np.ones_like(array.transfer_function[0]))
+    assert TrainingPlan().sound(array) is None
+    assert TrainingPlan().sound(heard) == ROOM_LEVELS
+    assert TrainingPlan(ambient=None).sound(heard) is None
+    assert TrainingPlan(ambient=(40.0, 50.0)).sound(heard) == (40.0, 50.0)
+    trained = localize.train(heard, replace(SHORT, epochs=1))
+    assert trained.training["ambient"] == ROOM_LEVELS
+    assert trained.shape.features == "rooms"
+    deaf = localize.train(array, replace(SHORT, epochs=1))
+    assert (deaf.training["ambient"], deaf.shape.features) == (None, "phasors")
+
+
+def test_a_network_of_rooms_is_saved_with_what_it_takes_out(tmp_path):
+    array = rc_line(4)
+    heard = replace(array, ambient_response=np.ones_like(array.transfer_function[0]))
+    trained = localize.train(heard, replace(SHORT, epochs=1))
+    trained.save(tmp_path)
+    read = localize.load_localizer(tmp_path)
+    assert torch.equal(read.classifier.features.of_white, trained.classifier.features.of_white)
+    signals = localize.TouchGenerator(heard, 0, "evaluation", ambient=(80.0, 80.0)).samples(0, 8).signals
+    assert (read.locate(signals) == trained.locate(signals)).all()
+
+
+def test_touches_are_as_loud_as_the_plan_says():
+    plain, louder = (TrainingPlan(touch_level=level).source for level in (0.0, 20.0))
+    assert plain is multi_sines
+    spectra = [source(0, "training", 0, 4, (1.0, 500.0), "cpu").spectrum for source in (plain, louder)]
+    assert np.allclose(spectra[1], 10 * spectra[0])
+    with pytest.raises(ValueError, match="level = 61 dB must be between -60 and 60 dB"):
+        Louder(multi_sines, 61)
+
+
+def test_the_papers_plan_is_the_papers():
+    plan = TrainingPlan.of("paper")
+    assert plan == TrainingPlan.paper()
+    assert (plan.learning_rate, plan.epochs, plan.label_sigma, plan.label_neighbours) == (1e-3, 30, 1.0, "number")
+    assert (plan.network, plan.features, plan.microphone_noise, plan.ambient) == ("paper", "paper", 0.0, None)
+    held_out = round(plan.held_out_fraction * plan.seconds_per_point)
+    assert (plan.seconds_per_point + held_out, plan.seconds_per_point / held_out) == (14_000, 4)
+    assert (plan.new_touches, plan.method) == (False, "stft")
+
+
+def test_plans_have_names():
+    assert TrainingPlan.of("usual") == TrainingPlan(microphone_noise="design")
+    assert PLANS == ("usual", "paper")
+    with pytest.raises(ValueError, match="plan = 'best' must be one of: usual, paper"):
+        TrainingPlan.of("best")
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"method": "fft"}, "method = 'fft' must be one of: exact, stft"),
+        ({"label_neighbours": "all"}, "label_neighbours = 'all' must be one of: line, number"),
+        ({"ambient": "loud"}, "ambient = 'loud' must be 'rooms', or lowest and highest level"),
+        ({"touch_level": 61.0}, "touch_level = 61.0 must be between -60 and 60"),
+    ],
+)
+def test_what_a_plan_does_not_know_is_refused(change, message):
+    with pytest.raises(ValueError, match=message):
+        TrainingPlan(**change)

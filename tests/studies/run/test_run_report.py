@@ -1,0 +1,241 @@
+"""The report says what the run found, stands alone, and its figures hold something."""
+
+from __future__ import annotations
+
+import base64
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from PIL import Image
+from small_run import small_run
+
+from geometry.printing.print_rules import Finding
+from geometry.printing.printability import PrintReport
+from localize.signals.noise_model import microphone_noise
+from studies.evaluation.headline import SIGNALS
+from studies.metrics.pairs import Disagreement
+from studies.metrics.separation import Separability
+from studies.run.findings import (
+    agreement_sentence,
+    confusion_sentence,
+    key_figures,
+    noise_sentence,
+    printing_sentence,
+    training_sentence,
+    verdict,
+)
+from studies.run.run_report import render
+
+VOID = {"meta", "img", "br", "link", "input", "hr"}
+
+
+class Page(HTMLParser):
+    """Tags in balance, all addresses, all ids, all text."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.addresses: list[str] = []
+        self.ids: set[str] = set()
+        self.tags: set[str] = set()
+        self.words: list[str] = []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.add(tag)
+        for name, value in attrs:
+            if name in ("src", "href"):
+                self.addresses.append(value or "")
+            if name == "id":
+                self.ids.add(value or "")
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if "style" not in self.open:
+            self.words.append(data)
+
+    @property
+    def text(self) -> str:
+        return " ".join(" ".join(self.words).split())
+
+
+@pytest.fixture(scope="module")
+def page() -> Page:
+    return Page((small_run().folder / "report.html").read_text(encoding="utf-8"))
+
+
+def test_the_page_is_well_formed_and_needs_nothing_else(page: Page) -> None:
+    assert page.open == []
+    assert not page.tags & {"script", "link", "iframe"}
+    for address in page.addresses:
+        assert address.startswith(("data:image/png;base64,", "#"))
+        assert not address.startswith("#") or address[1:] in page.ids
+    assert "url(" not in (small_run().folder / "report.html").read_text(encoding="utf-8")
+
+
+def test_the_page_shows_every_figure_of_the_run(page: Page) -> None:
+    shown = [base64.b64decode(a.partition(",")[2]) for a in page.addresses if a.startswith("data:")]
+    files = [path.read_bytes() for path in small_run().figures.values()]
+    assert sorted(shown) == sorted(files)
+    assert len(files) == 6  # array, point, transfer functions, differences, separability, confusion
+
+
+def test_no_figure_is_blank() -> None:
+    for name, path in small_run().figures.items():
+        pixels = np.asarray(Image.open(path).convert("L"), float)
+        assert pixels.shape[1] >= 800, name
+        assert pixels.std() > 10, name
+
+
+def test_the_page_names_the_hardest_pair_first(page: Page) -> None:
+    first, second = small_run().separability.hardest_pairs[0]
+    assert f"Hardest to tell apart are points {first} and {second}" in page.text
+    assert page.text.index("Hardest to tell apart") < page.text.index("Key figures")
+
+
+def test_the_page_has_every_part_point_and_cell(page: Page) -> None:
+    result = small_run()
+    for part in result.part_counts:
+        assert part in page.text
+    for cell in result.library.provenance["cells"]:
+        assert cell["cell"] in page.text
+    for item in result.validity:
+        assert item.assumption in page.text
+    assert "no datasheet figure found" in page.text
+    assert "row-3" in page.text
+    assert re.search(r"between points of line 1 2 11\.5 11\.5 144 0\.44", page.text)
+
+
+def test_the_key_figures_are_those_of_the_run() -> None:
+    result = small_run()
+    found = {figure.name: figure.value for figure in key_figures(result)}
+    assert found["points"] == "3"
+    assert found["bore"] == "0.44 mm"
+    assert found["print verdict"] == result.printing.verdict
+    assert float(found["localizer, top-1"].rstrip(" %")) == pytest.approx(100 * result.network.top1, abs=0.06)
+    weakest = 20 * np.log10(np.abs(result.library.transfer_function.values[0, 1, 99]))
+    assert found["weakest signal at 100 Hz"] == f"{weakest:z.1f} dB".replace("-", "−")
+
+
+def test_the_headline_says_whose_signals_it_is_of_and_what_taps_and_mis_made_sensors_cost(page: Page) -> None:
+    result = small_run()
+    text, figures = verdict(result), {figure.name: figure for figure in key_figures(result)}
+    assert text in page.text
+    assert text.index(SIGNALS) < text.index(" %")
+    assert SIGNALS in figures["localizer, top-1"].remark
+    for name in (
+        "taps on the nominal sensor",
+        "sums of sines on 8 mis-made sensors",
+        "sums of sines on 8 virtual rigs",
+    ):
+        assert f"of {name}" in text.replace("Of", "of")
+        assert figures[f"{name}, top-1"].value in text
+    for each in (result.network, result.bayes):
+        taps, made, rigs = each.outcomes
+        assert (taps.group, taps.name, taps.worst) == ("stimulus", "taps", None)
+        assert (made.group, made.value) == ("mis-made sensors", 1.0)
+        assert made.worst is not None
+        assert made.worst <= made.top1 <= 1.0
+        assert (rigs.group, rigs.name, rigs.value) == ("virtual rigs", "uncalibrated", None)
+    assert result.bayes.outcomes[0].top1 > 0.9
+    cut = [replace(each, outcomes=each.outcomes[:1], unscattered="why not") for each in (result.network, result.bayes)]
+    assert "Mis-made sensors are not judged: why not." in verdict(replace(result, network=cut[0], bayes=cut[1]))
+
+
+def test_a_comparison_outside_the_limits_is_explained() -> None:
+    far = Disagreement(0.03, (3, "A", 90.0), 0.4, (1, "B", 100.0))
+    text = agreement_sentence(replace(small_run(), disagreement=far))
+    assert "3 % in magnitude (point 3, microphone A, 90 Hz)" in text
+    assert "outside" in text
+    assert "from point 3 to microphone A" in text
+    near = Disagreement(0.003, (3, "A", 90.0), 0.4, (1, "B", 100.0))
+    assert "Lumped is within them" in agreement_sentence(replace(small_run(), disagreement=near))
+
+
+def test_what_the_localizer_confuses_is_set_against_the_distances() -> None:
+    result = small_run()
+    pairs = result.separability.hardest_pairs
+
+    def judged(confusion: np.ndarray) -> str:
+        return confusion_sentence(replace(result, network=replace(result.network, confusion=confusion)))
+
+    assert "missed none" in judged(np.diag([100, 100, 100]))
+    wrong = np.diag([100, 100, 100])
+    i, j = pairs[0]
+    wrong[i - 1, j - 1] = 10
+    assert f"points {i} and {j} for each other: 4.8 %" in judged(wrong)
+    assert "the hardest pair by distance too" in judged(wrong)
+    other = np.diag([100, 100, 100])
+    i, j = pairs[-1]
+    other[j - 1, i - 1] = 10
+    assert "By distance this pair is number 3 of 3" in judged(other)
+
+
+def test_a_training_cut_short_is_said() -> None:
+    result = small_run()
+    assert f"{result.training['touches']} touches" in training_sentence(result)
+    assert "cut it short" not in training_sentence(result)
+    plan = {**result.training["plan"], "time_limit": 7.0}
+    short = replace(result, training={**result.training, "touches": 450, "cut_short": True, "plan": plan})
+    assert "450 touches" in training_sentence(short)
+    assert "of 1350 planned: its limit of 7 s cut it short" in training_sentence(short)
+
+
+def test_the_page_says_which_noise_was_used_and_that_its_figures_are_assumed(page: Page) -> None:
+    result = small_run()
+    rms = microphone_noise(result.design.microphone, result.library.medium).rms
+    assert result.network.microphone_noise == result.bayes.microphone_noise == rms
+    assert f"the noise of the design's microphone, {rms:.2g} Pa rms over 1 to 500 Hz" in page.text
+    assert (
+        "Where all microphone figures come from (SPH1878LR5H-C): no datasheet figure found; all assumed." in page.text
+    )
+    white = replace(result.network, microphone_noise=1e-3, noise_source="white")
+    told = noise_sentence(replace(result, network=white))
+    assert "white microphone noise of 0.001 Pa rms over 0 to 500 Hz, not that of the design's microphone" in told
+
+
+def test_equally_hard_pairs_that_are_not_named_are_counted() -> None:
+    result = small_run()
+    for count, words in ((2, "(and equally 2 and 3)"), (4, "3 and 4, 4 and 5)"), (7, "4 and 5 and 3 more pairs)")):
+        even = np.abs(np.subtract.outer(np.arange(count + 1.0), np.arange(count + 1.0)))
+        distances = Separability(tuple(range(1, count + 2)), even, np.zeros_like(even))
+        assert len(distances.equally_hard) == count
+        assert words in verdict(replace(result, separability=distances))
+    five = np.abs(np.subtract.outer(np.arange(6.0), np.arange(6.0)))
+    told = verdict(replace(result, separability=Separability(tuple(range(1, 7)), five, np.zeros_like(five))))
+    assert "4 and 5 and 1 more pair)" in told
+
+
+def test_the_pictures_have_no_wide_margin_and_the_point_is_not_too_tall() -> None:
+    for name in ("array", "point"):
+        inked = (np.asarray(Image.open(small_run().figures[name]).convert("RGB")) < 255).any(axis=2)
+        for axis in (0, 1):
+            used = np.flatnonzero(inked.any(axis=axis))
+            assert used[0] <= 16, name
+            assert inked.shape[1 - axis] - 1 - used[-1] <= 16, name
+    assert Image.open(small_run().figures["point"]).height <= 700
+
+
+def test_a_failing_part_is_named_at_the_top() -> None:
+    result = small_run()
+    finding = Finding("shell-straight", "thinnest wall", 0.1, 0.2, "mm", "fail", "a rule")
+    bad = replace(result, printing=PrintReport(result.printing.process, (finding,)))
+    assert "cannot be printed" in printing_sentence(bad)
+    assert "shell-straight" in verdict(bad)
+    text = Page(render(bad)).text
+    assert "thinnest wall 0.1 0.2 mm fail a rule" in text
+
+
+def test_names_of_the_user_cannot_break_the_page() -> None:
+    result = small_run()
+    text = render(replace(result, layout_notes=("<script>alert(1)</script> & more",)))
+    assert "script" not in Page(text).tags
+    assert "&lt;script&gt;" in text
