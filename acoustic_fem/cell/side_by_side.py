@@ -73,7 +73,9 @@ def solve_side_by_side(
             begin(_rested(environment) or Child("the solver", environment=environment))
         while running:
             message = inbox.get()
-            child, task = message.child, running[message.child]
+            child, task = message.child, running.get(message.child)
+            if task is None:  # the end of one that is not needed any more
+                continue
             if message.is_told:
                 report(task, message.value())
                 continue

@@ -34,12 +34,17 @@ def test_an_error_that_cannot_be_sent_is_no_refusal():
         in_a_copy(fail, "work")
 
 
-def test_a_crash_of_the_work_is_an_error_and_leaves_no_zombie():
+def test_a_crash_of_the_work_is_an_error_and_leaves_no_zombie(tmp_path):
+    def crash():
+        (tmp_path / str(os.getpid())).touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+
     with pytest.raises(ChildError) as ended:
-        in_a_copy(lambda: os.kill(os.getpid(), signal.SIGKILL), "work")
+        in_a_copy(crash, "work")
     assert ended.value.status == -signal.SIGKILL
-    with pytest.raises(ChildProcessError):
-        os.waitpid(-1, os.WNOHANG)
+    ((process,),) = [[each.name for each in tmp_path.iterdir()]]
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(process), 0)
 
 
 def test_work_takes_no_more_processor_time_than_it_may():
