@@ -66,7 +66,7 @@ def solve_side_by_side(
 
     def begin(child: Child) -> None:
         running[child] = waiting.pop(0)
-        child.begin(inbox, _solve, running[child], tells=True)
+        child.begin(inbox, _solve, running[child], reports=True)
 
     try:
         for _ in range(workers):
@@ -76,7 +76,7 @@ def solve_side_by_side(
             child, task = message.child, running.get(message.child)
             if task is None:  # the end of one that is not needed any more
                 continue
-            if message.is_told:
+            if message.is_report:
                 report(task, message.value())
                 continue
             keep(task, _record(task, message))

@@ -27,7 +27,7 @@ from geometry.ground.process_messages import (
     ENDED,
     PATIENCE,
     STOPPED,
-    TOLD,
+    REPORT,
     ChildError,
     Limits,
     Stopped,
@@ -56,12 +56,12 @@ class Message(NamedTuple):
     """What it carries."""
 
     @property
-    def is_told(self) -> bool:
-        """Whether the work goes on: the message is something that it tells on its way."""
-        return self.kind == TOLD
+    def is_report(self) -> bool:
+        """Whether the work goes on: the message is something that it reports on its way."""
+        return self.kind == REPORT
 
     def value(self) -> Any:
-        """What the work tells or returns.
+        """What the work reports or returns.
 
         Raises:
             Exception: the error that the work raised, with its traceback as the cause.
@@ -124,7 +124,7 @@ class Child:
         return self._process.poll() is None
 
     def begin(
-        self, inbox: queue.SimpleQueue[Message], function: Callable[..., Any], *arguments: Any, tells: bool = False
+        self, inbox: queue.SimpleQueue[Message], function: Callable[..., Any], *arguments: Any, reports: bool = False
     ) -> None:
         """Hand the process a call, without waiting for it.
 
@@ -132,9 +132,9 @@ class Child:
             inbox: where its messages go; several children may share it.
             function: a function of a module.
             arguments: its arguments.
-            tells: it takes a further argument, a function that sends a value as a message.
+            reports: it takes a further argument, a function that sends a value as a message.
         """
-        content = pickle.dumps((function, arguments, tells))
+        content = pickle.dumps((function, arguments, reports))
         with self._lock:
             self._calls += 1
             self._inbox = inbox
@@ -147,15 +147,17 @@ class Child:
         self,
         function: Callable[..., Result],
         *arguments: Any,
-        tell: Callable[[Any], None] | None = None,
+        report: Callable[[Any], None] | None = None,
+        beat: Callable[[], None] = lambda: None,
         seconds: float = math.inf,
     ) -> Result:
         """What a function returns, called in the process, which is ended if this wait is interrupted.
 
         Args:
-            function: a function of a module; with ``tell`` it takes a further argument, to send values to that.
+            function: a function of a module; with ``report`` it takes a further argument, to send values to that.
             arguments: its arguments.
-            tell: called here with what the function tells.
+            report: called here with what the function reports.
+            beat: called here again and again while the function works.
             seconds: time that it may take, s; for the first call the start of the process included.
 
         Raises:
@@ -164,10 +166,11 @@ class Child:
             ChildError: the process ended without a result, or took too long.
         """
         inbox: queue.SimpleQueue[Message] = queue.SimpleQueue()
-        self.begin(inbox, function, *arguments, tells=tell is not None)
+        self.begin(inbox, function, *arguments, reports=report is not None)
         waited = 0.0
         try:
             while True:
+                beat()
                 try:
                     message = inbox.get(timeout=BEAT)
                 except queue.Empty:
@@ -175,17 +178,17 @@ class Child:
                     if waited > seconds:
                         raise ChildError(f"{self.name} took more than {seconds:g} s", kind=Kind.STOPPED) from None
                     continue
-                if not message.is_told:
+                if not message.is_report:
                     break
-                if tell is not None:
-                    tell(message.value())
+                if report is not None:
+                    report(message.value())
         except BaseException:
             self.kill()
             raise
         return message.value()  # type: ignore[no-any-return]
 
     def stop(self) -> None:
-        """Stop the call that is being worked at: it raises :class:`Stopped` when it next tells something."""
+        """Stop the call that is being worked at: it raises :class:`Stopped` when it next reports something."""
         with self._lock:
             self._send(_STOP, self._calls.to_bytes(8, "little"))
 
@@ -282,14 +285,14 @@ def serve() -> None:
     first = () if resident is None else (resident,)
     number = 0
 
-    def tell(value: object) -> None:
+    def report(value: object) -> None:
         if number in stopped:
             raise StopWork
-        write_message(outward, TOLD, pickle.dumps(value))
+        write_message(outward, REPORT, pickle.dumps(value))
 
     def answer(call: bytes) -> object:
-        function, arguments, tells = pickle.loads(call)
-        return function(*first, *arguments, tell) if tells else function(*first, *arguments)
+        function, arguments, reports = pickle.loads(call)
+        return function(*first, *arguments, report) if reports else function(*first, *arguments)
 
     while (call := calls.get()) is not None:
         number += 1

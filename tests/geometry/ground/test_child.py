@@ -31,8 +31,8 @@ class Odd(Exception):
         super().__init__(one)
 
 
-def doubled(value: int, tell: Callable[[object], None]) -> tuple[int, int]:
-    tell(f"doubling {value}")
+def doubled(value: int, report: Callable[[object], None]) -> tuple[int, int]:
+    report(f"doubling {value}")
     print("libraries print what they like")
     return 2 * value, os.getpid()
 
@@ -69,9 +69,9 @@ def sleep(marker: str, seconds: float = 600) -> None:
         Path(f"{marker}-cleaned").touch()
 
 
-def wait_for_ever(tell: Callable[[object], None]) -> None:
+def wait_for_ever(report: Callable[[object], None]) -> None:
     while True:
-        tell("still here")
+        report("still here")
         time.sleep(0.01)
 
 
@@ -105,10 +105,10 @@ def is_gone(process: int) -> bool:
     return not Path(f"/proc/{process}").exists()
 
 
-def test_results_refusals_mistakes_and_what_is_told_arrive_from_one_process(child: Child) -> None:
-    told: list[object] = []
-    value, number = child.call(doubled, 21, tell=told.append)  # type: ignore[misc]
-    assert (value, told) == (42, ["doubling 21"])
+def test_results_refusals_mistakes_and_what_is_report_arrive_from_one_process(child: Child) -> None:
+    reported: list[object] = []
+    value, number = child.call(doubled, 21, report=reported.append)  # type: ignore[misc]
+    assert (value, reported) == (42, ["doubling 21"])
     assert number != os.getpid()
     with pytest.raises(Refusal) as refused:
         child.call(refuse, 3)
@@ -159,7 +159,7 @@ def test_whoever_stops_waiting_ends_the_process(child: Child) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        child.call(wait_for_ever, tell=interrupted)
+        child.call(wait_for_ever, report=interrupted)
     assert not child.is_alive
 
 
@@ -168,7 +168,7 @@ def test_a_call_that_is_stopped_ends_alone(child: Child) -> None:
     stopper = threading.Thread(target=lambda: (heard.wait(60), child.stop()))
     stopper.start()
     with pytest.raises(Stopped):
-        child.call(wait_for_ever, tell=lambda _: heard.set())
+        child.call(wait_for_ever, report=lambda _: heard.set())
     stopper.join()
     assert child.call(process) == number
 

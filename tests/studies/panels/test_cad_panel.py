@@ -12,9 +12,9 @@ import pytest
 import acoustic_fem
 from geometry import Refusal, load_design, prototype, resolve_design
 from geometry.layout.size import array_size
+from studies.panels.cad_panel import check_figures, model_of_array, read_upload
 from studies.panels.export_files import EXPORTS, make_export
 from studies.panels.form import stated_values
-from studies.panels.making import check_figures, model_of_array, read_upload
 from studies.run.check import check_design
 
 ARRAY = prototype("array-2x6")
