@@ -99,7 +99,7 @@ def _range(given: Sequence[float] | Sequence[str]) -> Any:
     if not given or any(isinstance(value, str) for value in given):
         return list(given)
     if len(given) != 2:
-        raise Refusal(field="a range", value=list(given), kind=Kind.WRONG_TYPE, allowed="a beginning and an end")
+        raise Refusal(field="a range", value=list(given), kind=Kind.WRONG_TYPE, allowed="the first and the last value")
     ends = tomlkit.inline_table()
     ends.update({"from": given[0], "to": given[1]})
     return ends

@@ -60,7 +60,7 @@ class Exploration:
             Refusal: there is none of that number.
         """
         if self._found is None:
-            raise Refusal("no study has run yet", kind=Kind.MISSING, field="design", value=number)
+            raise Refusal("cannot be opened: no study has run yet", kind=Kind.MISSING, field="design", value=number)
         return self._found.design(number)
 
     async def _work(self, job: Job) -> None:

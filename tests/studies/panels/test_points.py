@@ -7,10 +7,12 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from refusals import refused
 
 import acoustic_fem
 from acoustic_fem.library.noise_floor import detection_limits
-from geometry import ArrayDesign, Refusal, prototype
+from geometry import ArrayDesign, prototype
+from geometry.ground.refusal import Kind
 from studies.metrics.confusion import predict_confusion
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.separation import separability
@@ -69,5 +71,5 @@ def test_mis_made_sensors_are_those_of_python() -> None:
 @pytest.mark.parametrize("figures", [point_figures, as_built_figures])
 def test_arrays_that_no_memory_holds_are_refused(figures: Callable[[ArrayDesign], object]) -> None:
     large = prototype("array-2x6").with_values({"lines.0.points": MOST_POINTS + 1})
-    with pytest.raises(Refusal, match="the array has 257 points; figures are predicted of at most 256"):
+    with refused(Kind.UNSUITABLE):
         figures(large)

@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from fake_audio import FakeAudio
+from refusals import refused
 
 from acoustic_fem.sound.sound_file import write_wav
-from geometry import Refusal, prototype
+from geometry import Kind, Refusal, prototype
 from localize import Decision
 from localize.contacts.contact import surface_of
 from localize.live import sound_device
@@ -33,11 +34,11 @@ def test_the_membranes_lie_where_contacts_find_them() -> None:
 
 
 @pytest.mark.parametrize(
-    ("point", "kind", "message"),
-    [(0, "tap", "point = 0 must be between 1 and 12"), (13, "tap", "point = 13"), (1, "hit", "kind = 'hit' must be")],
+    ("point", "kind", "why", "field"),
+    [(0, "tap", Kind.OUT_OF_RANGE, "point"), (13, "tap", Kind.OUT_OF_RANGE, "point"), (1, "hit", Kind.UNKNOWN, "kind")],
 )
-def test_what_cannot_be_touched_is_refused(point: int, kind: str, message: str) -> None:
-    with pytest.raises(Refusal, match=message):
+def test_what_cannot_be_touched_is_refused(point: int, kind: str, why: Kind, field: str) -> None:
+    with refused(why, field, value={"point": point, "kind": kind}[field]):
         simulate_touch(ARRAY, point, kind, 0)
 
 
@@ -96,9 +97,9 @@ def test_the_path_of_a_slide_is_that_of_track_and_live_hears_what_was_recorded(t
     assert named
 
 
-@pytest.mark.parametrize(("end", "length"), [([0.0, 0.0], "0 mm"), ([5000.0, 0.0], "5e\\+03 mm")])
-def test_a_slide_has_a_length(end: list[float], length: str) -> None:
-    with pytest.raises(Refusal, match=f"the slide is {length} long; it must be between 1 and 600 mm"):
+@pytest.mark.parametrize(("end", "length"), [([0.0, 0.0], 0.0), ([5000.0, 0.0], 5000.0)])
+def test_a_slide_has_a_length(end: list[float], length: float) -> None:
+    with refused(Kind.OUT_OF_RANGE, "length of the slide", value=length):
         simulate_slide(ARRAY, [0.0, 0.0], end, 1)
 
 

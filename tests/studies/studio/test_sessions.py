@@ -210,11 +210,11 @@ def busy(workplace: Workplace, monkeypatch: pytest.MonkeyPatch) -> Iterator[Busy
 
     @contextmanager
     def process(name: str, title: str) -> Iterator[Any]:
-        workplace._apart[name] = found  # type: ignore[assignment]
+        workplace._processes[name] = found  # type: ignore[assignment]
         yield found
-        del workplace._apart[name]
+        del workplace._processes[name]
 
-    monkeypatch.setattr(workplace, "_workshop", process)
+    monkeypatch.setattr(workplace, "_process", process)
     yield found
     found.go_on.set()
 
