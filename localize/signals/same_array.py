@@ -8,6 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.design.design_file import read_completed
 from geometry.ground.refusal import Refusal
 
 _NOT_OF_THE_ARRAY = ("name", "description", "air", "printing")
