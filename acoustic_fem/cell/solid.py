@@ -149,10 +149,10 @@ def port_admittance(
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: four refinements do not reach the accuracy.
     """
-    grid = frequency_grid(np.atleast_1d(numbers("frequency", frequency)))
+    grid = frequency_grid(frequency if isinstance(frequency, str) else np.atleast_1d(numbers("frequency", frequency)))
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
     admittance = solved.body.nodal_admittance(grid)
-    return admittance[0] if np.ndim(frequency) == 0 else admittance
+    return admittance if isinstance(frequency, str) or np.ndim(frequency) else admittance[0]
 
 
 def solve_solid(

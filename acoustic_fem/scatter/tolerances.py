@@ -67,7 +67,7 @@ class Tolerance:
     """Source of the figure."""
 
     def __post_init__(self) -> None:
-        one_of("quantity", self.quantity, QUANTITIES)
+        one_of("quantity", self.quantity, tuple(QUANTITIES))
         of_no_length = self.quantity.startswith(("modulus", "microphone", "ovality"))
         one_of(f"{self.quantity}.kind", self.kind, ("relative",) if of_no_length else get_args(DeviationKind))
         most, unit = (0.3, "") if self.kind == "relative" else (5.0, "mm")

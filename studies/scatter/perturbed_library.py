@@ -24,7 +24,7 @@ from acoustic_fem.atlas.fidelity_choice import QuickFidelity
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.as_built_sensors import made_fidelity, made_transfer_functions
+from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_stored_design, write_design
@@ -78,7 +78,7 @@ def write_perturbed_library(
 ) -> PerturbedLibrary:
     """Store of the transfer functions of sensors that are drawn from a design.
 
-    At fidelity ``atlas`` where that has the design and all that can be made of it, else ``lumped``; the store says
+    At fidelity ``atlas`` if that covers the design and all sensors about it, otherwise 3-D; the store says
     which and why. Sensor k depends on the design, the tolerances, (seed, k) and the frequencies alone. The store is
     built beside and renamed at the end: it is whole or not there.
 
@@ -105,7 +105,8 @@ def write_perturbed_library(
     report = progress or (lambda message, fraction: None)
     report("membranes", 0.0)
     scattered, air = ScatteredDesign(design, tolerances), design_air(design)
-    fidelity = made_fidelity(scattered, grid, air)
+    fidelity = as_built_fidelity(scattered, grid, air)
+    sensors = AsBuiltSensors(scattered, grid, air, fidelity.name)
     target.parent.mkdir(parents=True, exist_ok=True)
     beside = target.with_name(f".{target.name}.{os.getpid()}.new")
     try:
@@ -116,7 +117,7 @@ def write_perturbed_library(
             for first in range(0, count, BLOCK):
                 report("sensors", first / count)
                 size = min(BLOCK, count - first)
-                h = made_transfer_functions(scattered, scattered.draws(first, size, seed), grid, air, fidelity.name)
+                h = sensors.transfer_functions(scattered.draws(first, size, seed))
                 parts[0][first : first + size], parts[1][first : first + size] = h.real, h.imag
                 seals.write(first // BLOCK, {_PARTS[0]: h.real, _PARTS[1]: h.imag})
             os.rename(beside, target)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import Fidelity
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.changes import as_lists, check_name
@@ -185,16 +186,10 @@ def _metrics(names: tuple[str, ...], frequency: NDArray[np.float64]) -> tuple[st
 
 
 def _frequencies(text: str) -> NDArray[np.float64]:
-    from acoustic_fem.quantities.checks import frequency_grid, stated_grid
-
     try:
-        grid = stated_grid(text)
+        return frequency_grid(text)
     except Refusal as error:
-        raise Refusal(f"frequencies = {error}") from None
-    try:
-        return frequency_grid(grid)
-    except Refusal as error:
-        raise Refusal(f"frequencies = {text!r}: {error}") from None
+        raise Refusal.of(error, field="frequencies") from None
 
 
 # -- what varies ------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from acoustic_fem.quantities.checks import frequency_grid
 from studies.output.display import Display
 from studies.output.folders import check_folder, make_folder, replaced_folder, write_json
 from studies.test_rig.calibrating import MANIFEST
@@ -124,11 +125,10 @@ def _write_truth(rig: Rig, folder: Path, recorder: Recorder, session: TouchSessi
     from acoustic_fem.library.provenance import versions
     from acoustic_fem.library.transfer_functions import described, measured_library
     from geometry.design.design_file import write_design
-    from studies.output.frequencies import stated_frequencies
 
     settings = {"scatter": asdict(rig.scatter), "recorder": asdict(recorder), "session": asdict(session)}
     made = {**versions(rig.seed, ("numpy", "scipy")), "fidelity": rig.fidelity}
-    grid = stated_frequencies(TRUE_FREQUENCIES)
+    grid = frequency_grid(TRUE_FREQUENCIES)
     nominal = acoustic_fem.solve(rig.design, grid, "lumped")
     h = rig.transfer_function(grid)
     about = {"seed": rig.seed, "rig": settings, "model": described(nominal)}
