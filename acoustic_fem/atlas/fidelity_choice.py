@@ -13,7 +13,7 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import MANY_DESIGNS, ONE_DESIGN, Fidelity
 from acoustic_fem.quantities.local_air import design_air
 from geometry.air.cells import cell_catalogue
-from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.layout.arrangement import place_housings
 
 
@@ -32,17 +32,18 @@ class QuickFidelity:
         return f"{self.name}: {self.outside}" if self.outside else self.name
 
 
-def quick_fidelity(design: ArrayDesign, frequency: ArrayLike | str) -> QuickFidelity:
+def quick_fidelity(design: DesignLike, frequency: ArrayLike | str) -> QuickFidelity:
     """The fidelity of a quick answer for a design in its air.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         frequency: (n_freq,) Hz, at which it is solved, or FIRST:LAST:COUNT.
 
     Raises:
         Refusal: a bad frequency grid.
     """
-    grid, air = frequency_grid(frequency), design_air(design)
+    design, grid = resolve_design(design), frequency_grid(frequency)
+    air = design_air(design)
 
     def check() -> None:
         for cell in cell_catalogue(design, place_housings(design)).distinct:

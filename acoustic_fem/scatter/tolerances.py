@@ -21,6 +21,7 @@ from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, de
 from acoustic_fem.quantities.checks import in_range, one_of
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
 from geometry.ground.typed import Array
@@ -166,10 +167,11 @@ class ScatteredDesign:
 
     def __init__(
         self,
-        design: ArrayDesign,
+        design: DesignLike,
         tolerances: Sequence[Tolerance] = TOLERANCES,
         known: KnownDiscs | None = None,
     ) -> None:
+        design = resolve_design(design)
         names = [tolerance.quantity for tolerance in tolerances]
         if len(set(names)) != len(names):
             twice = max(names, key=names.count)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from studies.bending.bending_rig import BendingRig
 from studies.output.display import Display
 from studies.output.folders import check_folder
@@ -32,7 +33,7 @@ def bending_study(
     out: str | os.PathLike[str],
     rig: BendingRig | None = None,
     *,
-    fidelity: str = "navier-stokes",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = FREQUENCIES,
     display: Display | None = None,
 ) -> BendingStudy:

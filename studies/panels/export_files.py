@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from acoustic_fem.quantities.checks import one_of
 from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
@@ -91,6 +92,5 @@ def make_export(
     """
     if name not in EXPORTS:
         raise Refusal(f"export = {name!r} must be one of: {', '.join(EXPORTS)}")
-    if fidelity not in FIDELITIES:
-        raise Refusal(f"fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
+    one_of("fidelity", fidelity, FIDELITIES)
     return str(EXPORTS[name].make(design, Path(folder), fidelity, Told(tell)))

@@ -57,7 +57,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
     _check_size(design)
     from acoustic_fem.library.noise_floor import detection_limits
 
-    library, fidelity = quick_library(design, frequency_grid(FREQUENCIES))
+    library, fidelity = quick_library(design, FREQUENCIES)
     shared = SharedFigures(Responses.of_library(library))
     apart = separability(library.transfer_function)
     predicted = shared.confusion(None)

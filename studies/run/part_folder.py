@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import FORMATS
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.layout.arrangement import lay_out
@@ -52,7 +53,7 @@ class MadeParts:
 
 
 def export_parts(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
     formats: Sequence[str] = FORMATS,
@@ -63,7 +64,7 @@ def export_parts(
     """Parts of a design, drawn, exported and judged, and the array put together, all of it or nothing.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: a folder, made if it does not exist. What it holds of an earlier call is replaced when all is made; files
             of others stay, but for those of the same name.
         formats: of the files of each part.
@@ -80,7 +81,7 @@ def export_parts(
     from geometry.assembly.model import array_model
 
     check_system_libraries()
-    folder = Path(out)
+    folder, design = Path(out), resolve_design(design)
     named = None if process is None or isinstance(process, PrintProcess) else process
     check_folder(folder, "parts", FILES, reads=(named,))
     rules = process_of(design.printing) if process is None else find_process(process)

@@ -60,7 +60,7 @@ class DesignQuality:
     cost: float
     """Cost of the materials of one array, molds left out, at assumed prices, USD."""
     fidelity: QuickFidelity
-    """Fidelity of the nominal sensor's transfer functions: the atlas, or lumped and why."""
+    """Fidelity of the nominal sensor's transfer functions: the atlas, or 3-D and why."""
     made_fidelity: QuickFidelity | None
     """That of the mis-made sensors; None without sensors."""
     per_point: NDArray[np.float64] = field(repr=False)

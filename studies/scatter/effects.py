@@ -123,7 +123,7 @@ class ToleranceResult:
 
 def scatter_effects(
     design: ArrayDesign,
-    frequency: ArrayLike,
+    frequency: ArrayLike | str,
     *,
     samples: int = 256,
     base: int = 128,

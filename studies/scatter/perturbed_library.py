@@ -27,7 +27,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import read_stored_design, write_design
+from geometry.design.design_file import DesignLike, read_stored_design, write_design
 from geometry.ground.refusal import Refusal
 from geometry.ground.whole_files import writing
 from studies.output.checked_store import CheckedStore, add_checksums, create_checked, read_store
@@ -68,9 +68,9 @@ class _About(BaseModel):
 
 def write_perturbed_library(
     path: str | os.PathLike[str],
-    design: ArrayDesign,
+    design: DesignLike,
     count: int,
-    frequency: ArrayLike,
+    frequency: ArrayLike | str,
     *,
     tolerances: Sequence[Tolerance] = TOLERANCES,
     seed: int = 0,
@@ -104,7 +104,8 @@ def write_perturbed_library(
     grid = frequency_grid(frequency)
     report = progress or (lambda message, fraction: None)
     report("membranes", 0.0)
-    scattered, air = ScatteredDesign(design, tolerances), design_air(design)
+    scattered = ScatteredDesign(design, tolerances)
+    air = design_air(scattered.design)
     fidelity = as_built_fidelity(scattered, grid, air)
     sensors = AsBuiltSensors(scattered, grid, air, fidelity.name)
     target.parent.mkdir(parents=True, exist_ok=True)

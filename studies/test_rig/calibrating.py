@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.ground.refusal import Refusal
 from studies.output.display import Display
 from studies.output.folders import check_new_file
@@ -54,7 +55,7 @@ def calibrate_sensor(
     recordings: str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
-    fidelity: str = "lumped",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = CALIBRATION_FREQUENCIES,
     tolerances: str | os.PathLike[str] | Sequence[Tolerance] | None = None,
     air: LocalAir | None = None,
