@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import scipy.stats
 from numpy.typing import NDArray
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Refusal, counted
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
@@ -18,10 +19,6 @@ from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import COMPONENT_INTERVALS, SAMPLE_LENGTH, StimulusSource, multi_sines
 from localize.signals.threads import one_thread
 from localize.signals.touch_generator import TouchGenerator
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
 
 MOST_TOUCHES = 1_000_000
 """Most touches of a point that are judged."""

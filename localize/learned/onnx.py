@@ -26,11 +26,11 @@ import torch
 from torch import Tensor, nn
 
 from acoustic_fem.library.provenance import versions
+from geometry.ground.record import sealed
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import whole_file
 from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.likelihood import DecoderTables
-from localize.graphs.description import sealed
 from localize.graphs.graph_check import INPUT, OUTPUTS
 from localize.graphs.onnx_localizer import FORMAT, KEY, VERSION, bare_graph
 from localize.learned.localizer import Localizer

@@ -307,7 +307,7 @@ def open_library(source: ModelSource, air: LocalAir | None = None) -> Library:
         raise Refusal("is no library", kind=Kind.UNSUITABLE, field="library")
     else:
         found = acoustic_fem.load(source)
-    return found if air is None else found.in_air(**asdict(air))
+    return found if air is None else found.in_air(air)
 
 
 def files_of(source: object) -> tuple[Path, ...]:

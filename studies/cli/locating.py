@@ -3,28 +3,24 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, cast
+from typing import Annotated, cast
 
 import typer
 
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import counted
 from localize.contacts.contact import MOVING
+from localize.embedded.decoder_tables import Precision
+from localize.live.events import State
+from localize.signals.noise_model import NoiseChoice
 from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.inference.embedding import PRECISION, embed_decoder
 from studies.inference.exporting import export_decoder
-from studies.inference.pulse_reading import read_pulse
+from studies.inference.pulse_reading import RecordedPulse, read_pulse
 from studies.inference.recognized import recognize_recording
-from studies.inference.recorded import Decoding, locate_recording
-from studies.inference.tracked import track_recording
-
-if TYPE_CHECKING:
-    from localize.embedded.decoder_tables import Precision
-    from localize.live.events import State
-    from localize.signals.noise_model import NoiseChoice
-    from studies.inference.pulse_reading import RecordedPulse
-    from studies.inference.recorded import LocatedTouches
-    from studies.inference.tracked import TrackedRecording
+from studies.inference.recorded import Decoding, LocatedTouches, locate_recording
+from studies.inference.tracked import TrackedRecording, track_recording
 
 
 def _noise(given: float | None) -> NoiseChoice:
@@ -195,8 +191,6 @@ def locate(
     if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "rejected_fraction": "--reject"}
-    from acoustic_fem.quantities.local_air import LocalAir
-
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
         air = LocalAir(pressure, altitude, temperature)
         decoding = Decoding(_noise(noise), library, waveform, ambient, reject, air, follow_drift)
@@ -259,8 +253,6 @@ def recognize(
 
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "speed": "--speed", "point": "--point"}
     options["ambient"] = "--ambient"
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
@@ -325,8 +317,6 @@ def track(
 
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "radius": "--radius"}
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
         decoding = Decoding(noise=_noise(noise), ambient=ambient, air=LocalAir(pressure, altitude, temperature))
@@ -368,8 +358,6 @@ def pulse(
 
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     with named(full_scale="--full-scale", microphone_noise="--noise", point="--point", **AIR_OPTIONS):
         decoding = Decoding(noise=_noise(noise), air=LocalAir(pressure, altitude, temperature))
         found = read_pulse(

@@ -8,15 +8,12 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+from typing import Annotated, Any, TypeVar
 
 import typer
 
 from geometry.ground.refusal import Refusal
-
-if TYPE_CHECKING:
-    from studies.output.display import Display
-
+from studies.output.display import Display
 
 Answer = TypeVar("Answer", str, int, float)
 
@@ -69,8 +66,6 @@ AIR_OPTIONS = {"pressure": "--pressure", "altitude": "--altitude", "temperature_
 
 def display_on_stderr() -> Display:
     """Progress for the user; what a verb finds goes to stdout."""
-    from studies.output.display import Display
-
     return Display(sys.stderr)
 
 
@@ -114,10 +109,10 @@ def in_options(message: str) -> str:
 
 
 def frequency_option(text: str) -> Any:
-    """The grid FIRST:LAST:COUNT, (n_freq,) float64, Hz; ranges are checked where the grid is used."""
-    from acoustic_fem.quantities.checks import stated_grid
+    """The grid FIRST:LAST:COUNT, (n_freq,) float64, Hz."""
+    from acoustic_fem.quantities.checks import frequency_grid
 
     try:
-        return stated_grid(text)
+        return frequency_grid(text)
     except Refusal as error:
         raise typer.BadParameter(f"--frequencies: {error}") from None

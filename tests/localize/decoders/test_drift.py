@@ -24,7 +24,9 @@ NOISE = 1e-3
 
 @cache
 def transfer_function(modulus: float = 1.0) -> np.ndarray:
-    return Rig(solved("array-2x6", GRID).design, 6, HiddenScatter(modulus=modulus)).transfer_function(GRID)
+    return Rig(
+        solved("array-2x6", GRID).design, 6, HiddenScatter(modulus=modulus), fidelity="lumped"
+    ).transfer_function(GRID)
 
 
 @cache
@@ -87,7 +89,8 @@ def test_what_is_located_is_taken_as_the_first_touch_in_any_order() -> None:
 def test_without_a_microphone_the_drift_so_far_is_followed_on() -> None:
     nominal = solved("glove", GRID)
     before, after = (
-        Rig(nominal.design, 6, HiddenScatter(modulus=modulus)).transfer_function(GRID) for modulus in (1.0, 0.8)
+        Rig(nominal.design, 6, HiddenScatter(modulus=modulus), fidelity="lumped").transfer_function(GRID)
+        for modulus in (1.0, 0.8)
     )
     library = measured_library(nominal.design, nominal, before, 0.01 * np.abs(before), ("numpy",), {})
     aged = replace(response_of(library), transfer_function=after)

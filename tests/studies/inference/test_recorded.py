@@ -11,7 +11,6 @@ from matplotlib.figure import Figure
 from localize import ArrayFacts, Decision, Fault, Touch
 from studies.inference.recorded import LocatedTouches, draw_touches
 
-
 ROW = ArrayFacts("row", ("left", "right"), np.zeros(6, int), np.arange(6))
 
 
