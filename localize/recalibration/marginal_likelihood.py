@@ -27,8 +27,8 @@ from numpy.typing import NDArray
 from scipy.special import logsumexp
 
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
-from localize.decoders.options import DecoderOptions
 from localize.live.front_end import high_pass_sections
 from localize.signals.array_response import interpolation
 from localize.signals.stimulus import BAND, SAMPLE_RATE

@@ -22,7 +22,7 @@ from acoustic_fem.library.transfer_functions import Library, described, measured
 from geometry.ground.refusal import Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
-from localize.live.options import StreamOptions
+from localize.live.stream_options import StreamOptions
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
 from localize.recalibration.parameter_search import FINE, ascend, distinct, search
 from localize.recalibration.rejections import FALSE_ALARM, NEEDED, Objections, likeliest_order

@@ -168,4 +168,4 @@ def check_full_scale(full_scale: float | None) -> None:
     """
     least, most = FULL_SCALES
     if full_scale is not None and not least <= full_scale <= most:
-        raise Refusal(f"full_scale = {full_scale} Pa must be between {least:g} and {most:g}")
+        raise Refusal(field="full_scale", value=full_scale, unit="Pa", allowed=f"between {least:g} and {most:g}")

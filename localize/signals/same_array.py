@@ -9,7 +9,7 @@ import numpy as np
 
 from geometry.design.design_file import read_completed
 from geometry.ground.refusal import Refusal
-from localize.signals.locator import ArrayFacts
+from localize.signals.array_facts import ArrayFacts
 
 _NOT_OF_THE_ARRAY = ("name", "description", "air", "printing")
 """Fields that may differ: what an array is called, where it is, and how its parts are printed."""

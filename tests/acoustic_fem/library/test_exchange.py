@@ -135,15 +135,12 @@ def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp
         ("short.sofa", "cut short, damaged or not a library in SOFA: Unable to synchronously open file (trunc"),
         ("short.npz", "cut short or not an NPZ file"),
         ("short.csv", ""),
-        (
-            "empty.sofa",
-            "cut short, damaged or not a library in SOFA: Unable to synchronously open file (file",
-        ),
-        ("empty.npz", "cut short or not an NPZ file"),
-        ("empty.csv", "its columns are none"),
+        ("empty.sofa", "is empty"),
+        ("empty.npz", "is empty"),
+        ("empty.csv", "is empty"),
         ("number.csv", "row 43: could not convert string to float: 'x'"),
         ("none.sofa", "no such file"),
-        ("a.wav", "its name must end with .nc, .sofa, .npz or .csv"),
+        ("a.wav", "its columns are RIFF"),
     ):
         with pytest.raises(LibraryError) as refused:
             load(tmp_path / name)

@@ -15,7 +15,7 @@ import geometry
 import localize
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library
-from localize.decoders.options import DecoderOptions
+from localize.decoders.decoder_options import DecoderOptions
 from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, passed
 from localize.recalibration.parameter_search import value_and_slope
 from localize.recalibration.rejections import gaps, likeliest_order, numbers
