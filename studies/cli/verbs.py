@@ -210,6 +210,8 @@ _OPTIONS = {
     "temperature_c": "temperature",
     "frequency": "frequencies",
     "touches_per_point": "touches",
+    "rejected_fraction": "reject",
+    "loudest_sound_db": "ambient",
 }
 
 

@@ -15,7 +15,8 @@ import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.quantities.local_air import LocalAir
 from localize import read_recording
-from localize.live.front_end import HIGH_PASS, HighPass
+from localize.live.front_end import HighPass
+from localize.live.options import HIGH_PASS
 from localize.recordings.same_take import find_same_take
 from localize.signals.array_response import response_of
 from localize.signals.frames import FRAME, cut_frames
