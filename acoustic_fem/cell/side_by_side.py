@@ -153,4 +153,4 @@ def _record(task: CellTask, message: Message) -> CellRecord:
         raise CellFault(f"{label}: {type(error).__name__}: {error}") from error
     for warning in caught:
         warnings.warn_explicit(*warning)
-    return record  # type: ignore[no-any-return]
+    return record

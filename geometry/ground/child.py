@@ -185,7 +185,7 @@ class Child:
         except BaseException:
             self.kill()
             raise
-        return message.value()  # type: ignore[no-any-return]
+        return message.value()
 
     def stop(self) -> None:
         """Stop the call that is being worked at: it raises :class:`Stopped` when it next reports something."""

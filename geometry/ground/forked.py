@@ -65,7 +65,7 @@ def in_a_copy(
         if status is None:
             os.kill(child, signal.SIGKILL)
             os.waitpid(child, 0)
-    return unpacked(kind, content)  # type: ignore[no-any-return]
+    return unpacked(kind, content)
 
 
 def _work_in_copy(work: Callable[[], object], outward: int, limits: Limits) -> NoReturn:

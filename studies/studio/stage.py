@@ -13,7 +13,7 @@ from geometry.ground.process_messages import Stopped
 from geometry.ground.refusal import Refusal
 
 #: Sends a message to the page.
-Post = Callable[[dict[str, Any]], Coroutine[Any, Any, None]]
+Post = Callable[[dict[str, Any] | bytes], Coroutine[Any, Any, None]]
 #: Message to a page about an error that nobody foresaw.
 MISTAKE = "this is a mistake of the program; the studio's terminal says where"
 

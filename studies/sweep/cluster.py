@@ -105,6 +105,8 @@ class Cluster:
         self._client, self._name, self._own = client, name, own
         self._patience = PATIENCE if patience is None else patience
         self._crew: dict[str, _Worker] = {}
+        #: Tasks that are to be given once more.
+        self._again: deque[_Task] = deque()
         self._answers: queue.SimpleQueue[tuple[_Attempt, Any, BaseException | None]] = queue.SimpleQueue()
         self._news: tuple[float, dict[str, Any]] = monotonic(), {}
         self._read = -1.0
@@ -141,8 +143,8 @@ class Cluster:
     ) -> Iterator[tuple[int, Any]]:
         """Results as they come; see :meth:`studies.sweep.workers.Workers.run`."""
         waiting = (_Task(number, arguments) for number, arguments in enumerate(tasks))
-        again: deque[_Task] = deque()
         live: set[_Task] = set()
+        self._again.clear()
         self._manned, ended, more = monotonic(), 0, True
 
         def finish(task: _Task) -> None:
@@ -153,22 +155,23 @@ class Cluster:
 
         try:
             while live or more:
-                again += self._look()
+                self._look()
                 for task in [task for task in live if task.deaths >= DEATHS]:
                     finish(task)
                     if lost is None:
                         ended += 1
                     else:
                         yield task.number, lost(*task.arguments)
-                again = deque(task for task in again if not task.done)
-                while (more or again) and (worker := self._free()) is not None:
-                    given = again.popleft() if again else next(waiting, None)
+                while (more or self._again) and (worker := self._free()) is not None:
+                    given = self._again.popleft() if self._again else next(waiting, None)
                     if given is None:
                         more = False
                         break
+                    if given.done:
+                        continue
                     live.add(given)
                     self._give(worker, given, _by_a_worker, function, *given.arguments)
-                if live and (answer := self._answer()) is not None:
+                if (live or more) and (answer := self._answer()) is not None:
                     task, result = answer
                     if isinstance(result, Refusal):
                         raise result
@@ -213,8 +216,8 @@ class Cluster:
             attempt, result, error = self._answers.get(timeout=WATCH / 4)
         except queue.Empty:
             return None
-        if attempt not in attempt.worker.given or isinstance(error, KilledWorker):
-            return None  # it was dropped before, or will be when the scheduler says that its worker is gone
+        if attempt not in attempt.worker.given:
+            return None  # it was dropped before
         self._drop(attempt)
         if attempt.task is None:
             self._compare_installed(attempt.worker, result, error)
@@ -222,12 +225,16 @@ class Cluster:
         gone = error is not None and self._client.status != "running"
         if gone or isinstance(error, (asyncio.CancelledError, concurrent.futures.CancelledError)):
             raise WorkersLost(CONNECTION_LOST, kind=Kind.STOPPED)
+        if isinstance(error, KilledWorker):
+            attempt.task.deaths += 1
+            self._again.append(attempt.task)
+            return None
         if error is not None:
             raise error
         return attempt.task, result
 
-    def _look(self) -> Iterator[_Task]:
-        """Note who came, went or fell silent; the tasks that others must take over.
+    def _look(self) -> None:
+        """Note who came, went or fell silent, and whose tasks others must take over.
 
         Raises:
             WorkersLost: the scheduler is gone or silent, or there have been no workers for a while.
@@ -243,7 +250,7 @@ class Cluster:
             raise WorkersLost(f"{self._name} has not answered for {SCHEDULER_SILENCE:g} s", kind=Kind.STOPPED)
         if when != self._read:
             self._read = when
-            yield from self._compare(known, now)
+            self._compare(known, now)
         for worker in self._crew.values():
             if not worker.silent:
                 continue
@@ -253,7 +260,7 @@ class Cluster:
                     self.notes[f"worker {worker.address} was silent for {SILENCE:g} s: others took over its tasks"] = (
                         None
                     )
-                    yield attempt.task
+                    self._again.append(attempt.task)
         if any(worker.same and not worker.silent for worker in self._crew.values()):
             self._manned = now
         elif now - self._manned > self._patience:
@@ -266,8 +273,8 @@ class Cluster:
         for worker in self._crew.values():
             worker.heard = now
 
-    def _compare(self, known: dict[str, Any], now: float) -> Iterator[_Task]:
-        """Bring the crew to what the scheduler says; the tasks of those that are gone."""
+    def _compare(self, known: dict[str, Any], now: float) -> None:
+        """Bring the crew to what the scheduler says; others take over the tasks of those that are gone."""
         for address in [address for address in self._crew if address not in known]:
             worker = self._crew.pop(address)
             for place, attempt in enumerate(list(worker.given)):
@@ -276,7 +283,7 @@ class Cluster:
                     continue
                 task.deaths += place < worker.threads  # what it was at; the others waited beside it
                 if not attempt.passed_on:
-                    yield task
+                    self._again.append(task)
         for address, about in known.items():
             running = about["status"] == "running"
             if address not in self._crew:
