@@ -8,7 +8,7 @@ from itertools import combinations
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 import acoustic_fem
 from acoustic_fem import Library
@@ -73,12 +73,12 @@ def curve_frequencies() -> NDArray[np.float64]:
     return np.geomspace(*BAND, FREQUENCY_COUNT)
 
 
-def quick_library(design: ArrayDesign, frequency: NDArray[np.float64] | None = None) -> tuple[Library, QuickFidelity]:
-    """The library of a design in milliseconds, and its fidelity: ``atlas`` where that has the design, else ``lumped``.
+def quick_library(design: ArrayDesign, frequency: ArrayLike | str | None = None) -> tuple[Library, QuickFidelity]:
+    """The library of a design and its fidelity: ``atlas`` in milliseconds if that covers the design, otherwise 3-D.
 
     Args:
         design: the array.
-        frequency: (n_freq,) float64, Hz, ascending; by default those of the curves.
+        frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT; by default those of the curves.
     """
     grid = curve_frequencies() if frequency is None else frequency
     fidelity = quick_fidelity(design, grid)

@@ -19,13 +19,12 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from localize import Decision, gesture_of, read_recording, touches_of
 from localize.contacts import Contact
-from localize.contacts.contact import surface_of
+from localize.contacts.contact import MOVING, surface_of
 from localize.contacts.finger_gestures import double_tap, press, slide, tap
-from localize.contacts.radii import MOVING
 from localize.signals.array_response import response_of
 from localize.tracking import tracks_of
 from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.panels.curves import quick_library
 from studies.run.library_files import solve_library
 
@@ -210,7 +209,7 @@ def membranes(design: ArrayDesign) -> dict[str, Any]:
 
 
 def _fidelity(design: ArrayDesign) -> QuickFidelity:
-    return quick_fidelity(design, stated_frequencies(LIBRARY_FREQUENCIES))
+    return quick_fidelity(design, LIBRARY_FREQUENCIES)
 
 
 def decoder_of(design: ArrayDesign) -> DesignDecoder:

@@ -9,6 +9,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import prototype, write_design
 from geometry.ground.refusal import Kind, Refusal
@@ -316,7 +317,7 @@ class Session:
 
     # -- files --------------------------------------------------------------------------------------
     async def _export(self, message: Mapping[str, Any]) -> None:
-        name, fidelity = text_of(message, "name"), message.get("fidelity", "lumped")
+        name, fidelity = text_of(message, "name"), message.get("fidelity", ONE_DESIGN)
         if name not in EXPORTS:
             raise MessageError(kind=Kind.UNKNOWN, field="export", value=name, allowed=EXPORTS)
         if name == "design.toml":
