@@ -19,7 +19,7 @@ import acoustic_fem
 from geometry import prototype, save_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.size import array_size
-from studies.panels.comparing import comparison
+from studies.panels.form import comparison
 from studies.panels.curves import CURVES, curves_of, quick_library
 from studies.panels.exploring import run_study, study_figures
 from studies.panels.making import check_figures, model_of_array
