@@ -57,7 +57,7 @@ def _pattern(design: StatedArray, field: str, line: Line) -> Iterator[str]:
 def _names(field: str, names: Sequence[str], known: Mapping[str, object], table: str) -> Iterator[str]:
     for place, name in enumerate(names):
         if name not in known:
-            hint = nearest(name, list(known)) if known else "; none is given"
+            hint = "; " + (nearest(name, list(known)) or "none is given")
             yield f"{field}.{place} = {name!r} must be the name of a kind under [{table}.NAME]{hint}"
 
 

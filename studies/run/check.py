@@ -135,8 +135,7 @@ class DesignCheck:
         """Why the array cannot be made, in one line; None where it can."""
         if not self.problems:
             return None
-        first, *others = self.problems
-        return str(DesignError(f"{self.design.name}: {self.verdict}: {first}", *others, also=self.mend))
+        return str(DesignError.of_notes(self.design.name, self.problems, self.verdict, self.mend))
 
     def to_dict(self) -> dict[str, Any]:
         """Findings as JSON can hold them."""

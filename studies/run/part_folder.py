@@ -93,7 +93,7 @@ def export_parts(
         report("fit", 0.05)
         in_the_way = misfits(model)
         if in_the_way and not allow_overlaps:
-            raise DesignError(f"{design.name}: cannot be built: {in_the_way[0]}", *in_the_way[1:], also=ALL_THE_SAME)
+            raise DesignError.of_notes(design.name, in_the_way, remedy=ALL_THE_SAME)
         made = _make(model, fresh, formats, rules, in_the_way, report)
     files = tuple(replace(file, path=folder / file.path.name) for file in made.files)
     return replace(made, report=folder / made.report.name, files=files)

@@ -246,7 +246,7 @@ def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: 
         raise Refusal(
             f"parameters.{name} = {given!r} must be a list of values, or a range {{from = ..., to = ..., count = ...}}"
         )
-    limits = model_of(RangeFields, given, f"{source}: parameters.{name}", "study", StudyError)
+    limits = model_of(RangeFields, given, source, "study", StudyError, table=f"parameters.{name}")
     whole = kind == "a whole number"
     if kind == "a text":
         raise Refusal(f"parameters.{name} is a text: give a list of values, not a range")
