@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.atlas.polynomial import ShapePolynomial, layer_number
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_json, read_text
 from geometry.ground.typed import NumpyOrTorch
 
@@ -170,8 +170,11 @@ class CellAtlas:
             outside = value[_beyond(value, low, high)]
             if outside.size:
                 raise OutsideAtlas(
-                    f"{where}: {name} = {outside.flat[0]:.4g} must be {low:g} to {high:g} in the atlas of cells; "
-                    'fidelity "navier-stokes" solves it in 3-D'
+                    kind=Kind.NO_RESULT,
+                    field=f"{where}: {name}",
+                    value=float(f"{outside.flat[0]:.4g}"),
+                    allowed=f"{low:g} to {high:g} in the atlas of cells",
+                    remedy='fidelity "navier-stokes" solves it in 3-D',
                 )
 
     def is_outside(self, house: House, opening: Opening, square: NumpyOrTorch) -> NDArray[np.bool_]:

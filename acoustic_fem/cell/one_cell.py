@@ -17,7 +17,7 @@ from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 from geometry.air.straight_bores import StraightBore
 from geometry.ground.extras import NotInstalled, installed_version
-from geometry.ground.refusal import Refusal, said_by
+from geometry.ground.refusal import Kind, Refusal, said_by
 from geometry.schema.cavity_shapes import Box, Dome
 from geometry.schema.ports import CellPort
 
@@ -212,7 +212,8 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     except NotInstalled:
         raise  # no fault of this cell
     except (Refusal, Standard_Failure, MemoryError) as error:
-        raise CellError(f"{cell.label}: {said_by(error)}") from error
+        kind = error.kind if isinstance(error, Refusal) else Kind.NO_RESULT
+        raise CellError(f"cannot be solved: {said_by(error)}", kind=kind, field=cell.label) from error
     body = solved.body
     arrays = {"energies": body.energies}
     models = {}

@@ -20,7 +20,7 @@ from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, po
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
 from acoustic_fem.quantities.medium import Medium
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 if TYPE_CHECKING:
     import cadquery
@@ -189,7 +189,7 @@ def solve_solid(
     physics = checked_physics(fidelity)
     ports = port_points(ports)
     if not isinstance(medium, Medium):
-        raise Refusal(f"medium must be a Medium, not a {type(medium).__name__}")
+        raise Refusal(f"must be a Medium, not a {type(medium).__name__}", kind=Kind.WRONG_TYPE, field="medium")
     shape = sound_solid(as_shape(solid))
     box = shape.BoundingBox()
     half = mirror_half(shape, ports) if MIRROR not in ports else None
@@ -322,7 +322,8 @@ def checked_physics(fidelity: str) -> Physics:
     for name in PHYSICS:
         if fidelity == name:
             return name
-    raise Refusal(f"fidelity = {fidelity!r} must be one of {', '.join(PHYSICS)} for a 3-D cell")
+    allowed = f"one of {', '.join(PHYSICS)} for a 3-D cell"
+    raise Refusal(kind=Kind.OUT_OF_RANGE, field="fidelity", value=fidelity, allowed=allowed)
 
 
 def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -> cadquery.Shape:
@@ -340,5 +341,5 @@ def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -
     shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
     if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
         held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
-        raise Refusal(f"solid must be one CadQuery shape, it holds {held}")
+        raise Refusal(f"must be one CadQuery shape, it holds {held}", kind=Kind.WRONG_TYPE, field="solid")
     return shapes[0]

@@ -9,12 +9,11 @@ from numpy.typing import ArrayLike
 from acoustic_fem.library.network_responses import array_responses
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.transfer_functions import Library, library_from_arrays
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import frequency_grid, one_of
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
 
 
 def solve(
@@ -39,8 +38,7 @@ def solve(
         Refusal: a bad frequency grid, an unknown fidelity, or a design outside the atlas.
     """
     grid = frequency_grid(frequency)
-    if fidelity not in FIDELITIES:
-        raise Refusal(f"fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
+    one_of("fidelity", fidelity, FIDELITIES)
     report = progress or (lambda message, fraction: None)
     if medium is None:
         medium = design_air(design)

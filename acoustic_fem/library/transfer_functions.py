@@ -17,7 +17,7 @@ from acoustic_fem.library.touch_pressure import touch_flow, touch_response
 from acoustic_fem.quantities.local_air import LocalAir, design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.placement import point_places
 
 #: What stands in place of a fidelity in a library made from recordings (:mod:`acoustic_fem.calibration`).
@@ -179,9 +179,10 @@ class Library:
         medium, before = design_air(design), design_air(self.design)
         if not np.allclose(astuple(self.medium), astuple(before), rtol=1e-6):
             raise Refusal(
-                f"{self.design.name}: its library was made in a medium of its own (pressure {self.medium.pressure:g} "
-                f"Pa, viscosity {self.medium.viscosity:g} Pa s) and not in the air of its design: which is meant is "
-                "not known"
+                f"of the library of {self.design.name} (pressure {self.medium.pressure:g} Pa, viscosity "
+                f"{self.medium.viscosity:g} Pa s) is not the air of its design, so its other air is not known",
+                kind=Kind.CONFLICT,
+                field="medium",
             )
         if design.air == self.design.air:
             return self
