@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 from studies.bending.bending_rig import BendingRig
 from studies.output.display import Display
 from studies.output.folders import check_folder
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from acoustic_fem.quantities.checks import frequency_grid
+from studies.output.frequencies import FREQUENCIES
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -55,5 +56,5 @@ def bending_study(
     check_folder(folder, "bend", RESULT)
 
     with (display or Display()).stage("Bending") as report:
-        result = solve_bending(rig or BendingRig(), stated_frequencies(frequency), fidelity, report)
+        result = solve_bending(rig or BendingRig(), frequency_grid(frequency), fidelity, report)
     return BendingStudy(result, save_bending(result, folder))

@@ -16,7 +16,8 @@ from studies.metrics.covered_area import FINGER
 from studies.metrics.pairs import BAND
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from acoustic_fem.quantities.checks import frequency_grid
+from studies.output.frequencies import FREQUENCIES
 from studies.panels.curves import quick_library
 from studies.scatter.effects import quick_scattered_accuracy
 from studies.study.metric_registry import SENSORS, metrics_named
@@ -57,7 +58,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
     _check_size(design)
     from acoustic_fem.library.noise_floor import detection_limits
 
-    library, fidelity = quick_library(design, stated_frequencies(FREQUENCIES))
+    library, fidelity = quick_library(design, frequency_grid(FREQUENCIES))
     shared = SharedFigures(Responses.of_library(library))
     apart = separability(library.transfer_function)
     predicted = shared.confusion(None)
@@ -110,7 +111,7 @@ def mis_made_figures(design: ArrayDesign) -> dict[str, Any]:
         Refusal: a design that the batch does not take, or one of more than :data:`MOST_POINTS` points.
     """
     _check_size(design)
-    found, fidelity = quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=SENSORS)
+    found, fidelity = quick_scattered_accuracy(design, frequency_grid(FREQUENCIES), sensors=SENSORS)
     return {
         "sensors": SENSORS,
         "mean": float(found.mean()),

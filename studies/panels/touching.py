@@ -18,7 +18,8 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from localize.contacts.contact import MOVING
 from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+from acoustic_fem.quantities.checks import frequency_grid
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.library_files import solve_library
 
 if TYPE_CHECKING:
@@ -212,7 +213,7 @@ def surface(design: ArrayDesign) -> dict[str, Any]:
 def _fidelity(design: ArrayDesign) -> QuickFidelity:
     from acoustic_fem.atlas import quick_fidelity
 
-    return quick_fidelity(design, stated_frequencies(LIBRARY_FREQUENCIES))
+    return quick_fidelity(design, frequency_grid(LIBRARY_FREQUENCIES))
 
 
 def listening_to(design: ArrayDesign) -> Ears:

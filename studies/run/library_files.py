@@ -12,7 +12,8 @@ from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import counted
 from studies.output.display import Display
 from studies.output.folders import check_new_library
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+from acoustic_fem.quantities.checks import frequency_grid
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -54,7 +55,7 @@ def solve_library(
 
     with show.stage("Cells") as report:
         there = design if air is None else design.with_values(air.design_values)
-        library = acoustic_fem.solve(there, stated_frequencies(frequency), fidelity=fidelity, progress=report)
+        library = acoustic_fem.solve(there, frequency_grid(frequency), fidelity=fidelity, progress=report)
         write_library(library, path)
     for line in cell_lines(library):
         show.note(line)

@@ -23,7 +23,8 @@ from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+from acoustic_fem.quantities.checks import frequency_grid
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
@@ -93,7 +94,7 @@ def run_design(
         refuse_unbuildable(design, layout, ALL_THE_SAME)
     folder = claim_folder(out, write_design(design.completed()))
     training = training or training_plan(design.point_count)
-    grid = stated_frequencies(LIBRARY_FREQUENCIES if frequency is None else frequency)
+    grid = frequency_grid(LIBRARY_FREQUENCIES if frequency is None else frequency)
 
     with show.stage("Parts", of=_STAGES) as report:
         model, files, printing, figures = _make_parts(design, layout, folder, report)

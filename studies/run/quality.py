@@ -20,7 +20,8 @@ from studies.metrics.pairs import BAND
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import number
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from acoustic_fem.quantities.checks import frequency_grid
+from studies.output.frequencies import FREQUENCIES
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -104,7 +105,7 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
 
     if design.point_count < 2 or len(design.microphones) < 2:
         return None
-    grid = stated_frequencies(FREQUENCIES)
+    grid = frequency_grid(FREQUENCIES)
     fidelity = quick_fidelity(design, grid)
     library = acoustic_fem.solve(design, grid, fidelity=fidelity.name)
     apart = separability(library.transfer_function)
@@ -142,7 +143,7 @@ def _mis_made(design: ArrayDesign) -> tuple[NDArray[np.float64], QuickFidelity |
     count = math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2)
     count = max(_LEAST_SENSORS, min(SENSORS, count))
     try:
-        return quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=count)
+        return quick_scattered_accuracy(design, frequency_grid(FREQUENCIES), sensors=count)
     except Refusal:
         return np.zeros(0), None
 

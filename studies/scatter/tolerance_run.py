@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from geometry.ground.refusal import Refusal
 from studies.output.display import Display
 from studies.output.folders import check_folder
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from acoustic_fem.quantities.checks import frequency_grid
+from studies.output.frequencies import FREQUENCIES
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -82,7 +83,7 @@ def tolerance_study(
         raise Refusal(f"seed = {seed} must be 0 or above")
     workshop = tolerances if isinstance(tolerances, str | os.PathLike) else None
     check_folder(folder, "tolerance", SUMMARY, reads=(workshop,))
-    grid, scatter = stated_frequencies(frequency), tolerances_of(tolerances)
+    grid, scatter = frequency_grid(frequency), tolerances_of(tolerances)
     store = folder / _LIBRARY
     if library and store.exists():
         raise Refusal(f"{store}: exists; a library is never overwritten")

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from geometry.ground.refusal import Refusal
 from studies.output.display import Display
 from studies.output.folders import check_new_file
-from studies.output.frequencies import CALIBRATION_FREQUENCIES, stated_frequencies
+from acoustic_fem.quantities.checks import frequency_grid
+from studies.output.frequencies import CALIBRATION_FREQUENCIES
 
 if TYPE_CHECKING:
     import numpy as np
@@ -92,7 +93,7 @@ def calibrate_sensor(
     from studies.test_rig.calibration_figures import draw_calibration
     from studies.test_rig.priors import fit_priors, model_deviation
 
-    grid, scatter, source = stated_frequencies(frequency), tolerances_of(tolerances), Path(recordings)
+    grid, scatter, source = frequency_grid(frequency), tolerances_of(tolerances), Path(recordings)
     manifest = read_manifest(source / MANIFEST if source.is_dir() else source)
     if air is not None:
         manifest = replace(manifest, design=manifest.design.with_values(air.design_values))

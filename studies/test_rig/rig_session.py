@@ -124,11 +124,11 @@ def _write_truth(rig: Rig, folder: Path, recorder: Recorder, session: TouchSessi
     from acoustic_fem.library.provenance import versions
     from acoustic_fem.library.transfer_functions import described, measured_library
     from geometry.design.design_file import write_design
-    from studies.output.frequencies import stated_frequencies
+    from acoustic_fem.quantities.checks import frequency_grid
 
     settings = {"scatter": asdict(rig.scatter), "recorder": asdict(recorder), "session": asdict(session)}
     made = {**versions(rig.seed, ("numpy", "scipy")), "fidelity": rig.fidelity}
-    grid = stated_frequencies(TRUE_FREQUENCIES)
+    grid = frequency_grid(TRUE_FREQUENCIES)
     nominal = acoustic_fem.solve(rig.design, grid, "lumped")
     h = rig.transfer_function(grid)
     about = {"seed": rig.seed, "rig": settings, "model": described(nominal)}
