@@ -82,13 +82,13 @@ def check_same_design(localizer: Array, library: Array, source: object) -> None:
 
 def design_difference(localizer: Array, library: Array) -> str | None:
     """First field in which the designs of a localizer and a library differ, in words; None where none is known."""
-    from geometry.design.design_file import read_stored_design
+    from geometry.design.design_file import read_completed
 
     texts = [each.provenance.get("design") for each in (localizer, library)]
     if not all(isinstance(text, str) for text in texts):
         return None
     try:
-        own, other = (read_stored_design(str(text), "design").completed().model_dump(mode="json") for text in texts)
+        own, other = (read_completed(str(text), "design").completed().model_dump(mode="json") for text in texts)
     except Refusal:  # of another version of the program
         return None
     for name, mine, theirs in _differences(own, other):

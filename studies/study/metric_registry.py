@@ -292,10 +292,10 @@ def _build() -> Iterable[Metric]:
         ("coverage", "1", "coverage", "Share of the area within the hull of all membranes, in plan, in which a "
          f"contact of {FINGER:g} mm radius reaches a membrane.", partial(_of_designs, coverage), "larger"),
         ("length", "mm", "length", "Longer side of the box around all that is built, tubes and boards included.",
-         lambda figures: figures.sizes()[:, 0], "smaller"),
-        ("width", "mm", "width", "Shorter side of that box.", lambda figures: figures.sizes()[:, 1], "smaller"),
+         lambda figures: figures.sizes[:, 0], "smaller"),
+        ("width", "mm", "width", "Shorter side of that box.", lambda figures: figures.sizes[:, 1], "smaller"),
         ("height", "mm", "height", "Of that box, from the lowest floor to the highest membrane or microphone.",
-         lambda figures: figures.sizes()[:, 2], "smaller"),
+         lambda figures: figures.sizes[:, 2], "smaller"),
         ("volume", "mm^3", "volume of all parts", "Shells, housings, boards, membranes and tubes, without their air.",
          partial(_of_parts, build.volume), "smaller"),
         ("mass", "g", "mass", "Of those parts and the microphones.", partial(_of_parts, build.mass),
@@ -317,7 +317,7 @@ def _of_designs(of_design: Callable[[ArrayDesign], float], figures: SharedFigure
 
 def _of_parts(of_design: Callable[[ArrayDesign, build.Volumes], float], figures: SharedFigures) -> Values:
     designs = known(figures.responses.designs)
-    return np.array([of_design(*each) for each in zip(designs, figures.volumes(), strict=True)])
+    return np.array([of_design(*each) for each in zip(designs, figures.volumes, strict=True)])
 
 
 #: All metrics by name.

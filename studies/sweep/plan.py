@@ -9,7 +9,7 @@ from studies.study.cases import by_kind, sobol_note
 from studies.study.study import Study
 from studies.sweep.block import Job
 from studies.sweep.cost import elapsed, seconds_of, team_size
-from studies.sweep.new_store import block_size, point_count
+from studies.sweep.records import block_size, point_count
 from studies.sweep.survey import surveyed, try_metrics
 
 #: Memory of a worker that has loaded everything, and of one that solves a 3-D cell, bytes.

@@ -12,7 +12,7 @@ from geometry import ArrayDesign, DesignError
 from geometry.ground.extras import NotInstalled
 from geometry.ground.refusal import Refusal
 from geometry.layout.overlaps import refuse_overlaps
-from studies.study.cases import Cases, cases_of, check_base
+from studies.study.cases import Cases, allowed_cases, check_base, drawn_cases, kept_cases
 from studies.study.study import Study, StudyError
 from studies.sweep.block import CellKey, Job, cells_of, check_metrics
 
@@ -61,9 +61,14 @@ def surveyed(study: Study, every: bool = False) -> Survey:
     refused: dict[int, str] = {}
     valid: list[ArrayDesign] = []
 
-    def look(number: int, design: ArrayDesign | DesignError) -> None:
+    drawn, kept = drawn_cases(study), []
+    for number, case in allowed_cases(study, drawn):
+        kept.append(number)
+        if not (every or membranes or solid):
+            continue
         own: tuple[CellKey, ...] = ()
         try:
+            design = case.design
             if isinstance(design, DesignError):
                 raise design
             if every or solid:
@@ -75,10 +80,9 @@ def surveyed(study: Study, every: bool = False) -> Survey:
             if membranes:
                 discs.update((design_shape(design.of_kind(kind)), None) for kind in design.kinds)
         except Refusal as error:
-            refused[number] = str(error)  # the case fails by name when it is computed
+            refused[len(kept) - 1] = str(error)  # the case fails by name when it is computed
         cells.append(own)
-
-    cases = cases_of(study, look if every or membranes or solid else None)
+    cases = kept_cases(study, drawn, kept)
     for number in range(min(len(cases), _LOOKED_AT) if not (valid or refused) else 0):
         try:
             valid.append(cases.buildable(number))

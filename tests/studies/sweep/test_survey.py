@@ -63,8 +63,8 @@ def test_cells_membranes_and_constraints_are_read_from_one_design(
 ) -> None:
     study = read_study(f'{HEAD}fidelity = "navier-stokes"\n{DERIVED}{LENGTHS}"membrane.thickness" = [0.5, 0.6]\n')
     laid_out: list[ArrayDesign] = []
-    own = block.lay_out
-    monkeypatch.setattr(block, "lay_out", lambda design: (laid_out.append(design), own(design))[1])
+    own = block.place_housings
+    monkeypatch.setattr(block, "place_housings", lambda design: (laid_out.append(design), own(design))[1])
     built.clear()
     found = surveyed(study, every=True)
     assert set(built.values()) == {2}  # two thicknesses of each length
