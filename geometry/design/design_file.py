@@ -158,13 +158,15 @@ def stated_prototype(name: str) -> StatedArray:
     return StatedArray.model_validate(parse_toml(prototype_text(name), f"{name}.toml", DesignError))
 
 
-def resolve_design(argument: str | os.PathLike[str]) -> ArrayDesign:
-    """The design a user names: a prototype, else a file.
+def resolve_design(design: ArrayDesign | str | os.PathLike[str]) -> ArrayDesign:
+    """The design itself, that of a prototype's name, or that of a file.
 
     Raises:
         DesignError: neither a prototype nor a file that can be read, or not a valid design.
     """
-    text = os.fspath(argument)
+    if isinstance(design, ArrayDesign):
+        return design
+    text = os.fspath(design)
     names = prototype_names()
     if text in names:
         return prototype(text)

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from acoustic_fem.quantities.checks import frequency_grid
 from studies.bending.bending_rig import BendingRig
 from studies.output.display import Display
 from studies.output.folders import check_folder
-from acoustic_fem.quantities.checks import frequency_grid
 from studies.output.frequencies import FREQUENCIES
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.ground.missing_packages import check_system_libraries
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import writing
 from studies.output.display import Display
 from studies.output.folders import check_folder
@@ -67,14 +67,18 @@ def optimize(
         with show.stage("Search", of=2) as report:
             result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)
         if not result.front:
+            limits = "; ".join(map(str, problem.limits)) or "none"
             raise Refusal(
-                f"{problem.study.name}: none of {counted(problem.trials, 'design')} keeps the limits "
-                f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
+                f"has no design among {problem.trials} that keeps the limits ({limits})",
+                kind=Kind.NO_RESULT,
+                file=problem.study.name,
+                remedy="widen the ranges of the parameters, or loosen the limits",
             )
         with show.stage("Parts", of=2) as report:
             failed = unprintable_designs(problem, result, report)
-            seal(folder, failed)  # whoever reads the search later must not take them back
+            seal(folder, failed)  # so that they stay out when the search is read later
             result = without(problem, result, failed)
         if not result.front:
-            raise Refusal(f"{problem.study.name}: of no design of the front do the drawn parts pass the print rules")
+            problem_words = "has no design on its front whose drawn parts pass the print rules"
+            raise Refusal(problem_words, kind=Kind.NO_RESULT, file=problem.study.name)
         return Search(problem, result, tuple(save_search(problem, result, folder)))

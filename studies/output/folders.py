@@ -251,7 +251,7 @@ def replaced_files(folder: Path) -> Iterator[Path]:
     for name in sorted(earlier):
         if name in ("", ".", "..") or Path(name).name != name:
             problem = f"must be the name of a file in {folder}"
-            raise Refusal(problem, kind=Kind.UNSUITABLE, file=listed, value=name, remedy="remove the list or correct it")
+            raise Refusal(problem, kind=Kind.UNSUITABLE, file=listed, value=name, remedy="correct or remove the list")
     folder.mkdir(parents=True, exist_ok=True)
     _remove(fresh)
     fresh.mkdir()

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
-from studies.metrics.pairs import BAND, microphone_ratios
+from localize.signals.stimulus import BAND
+from studies.metrics.pairs import microphone_ratios
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from localize.contacts.contact import MOVING
 from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
-from acoustic_fem.quantities.checks import frequency_grid
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.library_files import solve_library
 

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import resolve_design
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import counted
+from geometry.ground.typed import PathLike
 from studies.output.display import Display
 from studies.output.folders import check_new_library
-from acoustic_fem.quantities.checks import frequency_grid
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 if TYPE_CHECKING:
@@ -20,12 +22,11 @@ if TYPE_CHECKING:
 
     from acoustic_fem import Library
     from acoustic_fem.quantities.local_air import LocalAir
-    from geometry.design.array_design import ArrayDesign
 
 
 def solve_library(
-    design: ArrayDesign,
-    out: str | os.PathLike[str],
+    design: ArrayDesign | PathLike,
+    out: PathLike,
     *,
     fidelity: str = "navier-stokes",
     frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
@@ -35,17 +36,17 @@ def solve_library(
     """Library of a design, also in a file: transfer functions from every point to every microphone.
 
     Args:
-        design: the array.
+        design: the design, its file, or a prototype's name.
         out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
         fidelity: see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
-        air: of the place where it is used; what is not given is the design's.
+        air: air of the place where it is used; values that are not given are the design's.
         display: shows what is being done, then a line for each distinct cell.
 
     Raises:
         Refusal: a file that cannot be written, a bad frequency or fidelity, or a design that cannot be solved.
     """
-    path, show = Path(out), display or Display()
+    path, show, design = Path(out), display or Display(), resolve_design(design)
     check_new_library(path, (".nc",))
     if fidelity not in CLOSED_FORMS:
         check_extras("what solves in 3-D", "fem")
@@ -62,7 +63,7 @@ def solve_library(
     return library
 
 
-def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]) -> Library:
+def convert_library(library: PathLike, out: PathLike) -> Library:
     """Library of a file, written in another format, to the last digit.
 
     Args:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import resolve_design
 from geometry.formats.part_files import FORMATS
 from geometry.ground.missing_packages import check_system_libraries
+from geometry.ground.refusal import Field
+from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.remedies import refuse_unbuildable
@@ -21,12 +24,11 @@ from studies.output.folders import FILES, check_folder, replaced_files
 if TYPE_CHECKING:
     from geometry.assembly.bill import Bill
     from geometry.assembly.model import ArrayModel
-    from geometry.design.array_design import ArrayDesign
     from geometry.formats.part_files import ExportedFile
     from geometry.printing.printability import PrintReport
 
-#: How what cannot be built is drawn, for those who read why it is refused.
-ALL_THE_SAME = "`allow_overlaps` draws it all the same"
+#: Remedy where a design cannot be built.
+ALL_THE_SAME = (Field("allow_overlaps"), " draws it all the same")
 
 
 @dataclass(frozen=True)
@@ -52,23 +54,23 @@ class MadeParts:
 
 
 def export_parts(
-    design: ArrayDesign,
-    out: str | os.PathLike[str],
+    design: ArrayDesign | PathLike,
+    out: PathLike,
     *,
     formats: Sequence[str] = FORMATS,
-    process: PrintProcess | str | os.PathLike[str] | None = None,
+    process: PrintProcess | PathLike | None = None,
     allow_overlaps: bool = False,
     display: Display | None = None,
 ) -> MadeParts:
     """Parts of a design, drawn, exported and judged, and the array put together, all of it or nothing.
 
     Args:
-        design: the array.
-        out: a folder, made if it does not exist. What it holds of an earlier call is replaced when all is made; files
+        design: the design, its file, or a prototype's name.
+        out: a folder, made if it does not exist. Files of an earlier call in it are replaced when all is made; files
             of others stay, but for those of the same name.
-        formats: of the files of each part.
-        process: whose rules are applied: a name or a ``.toml`` file; by default that of the design.
-        allow_overlaps: draw also what cannot be built; what is in the way of what is then noted.
+        formats: formats of the files of each part.
+        process: printing process whose rules are applied: a name or a ``.toml`` file; by default that of the design.
+        allow_overlaps: draw a design that cannot be built too; overlaps are then noted.
         display: shows what is being made.
 
     Raises:
@@ -80,7 +82,7 @@ def export_parts(
     from geometry.assembly.model import array_model
 
     check_system_libraries()
-    folder = Path(out)
+    folder, design = Path(out), resolve_design(design)
     named = None if process is None or isinstance(process, PrintProcess) else process
     check_folder(folder, "parts", FILES, reads=(named,))
     rules = process_of(design.printing) if process is None else find_process(process)

@@ -11,16 +11,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
+from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import Responses
 from studies.metrics.build import cost
-from studies.metrics.pairs import BAND
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import number
-from acoustic_fem.quantities.checks import frequency_grid
 from studies.output.frequencies import FREQUENCIES
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from geometry.design.array_design import ArrayDesign
-from studies.metrics.pairs import BAND
+from localize.signals.stimulus import BAND
 
 if TYPE_CHECKING:
     from acoustic_fem.quantities.medium import Medium

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import resolve_design
+from geometry.ground.typed import PathLike
 from studies.output.display import Display
 from studies.output.folders import check_folder, make_folder, replaced_folder, write_json
 from studies.test_rig.calibrating import MANIFEST
 
 if TYPE_CHECKING:
-    from geometry import ArrayDesign
     from studies.test_rig.rig_touches import TouchSession
     from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
@@ -46,8 +47,8 @@ class RigSession:
 
 
 def record_rig(
-    design: ArrayDesign,
-    out: str | os.PathLike[str],
+    design: ArrayDesign | PathLike,
+    out: PathLike,
     *,
     seed: int = 0,
     fidelity: Literal["lumped", "navier-stokes"] = "lumped",
@@ -62,20 +63,20 @@ def record_rig(
     :class:`studies.Recorder`, and the touches, :class:`studies.TouchSession`. The same seed gives the same files.
 
     Args:
-        design: the nominal array.
+        design: the nominal array: a design, its file, or a prototype's name.
         out: a new or empty folder, or one of an earlier session.
-        seed: of the hidden parameters and of all recordings.
-        fidelity: ``lumped``, or ``navier-stokes`` for what 3-D cells change.
-        scatter: how far the hidden parameters lie from nominal.
-        recorder: how recordings are made; by default 30 s for each point of the calibration.
-        session: what is recorded of touches; by default two takes of 6 s of each part.
+        seed: seed of the hidden parameters and of all recordings.
+        fidelity: ``lumped``, or ``navier-stokes`` to add the effect of 3-D cells.
+        scatter: spread of the hidden parameters about nominal.
+        recorder: settings of the recordings; by default 30 s for each point of the calibration.
+        session: settings of the touches; by default two takes of 6 s of each part.
         display: shows what is being done.
 
     Raises:
         Refusal: a negative seed, a design that the lumped batch does not take, or a folder that holds anything else or
             cannot be written.
     """
-    folder, show = Path(out), display or Display()
+    folder, show, design = Path(out), display or Display(), resolve_design(design)
     from studies.test_rig.rig_touches import TouchSession, record_touches
     from studies.test_rig.virtual_rig import RIG_MARK, Recorder, Rig
 
@@ -123,8 +124,8 @@ def _write_truth(rig: Rig, folder: Path, recorder: Recorder, session: TouchSessi
     from acoustic_fem.library.exchange import write_library
     from acoustic_fem.library.provenance import versions
     from acoustic_fem.library.transfer_functions import described, measured_library
-    from geometry.design.design_file import write_design
     from acoustic_fem.quantities.checks import frequency_grid
+    from geometry.design.design_file import write_design
 
     settings = {"scatter": asdict(rig.scatter), "recorder": asdict(recorder), "session": asdict(session)}
     made = {**versions(rig.seed, ("numpy", "scipy")), "fidelity": rig.fidelity}
