@@ -10,7 +10,6 @@ import typer
 from acoustic_fem.quantities.fidelity import Fidelity
 from geometry.ground.refusal import counted
 from studies.cli.options import (
-    AIR_OPTIONS,
     Altitude,
     Design,
     Frequencies,
@@ -21,8 +20,7 @@ from studies.cli.options import (
     Tolerances,
     defaults_of,
     display_on_stderr,
-    frequency_option,
-    named,
+    noise_choice,
 )
 from studies.cli.terminal_tables import show, show_library, table_of, tell
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
@@ -63,12 +61,11 @@ def rig(
 
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
-    from geometry import resolve_design
     from studies.test_rig.virtual_rig import HiddenScatter
 
     scatter = HiddenScatter(altitude=altitude, modulus=modulus)
     with display_on_stderr() as display:
-        made = record_rig(resolve_design(design), out, seed=seed, scatter=scatter, display=display)
+        made = record_rig(design, out, seed=seed, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
         print(path)
     tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")
@@ -106,13 +103,12 @@ def calibrate(
 
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
-    grid = frequency_option(frequencies)
     from acoustic_fem.quantities.local_air import LocalAir
 
-    with named(frequency="--frequencies", **AIR_OPTIONS), display_on_stderr() as display:
-        air = LocalAir(pressure, altitude, temperature)
+    air = LocalAir(pressure, altitude, temperature)
+    with display_on_stderr() as display:
         found = calibrate_sensor(
-            recordings, out, fidelity=fidelity, frequency=grid, tolerances=tolerances, air=air, display=display
+            recordings, out, fidelity=fidelity, frequency=frequencies, tolerances=tolerances, air=air, display=display
         )
     calibration = found.calibration
     if calibration.findings:
@@ -204,13 +200,12 @@ def recalibrate(
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
-    options = {"full_scale": "--full-scale", "microphone_noise": "--noise", **AIR_OPTIONS}
     from acoustic_fem.quantities.local_air import LocalAir
 
-    with named(**options), display_on_stderr() as display:
-        air = LocalAir(pressure, altitude, temperature)
+    air, level = LocalAir(pressure, altitude, temperature), noise_choice(noise)
+    with display_on_stderr() as display:
         found = recalibrate_sensor(
-            library, recordings, out, full_scale=full_scale, noise=noise, seed=seed, air=air, display=display
+            library, recordings, out, full_scale=full_scale, microphone_noise=level, seed=seed, air=air, display=display
         ).found
     print(
         f"{out}: from {counted(found.frames, 'frame')} with touches; {found.gain:.2f} +- {found.gain_error:.2f} nats "

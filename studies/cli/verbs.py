@@ -210,6 +210,9 @@ _OPTIONS = {
     "temperature_c": "temperature",
     "frequency": "frequencies",
     "touches_per_point": "touches",
+    "base_samples": "base",
+    "library_size": "library",
+    "formats": "format",
 }
 
 

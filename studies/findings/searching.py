@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import PathLike
 from geometry.ground.whole_files import writing
 from studies.output.display import Display
 from studies.output.folders import check_folder
@@ -32,8 +32,8 @@ class Search:
 
 
 def optimize(
-    study: str | os.PathLike[str] | Optimization,
-    out: str | os.PathLike[str],
+    study: Optimization | PathLike,
+    out: PathLike,
     *,
     workers: int | None = None,
     scheduler: str | None = None,

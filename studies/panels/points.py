@@ -24,8 +24,8 @@ from studies.study.metric_registry import SENSORS, metrics_named
 
 #: Figures of merit of the whole design that the page shows, by the names that a study knows them by.
 FIGURES = (
-    "predicted_top1", "predicted_top1_white_noise", "confused_pair", "distance_smallest", "ild_smallest", "ipd_smallest",
-    "scatter_detection", "sensitivity_force", "noise_equivalent_force", "bandwidth", "coverage", "length", "width",
+    "predicted_top1", "predicted_top1_white_noise", "confused_pair", "distance_smallest", "ild_smallest",
+    "ipd_smallest", "scatter_detection", "sensitivity_force", "noise_equivalent_force", "bandwidth", "coverage", "length", "width",
     "height", "volume", "mass", "cost", "smallest_wall",
 )  # fmt: skip
 
