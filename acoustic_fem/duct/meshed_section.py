@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -17,6 +16,7 @@ from skfem.helpers import dot, grad
 from acoustic_fem.duct.sections import Section
 from acoustic_fem.numerics.rational_sweep import reduce_system
 from acoustic_fem.quantities.checks import positive
+from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
 
 #: Wall layer sqrt(2/|s|) per element edge on the wall below which a meshed section warns.
@@ -115,10 +115,9 @@ class MeshedSection(Section):
         rates = np.abs(np.asarray(rate)).ravel() * self._extent**2
         layer = np.sqrt(2 / rates.max())
         if layer < RESOLVED_LAYER * discrete.wall_edge:
-            warnings.warn(
+            warn_caller(
                 f"the wall layer of {layer * self._extent:.3g} m is thinner than the elements along the wall "
                 f"({discrete.wall_edge * self._extent:.3g} m): refine the mesh",
-                stacklevel=2,
             )
 
         def theta(rates: NDArray[np.float64]) -> NDArray[np.complex128]:

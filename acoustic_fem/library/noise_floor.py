@@ -10,7 +10,6 @@ quantisation are not in it.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from typing import Literal, get_args
 
@@ -23,6 +22,7 @@ from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.network.microphone import noise_density as own_noise_density, noise_density_behind_vent
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal, counted
 
 #: J/K, exact (SI 2019).
@@ -323,10 +323,9 @@ def _integrated(density: xr.DataArray, band: tuple[float, float]) -> xr.DataArra
         )
     inside = grid[(grid > low) & (grid < high)]
     if len(inside) < _FEWEST_FREQUENCIES:
-        warnings.warn(
+        warn_caller(
             f"noise: within {low:g} to {high:g} Hz the library has only {counted(len(inside), 'frequency')}; the "
             "integral over the band is rough",
-            stacklevel=3,
         )
     points = np.concatenate([[low], inside, [high]])
     return density.interp(frequency=points).integrate("frequency")

@@ -147,6 +147,8 @@ class Library:
 
     def in_air(
         self,
+        air: LocalAir | None = None,
+        *,
         pressure: float | None = None,
         temperature_c: float | None = None,
         humidity: float | None = None,
@@ -160,6 +162,7 @@ class Library:
         0 degC. The rubber stays as it was: what it does with temperature is no matter of the air.
 
         Args:
+            air: of the place; in place of all other arguments.
             pressure: static pressure there, not reduced to sea level, 5e4 to 1.2e5 Pa.
             temperature_c: temperature, -20 to 60 degC.
             humidity: relative, 0 to 1.
@@ -170,9 +173,13 @@ class Library:
             nothing changes.
 
         Raises:
-            Refusal: a value out of range, pressure and altitude at once, or a library of other air than its design's.
+            Refusal: a value out of range, pressure and altitude at once, an air beside values of its own, or a library
+                of other air than its design's.
         """
-        values = LocalAir(pressure, altitude, temperature_c, humidity).design_values
+        stated = LocalAir(pressure, altitude, temperature_c, humidity)
+        if air is not None and stated.design_values:
+            raise Refusal("must not be given beside values of its own", kind=Kind.CONFLICT, field="air")
+        values = (air or stated).design_values
         if not values:
             return self
         design = self.design.with_values(values)

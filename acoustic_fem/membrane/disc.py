@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -15,6 +14,7 @@ from acoustic_fem.membrane.solved_discs import solved_disc
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
 
 #: Radius of the contact patch per radius of the opening, where none is given.
@@ -147,10 +147,9 @@ class DiscSolution:
         """
         frequency = positive("frequency", frequency, "Hz")
         if frequency.size and frequency.max() > self.modes.frequency[-1] / 2:
-            warnings.warn(
+            warn_caller(
                 f"membrane: {frequency.max():.4g} Hz is above half of the highest mode that is kept "
                 f"({self.modes.frequency[-1]:.4g} Hz in vacuo)",
-                stacklevel=2,
             )
         model = self.model
         square = (2 * np.pi * frequency * self.opening) ** 2 * self.density / self.modulus

@@ -21,6 +21,7 @@ from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, de
 from acoustic_fem.quantities.checks import in_range, one_of
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
 from geometry.ground.typed import Array
@@ -67,7 +68,7 @@ class Tolerance:
     """Source of the figure."""
 
     def __post_init__(self) -> None:
-        one_of("quantity", self.quantity, QUANTITIES)
+        one_of("quantity", self.quantity, tuple(QUANTITIES))
         of_no_length = self.quantity.startswith(("modulus", "microphone", "ovality"))
         one_of(f"{self.quantity}.kind", self.kind, ("relative",) if of_no_length else get_args(DeviationKind))
         most, unit = (0.3, "") if self.kind == "relative" else (5.0, "mm")
@@ -166,10 +167,11 @@ class ScatteredDesign:
 
     def __init__(
         self,
-        design: ArrayDesign,
+        design: DesignLike,
         tolerances: Sequence[Tolerance] = TOLERANCES,
         known: KnownDiscs | None = None,
     ) -> None:
+        design = resolve_design(design)
         names = [tolerance.quantity for tolerance in tolerances]
         if len(set(names)) != len(names):
             twice = max(names, key=names.count)

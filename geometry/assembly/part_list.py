@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import write_design
+from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import (
@@ -22,12 +22,12 @@ from geometry.layout.placement import (
     microphone_ports,
     point_ports,
 )
-from geometry.molds.mold import MoldKind, mold_counts, mold_kinds
+from geometry.molds.mold import MoldKind, build_mold, mold_counts, mold_kinds
 from geometry.plan.cylinder import FLAT, Axes
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import Membrane, Resonator
 from geometry.schema.ports import ANGLE_STEP, Port, in_common_rotation
-from geometry.solids.membrane import membrane_radius, membranes_of
+from geometry.solids.membrane import build_membrane, membrane_radius, membranes_of
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -124,11 +124,11 @@ class PlacedPart:
         return matrix
 
 
-def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartSet:
+def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSet:
     """Draw every distinct part of a design.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         layout: where its parts lie, where it is known already.
 
     Returns:
@@ -144,12 +144,11 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
     Raises:
         Refusal: a part is not one valid solid.
     """
-    from geometry.molds.mold import build_mold
     from geometry.solids.carrier import array_carrier
     from geometry.solids.housing import build_board, build_housing
-    from geometry.solids.membrane import build_membrane
     from geometry.solids.shell import build_shell
 
+    design = resolve_design(design)
     layout = layout or lay_out(design)
     plan = _plan(design, layout)
     microphone, printing = design.microphone, design.printing

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, TypeAlias, get_args
+from typing import Literal, TypeAlias, get_args
 
 from acoustic_fem.quantities.checks import in_range, one_of
+from geometry.air.wound_tube import Winding, closest_pitch
 from geometry.ground.refusal import Kind, Refusal, counted
-
-if TYPE_CHECKING:
-    from geometry.air.wound_tube import Winding
 
 End: TypeAlias = Literal["microphone", "closed"]
 
@@ -63,8 +61,6 @@ class BendingRig:
 
     def winding(self, angle: float) -> Winding:
         """Centre line of the part that is wound by an angle, degrees."""
-        from geometry.air.wound_tube import Winding, closest_pitch
-
         flat = angle <= LARGEST_FLAT_ANGLE
         return Winding(self.diameter, angle, 0.0 if flat else closest_pitch(self.diameter, self.outside))
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import counted
+from localize.recalibration.rejections import numbers
+from localize.signals.stimulus import BAND
 from studies.cli.options import (
     Altitude,
     Design,
@@ -24,12 +27,11 @@ from studies.cli.options import (
 )
 from studies.cli.terminal_tables import show, show_library, table_of, tell
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
-from studies.test_rig.calibrating import MANIFEST, calibrate_sensor
+from studies.run.library_files import convert_library
+from studies.test_rig.calibrating import MANIFEST, SensorCalibration, calibrate_sensor
 from studies.test_rig.recalibrating import recalibrate as recalibrate_sensor
 from studies.test_rig.rig_session import record_rig
-
-if TYPE_CHECKING:
-    from studies.test_rig.calibrating import SensorCalibration
+from studies.test_rig.virtual_rig import HiddenScatter
 
 #: s, from which on a delay that the fit found is told.
 _NOTED_DELAY = 3e-4
@@ -48,6 +50,7 @@ def rig(
     modulus: Annotated[
         float, typer.Option(metavar="FACTOR", help="Modulus of its membranes against the design's; 0.85 is softer.")
     ] = 1.0,
+    fidelity: Annotated[Fidelity, typer.Option(help="Of the sensor's transfer functions.")] = _FIDELITY,
 ) -> None:
     """Recordings of a virtual made sensor, to try everything before there is a real one.
 
@@ -61,11 +64,9 @@ def rig(
 
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
-    from studies.test_rig.virtual_rig import HiddenScatter
-
     scatter = HiddenScatter(altitude=altitude, modulus=modulus)
     with display_on_stderr() as display:
-        made = record_rig(design, out, seed=seed, scatter=scatter, display=display)
+        made = record_rig(design, out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
         print(path)
     tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")
@@ -103,8 +104,6 @@ def calibrate(
 
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     air = LocalAir(pressure, altitude, temperature)
     with display_on_stderr() as display:
         found = calibrate_sensor(
@@ -152,8 +151,6 @@ def _print_fit(found: SensorCalibration) -> None:
 
 def _prospect(found: SensorCalibration) -> str:
     """What is to be expected of the fitted library, and what to measure next."""
-    from localize.signals.stimulus import BAND
-
     shares = found.expected
     if shares is None:
         return f"--frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz: what to expect of the fit is not known"
@@ -200,8 +197,6 @@ def recalibrate(
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     air, level = LocalAir(pressure, altitude, temperature), noise_choice(noise)
     with display_on_stderr() as display:
         found = recalibrate_sensor(
@@ -212,8 +207,6 @@ def recalibrate(
         f"per held-out frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
     )
     if len(found.untouched):
-        from localize.recalibration.rejections import numbers
-
         print(f"no touch was named point {numbers(found.untouched)}: least known; touch it next time")
 
 
@@ -230,6 +223,4 @@ def convert(
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """
-    from studies.run.library_files import convert_library
-
     show_library(out, convert_library(library, out))

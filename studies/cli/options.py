@@ -13,11 +13,10 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 import typer
 
 from geometry.ground.refusal import Refusal
+from studies.output.display import Display
 
 if TYPE_CHECKING:
     from localize.signals.noise_model import NoiseChoice
-    from studies.output.display import Display
-
 
 Answer = TypeVar("Answer", str, int, float)
 
@@ -75,8 +74,6 @@ def noise_choice(given: float | None) -> NoiseChoice:
 
 def display_on_stderr() -> Display:
     """Progress for the user; what a verb finds goes to stdout."""
-    from studies.output.display import Display
-
     return Display(sys.stderr)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -21,14 +21,13 @@ from studies.cli.options import (
     noise_choice,
 )
 from studies.cli.terminal_tables import show, table_of, tell
+from studies.findings.searching import optimize as search
+from studies.optimization.problem import Optimization
+from studies.optimization.search import Candidate
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
-from studies.scatter.tolerance_run import tolerance_study
-
-if TYPE_CHECKING:
-    from studies.optimization.problem import Optimization
-    from studies.optimization.search import Candidate
-    from studies.scatter.tolerance_run import ToleranceStudy
+from studies.scatter.effects import ACCURACIES
+from studies.scatter.tolerance_run import ToleranceStudy, tolerance_study
 
 #: Rows of the front that are printed.
 _SHOWN = 10
@@ -76,8 +75,6 @@ def tolerance(
 
 
 def _show_scatter(study: ToleranceStudy) -> None:
-    from studies.scatter.effects import ACCURACIES
-
     result = study.result
     table = table_of("predicted top-1 (%)", "mean", "5 %", "median", "95 %", numbers=(1, 2, 3, 4))
     summary = result.summary()
@@ -115,8 +112,6 @@ def optimize(
     Example: [bold]acoustic-fem optimize fingertip-study.toml --out fingertip[/bold]
     """
     check_workers(workers, scheduler)
-    from studies.findings.searching import optimize as search
-
     with display_on_stderr() as display:
         found = search(study, out, workers=workers, scheduler=scheduler, display=display)
     result = found.result

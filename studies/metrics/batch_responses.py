@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem import Medium
+from geometry import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import ComplexArray
 
 if TYPE_CHECKING:
-    from acoustic_fem import Library, Medium
+    from acoustic_fem import Library
     from acoustic_fem.batch.parameters import ArrayParameters
     from acoustic_fem.membrane.disc import KnownDiscs
-    from geometry import ArrayDesign
 
 _T = TypeVar("_T")
 

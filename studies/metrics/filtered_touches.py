@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
+from localize.signals import stimulus
 from localize.signals.stimulus import BAND
 
 if TYPE_CHECKING:
@@ -73,7 +74,6 @@ class Ear:
     """What lies between transfer functions on one grid and the filtered frames of the simulated touches; linear."""
 
     def __init__(self, grid: Array, listener: Listener, touches: int, seed: int) -> None:
-        from localize.signals import stimulus
         from localize.signals.array_response import interpolation
 
         lines = stimulus.lines_within(BAND)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals.stimulus import BAND
@@ -17,7 +18,6 @@ from studies.metrics.pairs import trapezoidal_weights
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
-    from geometry.design.array_design import ArrayDesign
 
 
 #: What these figures need beside the transfer functions.

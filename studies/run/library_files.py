@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from acoustic_fem.quantities.checks import frequency_grid
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import resolve_design
+from numpy.typing import ArrayLike
+
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.library.exchange import FORMATS, load, write_library
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
+from acoustic_fem.quantities.local_air import LocalAir
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import counted
@@ -17,18 +20,12 @@ from studies.output.display import Display
 from studies.output.folders import check_new_library
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from acoustic_fem import Library
-    from acoustic_fem.quantities.local_air import LocalAir
-
 
 def solve_library(
-    design: ArrayDesign | PathLike,
+    design: DesignLike,
     out: PathLike,
     *,
-    fidelity: str = "navier-stokes",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
     air: LocalAir | None = None,
     display: Display | None = None,
@@ -36,7 +33,7 @@ def solve_library(
     """Library of a design, also in a file: transfer functions from every point to every microphone.
 
     Args:
-        design: the design, its file, or a prototype's name.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
         fidelity: see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
@@ -48,15 +45,12 @@ def solve_library(
     """
     path, show, design = Path(out), display or Display(), resolve_design(design)
     check_new_library(path, (".nc",))
+    design = resolve_design(design)
     if fidelity not in CLOSED_FORMS:
         check_extras("what solves in 3-D", "fem")
         check_system_libraries()
-    import acoustic_fem
-    from acoustic_fem.library.exchange import write_library
-
     with show.stage("Cells") as report:
-        there = design if air is None else design.with_values(air.design_values)
-        library = acoustic_fem.solve(there, frequency_grid(frequency), fidelity=fidelity, progress=report)
+        library = acoustic_fem.solve(design, frequency, fidelity, air, report)
         write_library(library, path)
     for line in cell_lines(library):
         show.note(line)
@@ -73,8 +67,6 @@ def convert_library(library: PathLike, out: PathLike) -> Library:
     Raises:
         Refusal: a file that is no library, or cannot be written.
     """
-    from acoustic_fem.library.exchange import FORMATS, load, write_library
-
     path = Path(out)
     check_new_library(path, FORMATS, reads=(library,))
     loaded = load(Path(library))

@@ -11,35 +11,46 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.library.exchange import write_library
+from acoustic_fem.numerics.disk_cache import CacheWarning
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
+from geometry import export, print_report
+from geometry.assembly.model import ArrayModel, array_model
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import resolve_design
+from geometry.design.design_file import DesignLike, resolve_design, write_design
+from geometry.formats.part_files import ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
+from geometry.layout.placement import ArrayLayout
 from geometry.layout.remedies import refuse_unbuildable
 from geometry.layout.size import array_size
+from geometry.printing.printability import PrintReport
+from localize import BayesDecoder, TrainingPlan
+from localize.decoders.tolerant import tolerant_decoder
+from localize.signals.array_response import response_of
 from localize.signals.stimulus import BAND
 from studies.metrics.pairs import disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
+from studies.output import response_figures as draw
 from studies.output.display import Display, Report
+from studies.output.figure_style import crop_picture
 from studies.output.folders import claim_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
+from studies.run.run_report import write_report
 from studies.run.run_result import RunResult
 from studies.run.validity import model_validity
 
 if TYPE_CHECKING:
-    from acoustic_fem import Library
-    from geometry.assembly.model import ArrayModel
-    from geometry.formats.part_files import ExportedFile
-    from geometry.layout.placement import ArrayLayout
-    from geometry.printing.printability import PrintReport
-    from localize import Localizer, TrainingPlan
+    from localize import Localizer
     from localize.evaluation.accuracy import Locator
     from studies.evaluation.headline import Headline
 
@@ -56,11 +67,11 @@ SEED = 0
 
 
 def run_design(
-    design: ArrayDesign | PathLike,
+    design: DesignLike,
     out: PathLike,
     *,
     display: Display | None = None,
-    fidelity: str = "navier-stokes",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
     plan: TrainingPlan | None = None,
     allow_overlaps: bool = False,
@@ -71,11 +82,11 @@ def run_design(
     that a run that is killed leaves no half of one; ``report.html`` and ``results.json`` come last.
 
     Args:
-        design: the design, its file, or a prototype's name; it must have at least two points.
+        design: the array: a design, the path of its file, or the name of a prototype; it must have at least two points.
         out: a new or empty folder, or one that an earlier run made.
         display: shows what is being done.
         fidelity: fidelity of the library, see :func:`acoustic_fem.solve`.
-        frequency: (n_freq,) Hz, covering 1 to 100 Hz, or FIRST:LAST:COUNT; by default 1, 2, ..., 500 Hz.
+        frequency: (n_freq,) Hz, covering 1 to 100 Hz, or FIRST:LAST:COUNT.
         plan: plan of the localizer's training; by default :func:`training_plan`, with which the same design gives the
             same report whatever else the machine does. The localizer is evaluated with the noise of the plan.
         allow_overlaps: go on also where parts are in each other's way; the report then says which.
@@ -85,9 +96,6 @@ def run_design(
             or decoded.
         OSError: the folder cannot be written.
     """
-    from geometry.design.design_file import write_design
-    from studies.run.run_report import write_report
-
     show, design = display or Display(), _with_points(design)
     check_system_libraries()
     layout = lay_out(design)
@@ -154,16 +162,12 @@ def _with_points(design: ArrayDesign | PathLike) -> ArrayDesign:
 
 def training_plan(points: int) -> TrainingPlan:
     """Plan of a run's training: by the number of points alone, without a limit of time, with the design's own noise."""
-    from localize import TrainingPlan
-
     touches = min(TOUCHES_PER_POINT, max(1, MOST_TOUCHES // (EPOCHS * points)))
     return TrainingPlan(epochs=EPOCHS, seconds_per_point=touches, microphone_noise="design")
 
 
 def _warnings_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:
     """Texts of the warnings about a model's limits, for the report; all warnings are shown to the user."""
-    from acoustic_fem.numerics.disk_cache import CacheWarning
-
     shown = dict.fromkeys((entry.category, str(entry.message)) for entry in caught)
     for _, message in shown:
         show.note(f"note: {message}")
@@ -174,11 +178,7 @@ def _warnings_of_models(caught: list[warnings.WarningMessage], show: Display) ->
 def _make_parts(
     design: ArrayDesign, layout: ArrayLayout, folder: Path, report: Report
 ) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
-    from geometry import export, print_report
-    from geometry.assembly.model import array_model
-    from geometry.formats.part_files import tessellate_distinct
     from geometry.pictures.views import draw_array, draw_point
-    from studies.output.figure_style import crop_picture
 
     report("CAD", 0.0)
     model = array_model(design, layout=layout)
@@ -209,9 +209,6 @@ def _solved(
     design: ArrayDesign, grid: Array, fidelity: str, folder: Path, show: Display
 ) -> tuple[Library, Library | None, tuple[str, ...]]:
     """The library, one of closed forms in the band where that is another, and warnings about the models' limits."""
-    import acoustic_fem
-    from acoustic_fem.library.exchange import write_library
-
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         with show.stage("Cells", of=_STAGES) as report:
@@ -230,9 +227,7 @@ def _trained_localizer(
     library: Library, plan: TrainingPlan, folder: Path, show: Display
 ) -> tuple[Localizer, Headline, Headline, Headline | None]:
     """The trained localizer, and evaluations of it, the model-based decoder and the tolerance-aware one."""
-    from localize import BayesDecoder, train
-    from localize.decoders.tolerant import tolerant_decoder
-    from localize.signals.array_response import response_of
+    from localize import train
     from studies.evaluation.headline import TOLERANT, judge_headlines
 
     with show.stage("Localizer", of=_STAGES) as report:
@@ -261,8 +256,6 @@ def _draw_figures(
     network: Headline,
     report: Report,
 ) -> dict[str, Path]:
-    from studies.output import response_figures as draw
-
     where = folder / "figures"
     report("curves", 0.0)
     drawn = {

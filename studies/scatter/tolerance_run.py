@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from acoustic_fem.quantities.checks import frequency_grid
-from geometry.design.design_file import resolve_design
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import PathLike
 from studies.output.display import Display
@@ -42,7 +42,7 @@ class ToleranceStudy:
 
 
 def tolerance_study(
-    design: ArrayDesign | PathLike,
+    design: DesignLike,
     out: PathLike,
     *,
     samples: int = 256,
@@ -56,12 +56,11 @@ def tolerance_study(
 ) -> ToleranceStudy:
     """Spread of transfer functions and accuracy by manufacturing scatter, and which tolerance matters most.
 
-    Every tube, cavity and membrane deviates by itself. The fidelity is ``atlas`` if it covers the design at plus and
-    minus three deviations of every dimension, otherwise ``lumped``. :func:`studies.scatter.scatter_effects` does the
-    same without files.
+    Every tube, cavity and membrane deviates by itself. The fidelity is ``atlas`` if that covers the design and all
+    sensors about it, otherwise 3-D. :func:`studies.scatter.scatter_effects` does the same without files.
 
     Args:
-        design: the nominal array: a design, its file, or a prototype's name.
+        design: the nominal array: a design, the path of its file, or the name of a prototype.
         out: the folder for ``tolerance.json`` and ``tolerance.png``.
         samples: number of sensors with manufacturing scatter.
         base_samples: base samples of the Sobol indices, which take ten times as many sensors; 0 for no indices.

@@ -13,11 +13,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.field_errors import nearest
 from localize.signals.stimulus import BAND
 from studies.metrics import build, touch_metrics
 from studies.metrics.batch_responses import Responses, required
+from studies.metrics.confusion import check_grid as check_confusion_grid
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import check_band
 from studies.metrics.shared import SharedFigures
@@ -25,7 +27,6 @@ from studies.metrics.shared import SharedFigures
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.membrane.disc import KnownDiscs
-    from geometry import ArrayDesign
 
 Values = NDArray[np.float64]
 
@@ -76,10 +77,12 @@ class Metric:
             frequency: (n_freq,) float64, Hz, ascending.
 
         Raises:
-            Refusal: it does not, or its steps are wider than half the band.
+            Refusal: it does not, its steps are wider than half the band, or it is too coarse for a confusion.
         """
         if self.band is not None:
             check_band(frequency, self.band, self.name)
+        if self.noise_levels:
+            check_confusion_grid(frequency)
 
     def of_batch(self, responses: Responses, figures: SharedFigures | None = None) -> Values:
         """Value of each design of a batch; (n_design,) float64, in the unit of the metric.

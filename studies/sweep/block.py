@@ -368,18 +368,6 @@ def _measure(numbers: Sequence[int], responses: Responses, metrics: Sequence[Met
         block.fail((number for number in numbers if np.isnan(values[number])), Refusal("is not a number"), where)
 
 
-def check_metrics(job: Job, design: ArrayDesign) -> None:
-    """Refuse metrics that the study's frequencies cannot give, on a design in closed form.
-
-    Raises:
-        Refusal: what a metric says.
-    """
-    responses = _network(replace(job, fidelity="lumped"), design, {})
-    figures = SharedFigures(responses)
-    for metric in metrics_named(job.metrics):
-        metric.of_batch(responses, figures)
-
-
 def _reason(error: Exception, where: str = "") -> tuple[str, str]:
     """Why a case failed, in one line, and the traceback where that is a mistake of the program.
 

@@ -34,7 +34,7 @@ from studies.sweep.progress import Progress, shown_on
 from studies.sweep.records import DONE, FAILED, WAITING
 from studies.sweep.retries import solved_blocks, solved_cells
 from studies.sweep.store import SweepStore, check_store, sole_writer
-from studies.sweep.survey import surveyed, try_metrics
+from studies.sweep.survey import surveyed
 from studies.sweep.workers import Workers, open_workers
 
 
@@ -135,7 +135,6 @@ def _run_sweep(
     found = surveyed(study)
     cases, metrics = found.cases, metrics_named(study.metrics)
     job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
-    try_metrics(job, found, study)
     with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
         store = SweepStore.claim(out, study, cases, metrics)
         waiting = store.waiting()
