@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 
 if TYPE_CHECKING:
     import cadquery
@@ -30,9 +30,9 @@ def sound_solid(shape: cadquery.Shape) -> cadquery.Solid:
     """
     solids = shape.Solids()
     if len(solids) != 1:
-        raise Refusal(f"the shape has {counted(len(solids), 'solid')}, it must be one")
+        raise Refusal(f"has {counted(len(solids), 'solid')}; it must have one", kind=Kind.UNSUITABLE, field="shape")
     for problem in _problems(solids[0]):
-        raise Refusal(f"the solid {problem}")
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="solid")
     return solids[0]
 
 

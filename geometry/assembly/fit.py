@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.assembly.model import ArrayModel, plane_of
-from geometry.assembly.part_list import Kind, PlacedPart
-from geometry.ground.refusal import Refusal
+from geometry.assembly.part_list import PlacedPart
+from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.ports import ANGLE_STEP
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ _SAME_DIRECTION, _SAME_AXIS = 0.01, 0.1
 #: Misfits below this are rounding, mm: directions of ports are rounded to 0.1 degrees.
 _ROUNDING = 0.01
 #: Kinds that stand apart from each other unless they belong to one point, tube or microphone.
-_BODIES: tuple[Kind, ...] = ("shell", "housing", "sheath")
+_BODIES: tuple[PartKind, ...] = ("shell", "housing", "sheath")
 
 
 @dataclass(frozen=True)
@@ -283,7 +283,8 @@ def _port_fit(
     ]
     radii = sorted({round(port.radius, 9) for port in ports})
     if len(radii) < 2:
-        raise Refusal(f"{sheath.label} ends in {body.label} where no bore with a socket is")
+        problem = f"{sheath.label} ends in {body.label} where no bore with a socket is"
+        raise Refusal(problem, kind=Kind.UNSUITABLE)
     return PortFit(
         tube=sheath.label,
         part=body.label,

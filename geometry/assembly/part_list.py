@@ -36,11 +36,11 @@ if TYPE_CHECKING:
 _T = TypeVar("_T")
 
 #: What a part of an array is.
-Kind = Literal["shell", "carrier", "membrane", "housing", "board", "package", "spring", "sheath"] | MoldKind
+PartKind = Literal["shell", "carrier", "membrane", "housing", "board", "package", "spring", "sheath"] | MoldKind
 #: Where a part comes from.
 Origin = Literal["printed", "cast", "bought"]
 #: Kinds that are not printed.
-_ORIGINS: dict[Kind, Origin] = {
+_ORIGINS: dict[PartKind, Origin] = {
     "membrane": "cast",
     "board": "bought",
     "package": "bought",
@@ -62,7 +62,7 @@ class PartSet(dict[str, "cq.Workplane"]):
         super().__init__()
         self.parameters: dict[str, dict[str, float | int | str]] = {}
         self.counts: dict[str, int] = {}
-        self.kinds: dict[str, Kind] = {}
+        self.kinds: dict[str, PartKind] = {}
 
     def origin(self, name: str) -> Origin:
         """Where a part comes from; one of no kind is printed."""
@@ -98,7 +98,7 @@ class PlacedPart:
 
     part: str
     """Name of the part."""
-    kind: Kind
+    kind: PartKind
     """What it is."""
     label: str
     """Name of this copy."""
@@ -375,8 +375,8 @@ def _of_membranes(
     return found
 
 
-def _kinds(design: ArrayDesign, plan: _Plan) -> dict[str, Kind]:
-    carried: dict[str, Kind] = {} if design.printing.carrier == "none" else {"carrier": "carrier"}
+def _kinds(design: ArrayDesign, plan: _Plan) -> dict[str, PartKind]:
+    carried: dict[str, PartKind] = {} if design.printing.carrier == "none" else {"carrier": "carrier"}
     return {
         **dict.fromkeys(plan.shells, "shell"),
         **_of_membranes(design, dict.fromkeys(plan.point_membranes, "membrane"), mold_kinds),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
+from geometry.assembly.model import LOOKS, ArrayModel, PartKind, array_model
 from geometry.assembly.order_table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
@@ -25,7 +25,7 @@ _DEVIATION, _FACET_ANGLE = 0.002, 0.35
 _SEEN_FROM = (0.7, 0.0, 0.0)
 #: Room at the sides of that view, as a factor.
 _ROOM = 1.1
-_NAMES: dict[Kind, str] = {
+_NAMES: dict[PartKind, str] = {
     "shell": "shells",
     "membrane": "membranes",
     "sheath": "tube sheaths",
@@ -172,7 +172,7 @@ def _node(label: str) -> str:
     return label.replace(" ", "_")
 
 
-def _material(kind: Kind) -> trimesh.visual.material.PBRMaterial:
+def _material(kind: PartKind) -> trimesh.visual.material.PBRMaterial:
     from trimesh.visual.material import PBRMaterial
 
     colour, opacity = LOOKS[kind]

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.plan.crossing import zero_crossing
 
 #: Chords per arc; the polyline of a half circle is then shorter than the arc by 1e-4.
@@ -37,7 +37,8 @@ def bow_angle(length: float, distance: float, cavity_radius: float, outer_radius
     """
     straight = distance - 2 * cavity_radius
     if length < straight - 1e-9:
-        raise Refusal(f"a tube of {length:g} mm does not reach over {straight:g} mm")
+        allowed = f"at least {straight:g} mm, the straight way"
+        raise Refusal(kind=Kind.CONFLICT, field="length", value=length, unit="mm", allowed=allowed)
     if length <= straight + 1e-9:
         return 0.0
     walls = 2 * (outer_radius - cavity_radius)

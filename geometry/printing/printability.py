@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from geometry.assembly.part_list import Kind, part_set
+from geometry.assembly.part_list import PartKind, part_set
 from geometry.formats.part_files import SharedShape, tessellation_tolerance
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.printing.print_rules import Finding, judge_cast, judge_printed, judge_shims
 from geometry.printing.tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects
 from geometry.schema.print_processes import PrintProcess, Verdict, find_process, process_of
@@ -77,7 +77,7 @@ def print_report(
     else:
         rules = find_process(process)
     if not parts:
-        raise Refusal("parts = {} must not be empty")
+        raise Refusal(kind=Kind.MISSING, field="parts", allowed="at least one")
     from geometry.solids.measure import tessellate
 
     tolerance = tessellation_tolerance(parts)
@@ -106,7 +106,7 @@ def print_report(
     return PrintReport(rules, tuple(findings), effects)
 
 
-def _gaps(kind: Kind | None, design: ArrayDesign) -> dict[str, float]:
+def _gaps(kind: PartKind | None, design: ArrayDesign) -> dict[str, float]:
     """Radial gaps to what is put into a part of a design or slides on it, mm, by the keys of ``print_rules.GAPS``."""
     match kind:
         case "housing":

@@ -88,6 +88,20 @@ class Section(BaseModel):
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
 
+def conflict(
+    field: str,
+    value: object = Refusal.NOT_GIVEN,
+    allowed: str = "",
+    unit: str = "mm",
+    *,
+    problem: str = "",
+    remedy: str = "",
+) -> Refusal:
+    """The refusal of a value that other fields of the design exclude; arguments as for :class:`geometry.Refusal`."""
+    facts: dict[str, Any] = {"field": field, "value": value, "allowed": allowed, "unit": unit, "remedy": remedy}
+    return Refusal(problem, kind=Kind.CONFLICT, **facts)
+
+
 def names_of(model: type[BaseModel]) -> list[str]:
     """Keys a table of a design file may have, with those that stand in for others."""
     names = list(model.model_fields)
