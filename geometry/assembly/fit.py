@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.assembly.model import ArrayModel, plane_of
-from geometry.assembly.part_list import PlacedPart
+from geometry.assembly.part_list import PartKind, PlacedPart
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.ports import ANGLE_STEP
 

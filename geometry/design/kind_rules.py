@@ -28,7 +28,7 @@ def pattern_rules(design: StatedArray) -> Iterator[Refusal]:
     for table in ("point_kinds", "tube_kinds"):
         for name in getattr(design, table):
             if not _KIND_NAME.fullmatch(name):
-                allowed = "letters, digits and _, starting with a letter"
+                allowed = "a name of letters, digits and _, starting with a letter"
                 yield Refusal(kind=Kind.OUT_OF_RANGE, field=table, value=name, allowed=allowed)
     for number, line in enumerate(design.lines):
         if line.pattern is not None:
@@ -103,5 +103,5 @@ def _of_kind(name: str, kind: PointKind, problem: Refusal) -> Refusal:
             for fact in ("field", "problem", "allowed"):
                 facts[fact] = facts[fact].replace(stated, f"point_kinds.{name}.{own}")
     if not facts["field"].startswith("point_kinds."):
-        facts["remedy"] = f"so it is with point_kinds.{name}"
+        facts["remedy"] = f"the shell is that of point_kinds.{name}"
     return Refusal(**facts)

@@ -46,7 +46,8 @@ def check_topology(microphones: Sequence[str], lines: Sequence[tuple[tuple[str, 
         raise Refusal(problem, kind=Kind.CONFLICT, field="microphones", value=names)
     most = len(names) * (len(names) - 1) // 2
     if len(lines) > most:
-        problem = f"has {len(lines)} entries for {counted(len(names), 'microphone')}; at most M(M-1)/2 = {most} may be"
+        count = counted(len(names), "microphone")
+        problem = f"has {len(lines)} entries for {count}; it must have at most M(M-1)/2 = {most}"
         raise Refusal(problem, kind=Kind.CONFLICT, field="lines")
     pairs: dict[frozenset[str], int] = {}
     for index, ((first, second), _) in enumerate(lines):

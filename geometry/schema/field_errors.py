@@ -236,11 +236,11 @@ def _problem(detail: ErrorDetails, model: type[BaseModel], given: object, what: 
             value=value,
             remedy=nearest(str(loc[-1]), names_of(section) if section is not None else []),
         )
+    if kind == "missing" and isinstance(loc[-1], int):  # an entry of a list
+        loc, kind = loc[:-1], "too_short"
+        name = ".".join(str(step) for step in loc)
     info, section = _find(model, loc)
     field = declared_field(name, info) if info is not None else None
-    if kind == "missing" and isinstance(loc[-1], int):
-        place = ".".join(map(str, loc[:-1]))
-        return Refusal(kind=Kind.MISSING, field=place, value=value, allowed=f"a list with an entry number {loc[-1]}")
     if field is None and section is None:
         return Refusal(f"is not allowed: {detail['msg'][0].lower()}{detail['msg'][1:]}", field=name, value=value)
     allowed, remedy = _allowed(field, section, detail)
