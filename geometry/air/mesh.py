@@ -304,8 +304,8 @@ def _set_sizes(
             if len(beside := set(gmsh.model.getAdjacencies(1, tag)[0])) > 1 and not beside & (others | ends)
         ]
         # In front of a wall the flow turns within the gap, however wide the tube.
-        room = radius if port is None else min(radius, _clearance(solid, port, mouth))
-        at_mouth = min(sizes.mouth_edge * room, sizes.tube_layer)
+        free = radius if port is None else min(radius, _clearance(solid, port, mouth))
+        at_mouth = min(sizes.mouth_edge * free, sizes.tube_layer)
         fields.append(_size_around("CurvesList", mouth, at_mouth, 0.0, sizes))
         along = min(sizes.tube * radius, sizes.tube_layer)
         fields.append(_size_around("SurfacesList", sorted(walls), along, 0.5 * radius, sizes))
@@ -330,11 +330,11 @@ def _clearance(solid: cadquery.Solid, port: cadquery.Face, mouth: list[int]) -> 
     crossing = IntCurvesFace_ShapeIntersector()
     crossing.Load(solid.wrapped, 1e-7)
     crossing.Perform(gp_Lin(gp_Pnt(*start), gp_Dir(*axis)), 1e-6, 1e9)
-    ways = [crossing.WParameter(k) for k in range(1, crossing.NbPnt() + 1)]
+    depths = [crossing.WParameter(k) for k in range(1, crossing.NbPnt() + 1)]
     rims = [(np.array(box[:3]) + np.array(box[3:])) / 2 for box in (gmsh.model.getBoundingBox(1, tag) for tag in mouth)]
     at_mouth = float((np.mean(rims, axis=0) - start) @ axis)
     # Where the mouth is cut from a curved wall or a mirror plane its middle is not exactly on the axis.
-    beyond = [way - at_mouth for way in ways if way - at_mouth > 1e-6]
+    beyond = [depth - at_mouth for depth in depths if depth - at_mouth > 1e-6]
     return min(beyond, default=math.inf)
 
 

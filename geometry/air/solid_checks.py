@@ -1,4 +1,4 @@
-"""What a CAD solid must be before anybody works on it: one closed body of a size and fineness that can be meshed."""
+"""Checks of a CAD solid before any work on it: one closed body of a size and fineness that can be meshed."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def sound_solid(shape: cadquery.Shape) -> cadquery.Solid:
 
 
 def _problems(solid: cadquery.Solid) -> Iterator[str]:
-    """What is wrong, the cheapest to find first: what comes later may take for ever on what is named before."""
+    """Faults of a solid, the cheapest to find first: later checks may take for ever where an earlier one fails."""
     from OCP.BRep import BRep_Tool
 
     if not all(BRep_Tool.IsClosed_s(shell.wrapped) for shell in solid.Shells()):

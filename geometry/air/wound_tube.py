@@ -84,11 +84,11 @@ def closest_pitch(diameter: float, outside: float) -> float:
     Raises:
         Refusal: the tube is as wide as the circumference of its cylinder.
     """
-    share = outside / (math.pi * diameter)
-    if not share < 1:
+    fraction = outside / (math.pi * diameter)
+    if not fraction < 1:
         allowed = f"below the circumference {math.pi * diameter:g} mm"
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="outside", value=outside, unit="mm", allowed=allowed)
-    return outside / math.sqrt((1 - share) * (1 + share))
+    return outside / math.sqrt((1 - fraction) * (1 + fraction))
 
 
 def swept_mesh(

@@ -30,7 +30,7 @@ _BODIES: tuple[PartKind, ...] = ("shell", "housing", "sheath")
 
 @dataclass(frozen=True)
 class Interference:
-    """Two placed parts that are in each other's way, by their labels."""
+    """Two placed parts that overlap, by their labels."""
 
     first: str
     """Label of one part."""
@@ -132,7 +132,7 @@ def port_fits(model: ArrayModel) -> tuple[PortFit, ...]:
 
 
 def misfits(model: ArrayModel) -> tuple[str, ...]:
-    """What keeps an array from being put together, one line each: parts in each other's way, tubes that fit no port.
+    """Reasons why an array cannot be put together, one line each: parts that overlap, tubes that fit no port.
 
     Tubes that are drawn schematically are left out, see :func:`geometry.layout.arrangement.lay_out`.
     """
@@ -179,7 +179,7 @@ def _near(model: ArrayModel, within: float) -> Iterator[tuple[int, int]]:
 
 
 def _relative(model: ArrayModel, i: int, j: int) -> tuple[object, _Placed]:
-    """What makes two pairs alike, and part j as seen from part i."""
+    """Key that is the same for pairs that are alike, and part j as seen from part i."""
     first, second = model.placed[i], model.placed[j]
     matrix: NDArray[np.float64] = np.linalg.solve(first.matrix, second.matrix).astype(np.float64)
     key = (first.part, second.part, tuple((np.round(matrix[:3], 5) + 0.0).ravel().tolist()))
@@ -239,8 +239,8 @@ def _cylinders(shape: cq.Shape) -> list[_Cylinder]:
             continue
         surface = BRepAdaptor_Surface(face.wrapped)
         cylinder = surface.Cylinder()
-        place, way = cylinder.Axis().Location(), cylinder.Axis().Direction()
-        point, direction = np.array([place.X(), place.Y(), place.Z()]), np.array([way.X(), way.Y(), way.Z()])
+        place, along = cylinder.Axis().Location(), cylinder.Axis().Direction()
+        point, direction = np.array([place.X(), place.Y(), place.Z()]), np.array([along.X(), along.Y(), along.Z()])
         ends = point + np.outer([surface.FirstVParameter(), surface.LastVParameter()], direction)
         found.append(_Cylinder(point, direction, cylinder.Radius(), ends))
     return found

@@ -38,7 +38,7 @@ class ArrayModel:
     design: ArrayDesign
     """Design that it was drawn from."""
     layout: ArrayLayout
-    """Where everything lies."""
+    """Positions of all parts."""
     parts: PartSet
     """Made parts, as :func:`geometry.build_parts` draws them."""
     shapes: Mapping[str, cq.Shape]

@@ -86,7 +86,7 @@ def _soft_parts(design: StatedArray) -> Iterator[Refusal]:
 
 
 def _membrane(design: StatedArray) -> Iterator[Refusal]:
-    """What the shell holds, and the proportions that ``acoustic_fem.membrane.disc.solve_disc`` covers.
+    """Membranes that the shell holds, of proportions that ``acoustic_fem.membrane.disc.solve_disc`` covers.
 
     Its widest rim, 50 radii, is beyond every rim and cavity that the fields allow.
     """

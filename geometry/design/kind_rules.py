@@ -82,7 +82,7 @@ def _length(field: str, names: Sequence[str], needed: int, line: Line, what: str
 
 
 def kind_rules(design: StatedArray, rules: Sequence[Rule]) -> Iterator[Refusal]:
-    """What the rules of an array say of one whose points are all of one kind, for each kind that is stated.
+    """Problems of an array whose points are all of one kind, for each kind that the design states.
 
     Args:
         design: the array.

@@ -73,7 +73,7 @@ def area_rules(design: StatedArray) -> Iterator[Refusal]:
         )
         yield conflict("lines", problem=problem)
         return
-    if area.is_closed(design) and not area.has_way_back(design):
+    if area.is_closed(design) and not area.has_closed_path(design):
         yield Refusal(
             (
                 f"must divide the {design.point_count} points into at least 2 rows for lines in a circle, of at least 2"

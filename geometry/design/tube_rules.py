@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def tube_rules(design: StatedArray) -> Iterator[Refusal]:
-    """What a tube is in itself, and what it needs of the parts at its ends."""
+    """Problems of a tube in itself and with the parts at its ends."""
     resonator, chamber, lip = design.resonator, design.microphone, design.printing.port_lip
     for field, tube, to_microphone in design.stated_tubes():
         if tube.inner_diameter >= tube.outer_diameter:

@@ -30,7 +30,7 @@ class Body:
     facets: Tessellation
     """Facets in the part's own coordinates, mm."""
     parameters: Mapping[str, Any] = field(default_factory=dict)
-    """What the part was generated from."""
+    """Parameters that the part was generated from."""
     places: tuple[NDArray[np.float64], ...] = (np.eye(4),)
     """How each copy is turned and moved, (4, 4) float64 matrices, mm."""
 

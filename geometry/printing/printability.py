@@ -31,7 +31,7 @@ class PrintReport:
     findings: tuple[Finding, ...]
     """Every rule applied to every part."""
     effects: tuple[AcousticEffect, ...] = ()
-    """What 0.05 mm, and then the tolerance of the process where it is another, do to the acoustics of a design."""
+    """Effects of 0.05 mm, and of the process's tolerance where that differs, on the acoustics of a design."""
 
     @property
     def verdict(self) -> Verdict:

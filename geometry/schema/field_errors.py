@@ -16,7 +16,7 @@ from geometry.schema.declared_fields import DesignField, declared_field, section
 
 _Stated = TypeVar("_Stated", bound=BaseModel)
 
-#: What a file may give in place of a field of a tube, and how the field follows from it.
+#: Keys that a file may give in place of a field of a tube, and how the field follows from them.
 DERIVED_FROM = {
     "inner_diameter": ("spring_outer_diameter", "spring_outer_diameter - 2 x wire_diameter"),
     "outer_diameter": ("sheath_wall", "inner_diameter + 2 x wire_diameter + 2 x sheath_wall"),
@@ -138,7 +138,7 @@ def error_from_validation(
         what: what the file describes.
         table: dotted name of the table of the file that the data are.
     """
-    # What follows from another field cannot follow where that is wrong, which is said.
+    # A default that follows from another field fails with that field, whose own problem is listed.
     found = [each for each in error.errors(include_url=False) if each["type"] != "default_factory_not_called"]
     details = sorted(found, key=lambda e: (e["type"] == "missing", e["type"] == "value_error"))
     misspelt = [e["loc"] for e in details if e["type"] == "extra_forbidden"]
@@ -167,7 +167,7 @@ def model_of(
     refusal: type[Refusal] = DesignError,
     table: str = "",
 ) -> _Stated:
-    """What plain values state, as a model.
+    """A model made from plain values.
 
     Args:
         model: the model.
@@ -289,8 +289,8 @@ def _find(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[FieldInfo |
     for step in loc:
         if stepped_in and section is not None and isinstance(step, str) and step in section.model_fields:
             info = section.model_fields[step]
-            section, way = section_of(info.annotation)
-            stepped_in = way == ""
+            section, inner = section_of(info.annotation)
+            stepped_in = inner == ""
         elif not stepped_in:  # an index of a list or a name of a table
             info, stepped_in = None, True
         else:

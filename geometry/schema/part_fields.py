@@ -70,7 +70,7 @@ class Resonator(Section):
 
     @property
     def cavity_shape(self) -> Box | Dome | None:
-        """What makes the cavity differ from a cylinder; None for a cylinder."""
+        """Shape of the cavity; None for a cylinder."""
         diameter, height = self.cavity_diameter, self.cavity_height
         if self.shape == "dome":
             return Dome(self.dome_depth or min(diameter / 4, height / 3))
@@ -122,7 +122,7 @@ class Resonator(Section):
 
 
 class Shell(Section):
-    """What helps to glue, mount and tell apart the printed shells; the air is the same with and without."""
+    """Features that help to glue, mount and tell apart the printed shells; the air is the same with and without."""
 
     groove_width: Millimetre | None = Field(
         default=None, ge=0.2, le=5, description="width of a groove for glue in the seat of the membrane; default: none"

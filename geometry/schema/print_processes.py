@@ -15,7 +15,7 @@ from geometry.ground.text_files import read_toml
 if TYPE_CHECKING:
     from geometry.schema.manufacture import Printing
 
-#: What a rule of a process says of a part.
+#: Verdict of a rule of a process on a part.
 Verdict = Literal["ok", "warn", "fail"]
 #: Relation that a measure must have to its limit.
 Relation = Literal["at least", "at most"]
@@ -26,14 +26,14 @@ _ROUNDING = 1e-3
 
 @dataclass(frozen=True)
 class Rule:
-    """What a measure must keep: beyond ``limit`` it fails, between that and ``advised`` it is a risk."""
+    """Limits of a measure: beyond ``limit`` it fails, between that and ``advised`` it is a risk."""
 
     limit: float
     """Value beyond which a measure fails, in the unit of the rule."""
     advised: float
     """Value from which on there is no risk, in the unit of the rule."""
     source: str
-    """Where the figures come from."""
+    """Source of the figures."""
     relation: Relation = "at least"
     """How a measure must stand to the limit."""
 
@@ -56,12 +56,12 @@ CAST_THICKNESS = Rule(
 
 @dataclass(frozen=True)
 class PrintProcess:
-    """What a printing process can make."""
+    """Limits of a printing process."""
 
     name: str
     """Name by which designs and commands call it."""
     title: str
-    """What it is, for people."""
+    """Title, for people."""
     wall: Rule
     """Rule for the thickness of walls, mm."""
     hole: Rule
@@ -79,7 +79,7 @@ class PrintProcess:
     build_volume: tuple[float, float, float]
     """Width, depth and height of the machine, mm."""
     source: str
-    """Where pixel, tolerance and build volume come from."""
+    """Source of pixel, tolerance and build volume."""
     overhang_angle: float = 0.0
     """Angle from the horizontal, degrees: faces that look down and are flatter hang; 0 where powder carries them."""
     overhang_span: Rule = Rule(math.inf, math.inf, "powder carries every overhang", "at most")

@@ -124,7 +124,7 @@ def refuse_thin_web(
     """
     problem = web_problem((ports[0], ports[1]), (mouths[0], mouths[1]), shoulder, glue_gap, rise)
     if problem:
-        raise Refusal(problem, kind=Kind.CONFLICT, field=name)
+        raise Refusal(f"of the {name} {problem}", kind=Kind.CONFLICT, field="ports")
 
 
 def port_height(port: Port, resonator: Resonator) -> float:

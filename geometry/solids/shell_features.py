@@ -1,4 +1,4 @@
-"""What a shell carries beside its cavity: a glue groove, mounting feet and its number. Lengths in mm."""
+"""Features of a shell beside its cavity: a glue groove, mounting feet and its number. Lengths in mm."""
 
 from __future__ import annotations
 
