@@ -169,12 +169,11 @@ def hand_rules(design: StatedArray) -> Iterator[Refusal]:
         return
     beyond, longest = hand.longest_step(design)
     if beyond > 1e-9:
+        length = design.tube_of(design.lines[longest]).length
         yield conflict(
             "layout.spread",
             layout.spread or hand.SPREAD,
-            (
-                f"smaller, or the tube of lines.{longest} ({design.tube_of(design.lines[longest]).length:g} mm) "
-                f"{beyond:.3g} mm longer, to reach the next finger"
-            ),
+            problem=f"is too wide for the tube of lines.{longest} ({length:g} mm) to reach the next finger",
             unit="degrees",
+            remedy=f"give a smaller spread, or a tube that is {beyond:.3g} mm longer",
         )

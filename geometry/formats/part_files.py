@@ -110,7 +110,7 @@ def export(
         if format_ not in FORMATS:
             raise Refusal(kind=Kind.UNKNOWN, field="formats", value=format_, allowed=FORMATS)
     if not parts or not formats:
-        raise Refusal(kind=Kind.MISSING, field="parts" if not parts else "formats", allowed="at least one")
+        raise Refusal("is empty", kind=Kind.MISSING, field="formats" if parts else "parts")
     for name in parts:
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
             allowed = "a name of letters, digits, '.', '_' and '-', since files are called by it"

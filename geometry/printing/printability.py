@@ -77,7 +77,7 @@ def print_report(
     else:
         rules = find_process(process)
     if not parts:
-        raise Refusal(kind=Kind.MISSING, field="parts", allowed="at least one")
+        raise Refusal("is empty", kind=Kind.MISSING, field="parts", remedy="give at least one part")
     from geometry.solids.measure import tessellate
 
     tolerance = tessellation_tolerance(parts)

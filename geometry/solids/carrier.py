@@ -91,7 +91,7 @@ def build_carrier(resonator: Resonator, printing: Printing, shells: Sequence[cq.
     if kind == "none":
         raise conflict("printing.carrier", "none", "'row' or 'sheet' for shells to be joined", unit="")
     if not shells:
-        raise Refusal(kind=Kind.MISSING, field="shells", allowed="at least one for a carrier")
+        raise Refusal("is empty", kind=Kind.MISSING, field="shells", remedy="give the shells that a carrier joins")
     if neck > resonator.floor_thickness:
         allowed = f"at most resonator.floor_thickness ({resonator.floor_thickness:g} mm)"
         raise conflict("printing.carrier_neck", neck, allowed)

@@ -27,7 +27,9 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
         Refusal: no port, two that leave no wall between them, or the drawn housing is not one valid solid.
     """
     if not ports:
-        raise Refusal(kind=Kind.MISSING, field="ports", allowed="at least one for a microphone housing")
+        raise Refusal(
+            "is empty", kind=Kind.MISSING, field="ports", remedy="give a microphone housing at least one port"
+        )
     radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
     for pair in combinations(ports, 2):
         refuse_thin_web("microphone housing", pair, (radius, radius), radius + printing.port_lip, printing.glue_gap)
