@@ -7,11 +7,10 @@ from dataclasses import fields, replace
 import mpmath
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 import torch
 from hypothesis import given, settings, strategies as st
 from random_networks import every_node_at_once, random_parameters, topologies
+from refusals import refused
 from rings import triangle
 from scipy.special import jn_zeros, jve
 
@@ -24,6 +23,7 @@ from acoustic_fem.batch.topology import LineWiring, Topology
 from acoustic_fem.membrane.disc import design_compliance
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import prototype
+from geometry.ground.refusal import Kind
 
 pytestmark = pytest.mark.filterwarnings("ignore:entrance loss")  # wide bores at 400 Hz
 

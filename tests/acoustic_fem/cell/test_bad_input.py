@@ -237,9 +237,7 @@ def test_messages_of_quantities_and_grids_read_well(tmp_path):
             "a point": lambda: checks.port_points({"a": (0.5, 0.5, np.nan)}),
             "the wall": lambda: checks.port_points({"wall": (0.5, 0.5, 0)}),
             "shape": lambda: acoustic_fem.solve(DESIGN.with_values({"resonator.shape": "dome"}), [1.0], "atlas"),
-            "outside": lambda: acoustic_fem.solve(
-                DESIGN.with_values({"resonator.cavity_height": 7.0}), [1.0], "atlas"
-            ),
+            "outside": lambda: acoustic_fem.solve(DESIGN.with_values({"resonator.cavity_height": 7.0}), [1.0], "atlas"),
             "no air": lambda: acoustic_fem.solve(DESIGN, [1.0], "atlas", helium),
             "batch": lambda: ArrayParameters.from_design(DESIGN.with_values({"resonator.shape": "dome"})),
             "stretch": lambda: ArrayParameters.from_design(DESIGN.with_values({"membrane.stretch": 1.2})),
