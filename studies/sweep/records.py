@@ -182,8 +182,9 @@ class Records:
         self._write(result.first, "metrics", packed(arrays, {"reason": list(result.reason)}))
 
     def is_done(self, first: int) -> bool:
-        """Whether the block that begins with a case was computed; whether it is damaged shows :meth:`block`."""
-        return self._file(first, "metrics").exists()
+        """Whether the block that begins with a case was computed; whether it is damaged or lost shows :meth:`block`."""
+        shown = self.path / "state" / "c" / str(first // self.layout.block)  # in the Zarr store, written afterwards
+        return self._file(first, "metrics").exists() or shown.exists()
 
     def block(self, first: int) -> BlockResult:
         """Results of the block that begins with a case, without its transfer functions, which must be there.

@@ -192,7 +192,7 @@ def _check_sweep(path: Path) -> None:
     older = None
     with suppress(OSError, ValueError, KeyError, TypeError):
         older = json.loads((path / METADATA).read_bytes())["attributes"][MARK]
-    if older is None:
+    if older in (None, FORMAT):
         raise StudyError(f"is not the results of a sweep: it has no {FOLDER}", kind=Kind.MISMATCH, file=path)
     raise StudyError(
         f"is of format {older}; this version of the program reads format {FORMAT}",
