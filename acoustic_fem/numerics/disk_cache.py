@@ -70,8 +70,3 @@ def fetch(key: str, folder: Path | None = None) -> tuple[dict[str, NDArray], dic
     except Refusal as error:
         warnings.warn(f"{error}; the cell is solved again", CacheWarning, stacklevel=2)
         return None
-
-
-def forget(key: str, folder: Path) -> None:
-    """Remove what a folder keeps under a key."""
-    (folder / f"{key}.cell").unlink(missing_ok=True)

@@ -6,8 +6,9 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
+from geometry import save_design
 from geometry.ground.refusal import Refusal
-from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep
+from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep, with_base_metrics
 from studies.output.display import Display
 from studies.output.folders import check_new_file
 from studies.sweep.store import is_sweep, open_sweep
@@ -59,7 +60,6 @@ def sweep_report(
         Refusal: as :func:`read_results`, or a file that cannot be written.
     """
     from studies.findings.page import write_sweep_report
-    from studies.findings.result_table import with_base_metrics
 
     path = Path(out)
     check_new_file(path, ".html")
@@ -100,7 +100,6 @@ def save_best_design(results: str | os.PathLike[str], design: str | int, out: st
     Raises:
         Refusal: as :func:`read_results`, no such design, or a file that exists or cannot be written.
     """
-    from geometry import save_design
     from studies.findings.page import design_of
 
     path = Path(out)

@@ -1,4 +1,4 @@
-"""How well the points of a design can be told apart: distances, predicted confusion, smallest touches, coverage."""
+"""How distinguishable the points of a design are: distances, predicted confusion, smallest touches, coverage."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from acoustic_fem.library.noise_floor import detection_limits
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps
 from geometry.layout.remedies import mend_of
@@ -35,7 +36,8 @@ MOST_POINTS = 256
 
 def _check_size(design: ArrayDesign) -> None:
     if design.point_count > MOST_POINTS:
-        raise Refusal(f"the array has {design.point_count} points; figures are predicted of at most {MOST_POINTS}")
+        problem = f"the array has {design.point_count} points; figures are predicted for at most {MOST_POINTS}"
+        raise Refusal(problem, kind=Kind.UNSUITABLE)
 
 
 def point_figures(design: ArrayDesign) -> dict[str, Any]:
@@ -55,8 +57,6 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
             be solved.
     """
     _check_size(design)
-    from acoustic_fem.library.noise_floor import detection_limits
-
     library, fidelity = quick_library(design, stated_frequencies(FREQUENCIES))
     shared = SharedFigures(Responses.of_library(library))
     apart = separability(library.transfer_function)
@@ -99,7 +99,7 @@ def figure_words() -> dict[str, dict[str, str]]:
     return {metric.name: metric.words for metric in metrics_named(FIGURES)}
 
 
-def mis_made_figures(design: ArrayDesign) -> dict[str, Any]:
+def as_built_figures(design: ArrayDesign) -> dict[str, Any]:
     """Predicted accuracy of sensors that are made with a workshop's scatter.
 
     Returns:

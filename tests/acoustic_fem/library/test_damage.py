@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-import subprocess
+import os
+import signal
+import time
 from pathlib import Path
 
 import netCDF4
@@ -111,18 +113,28 @@ def test_a_seal_tells_any_damage_before_hdf5_looks(
                 load(path)
 
 
+def read_for_ever(path: str) -> bytes:
+    while True:
+        time.sleep(1)
+
+
+def crash(path: str) -> bytes:
+    os.kill(os.getpid(), signal.SIGSEGV)
+    return b""
+
+
 def test_what_takes_too_long_or_ends_the_process_is_refused(
     library: Library, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "library.sofa"
     export(library, path)
     unsealed(path)
-    monkeypatch.setattr(sealed_netcdf, "_TRIAL", "while True: pass")
+    monkeypatch.setattr(sealed_netcdf, "_trial", read_for_ever)
     monkeypatch.setattr(sealed_netcdf, "_PATIENCE", 0.2)
     with pytest.raises(LibraryError, match=r"library.sofa: cannot be read in 0.2 s; it is damaged, or not a library"):
         load(path)
-    ended = subprocess.CompletedProcess([], -11, "", "")
-    monkeypatch.setattr(subprocess, "run", lambda *_, **__: ended)
+    monkeypatch.setattr(sealed_netcdf, "_trial", crash)
+    monkeypatch.setattr(sealed_netcdf, "_PATIENCE", 60)
     with pytest.raises(LibraryError, match=r"library.sofa: cut short, damaged or not .*: it ends what reads it"):
         load(path)
 
