@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry.ground.refusal import counted
+from geometry.ground.refusal import Kind, counted
 from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.findings.reporting import BestDesigns, best_designs, save_best_design, sweep_report
@@ -75,7 +75,7 @@ def sweep(
         summary = run_sweep(given, out, workers=workers, scheduler=scheduler, display=display)
     _print_summary(summary, out)
     if summary.objection is not None:
-        raise SweepError(f"{out}: {summary.objection}")
+        raise SweepError(summary.objection, kind=Kind.NO_RESULT, file=out)
 
 
 def report(
