@@ -21,7 +21,7 @@ from geometry.air.cells import Cell
 from geometry.air.straight_bores import StraightBore
 from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.ground.extras import NotInstalled, installed_version
-from geometry.ground.refusal import Refusal, said_by
+from geometry.ground.refusal import Kind, Refusal, said_by
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
 DESIGN_BAND = (1.0, 500.0)
@@ -178,7 +178,8 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     except NotInstalled:
         raise  # no fault of this cell
     except (Refusal, Standard_Failure, MemoryError) as error:
-        raise CellError(f"{cell.label}: {said_by(error)}") from error
+        kind = error.kind if isinstance(error, Refusal) else Kind.NO_RESULT
+        raise CellError(f"cannot be solved: {said_by(error)}", kind=kind, field=cell.label) from error
     body = solved.body
     arrays = {"energies": body.energies}
     models = {}

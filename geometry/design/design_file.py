@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterator, Mapping
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import tomlkit
 from pydantic import BaseModel
@@ -26,6 +26,9 @@ from geometry.schema.array_fields import StatedArray
 from geometry.schema.declared_fields import fields_of
 from geometry.schema.field_errors import DesignError, UnknownField, nearest
 from geometry.schema.materials import MATERIALS
+
+DesignLike: TypeAlias = ArrayDesign | str | os.PathLike[str]
+"""A design, the path of its file, or the name of a prototype."""
 
 
 def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
@@ -158,12 +161,14 @@ def stated_prototype(name: str) -> StatedArray:
     return StatedArray.model_validate(parse_toml(prototype_text(name), f"{name}.toml", DesignError))
 
 
-def resolve_design(argument: str | os.PathLike[str]) -> ArrayDesign:
-    """The design a user names: a prototype, else a file.
+def resolve_design(argument: DesignLike) -> ArrayDesign:
+    """The design that a caller gives: itself, a prototype by its name, or a file by its path.
 
     Raises:
         DesignError: neither a prototype nor a file that can be read, or not a valid design.
     """
+    if isinstance(argument, ArrayDesign):
+        return argument
     text = os.fspath(argument)
     names = prototype_names()
     if text in names:

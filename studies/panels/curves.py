@@ -8,14 +8,15 @@ from itertools import combinations
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
-from studies.metrics.pairs import BAND, microphone_ratios
+from localize.signals.stimulus import BAND
+from studies.metrics.pairs import microphone_ratios
 
 #: Frequencies of the curves: so many, equally far apart on a logarithmic axis, over the band of the paper's sensors.
 FREQUENCY_COUNT = 56
@@ -73,12 +74,12 @@ def curve_frequencies() -> NDArray[np.float64]:
     return np.geomspace(*BAND, FREQUENCY_COUNT)
 
 
-def quick_library(design: ArrayDesign, frequency: NDArray[np.float64] | None = None) -> tuple[Library, QuickFidelity]:
-    """The library of a design in milliseconds, and its fidelity: ``atlas`` where that has the design, else ``lumped``.
+def quick_library(design: ArrayDesign, frequency: ArrayLike | str | None = None) -> tuple[Library, QuickFidelity]:
+    """The library of a design and its fidelity: ``atlas`` in milliseconds if that covers the design, otherwise 3-D.
 
     Args:
         design: the array.
-        frequency: (n_freq,) float64, Hz, ascending; by default those of the curves.
+        frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT; by default those of the curves.
     """
     grid = curve_frequencies() if frequency is None else frequency
     fidelity = quick_fidelity(design, grid)

@@ -18,7 +18,7 @@ import tomlkit
 
 from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.numerics.disk_cache import cache_folder
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS, MANY_DESIGNS
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.ground.refusal import Kind, Refusal
@@ -54,7 +54,7 @@ def study_file(
     *,
     search: bool = False,
     designs: int = 256,
-    fidelity: str = "lumped",
+    fidelity: str = MANY_DESIGNS,
 ) -> str:
     """The study file that ranges around a design amount to.
 

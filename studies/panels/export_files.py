@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from acoustic_fem.quantities.checks import one_of
 from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
@@ -88,6 +89,5 @@ def make_export(
     """
     if name not in EXPORTS:
         raise Refusal(kind=Kind.UNKNOWN, field="export", value=name, allowed=EXPORTS)
-    if fidelity not in FIDELITIES:
-        raise Refusal(kind=Kind.UNKNOWN, field="fidelity", value=fidelity, allowed=FIDELITIES)
+    one_of("fidelity", fidelity, FIDELITIES)
     return str(EXPORTS[name].make(design, Path(folder), fidelity, CallbackDisplay(notify)))

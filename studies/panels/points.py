@@ -12,21 +12,21 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps
 from geometry.layout.remedies import mend_of
+from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import Responses
 from studies.metrics.covered_area import FINGER
-from studies.metrics.pairs import BAND
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.output.frequencies import FREQUENCIES
 from studies.panels.curves import quick_library
 from studies.scatter.effects import quick_scattered_accuracy
 from studies.study.metric_registry import SENSORS, metrics_named
 
 #: Figures of merit of the whole design that the page shows, by the names that a study knows them by.
 FIGURES = (
-    "predicted_top1", "predicted_top1_loud", "confused_pair", "distance_smallest", "ild_smallest", "ipd_smallest",
-    "scatter_detection", "sensitivity_force", "noise_equivalent_force", "bandwidth", "coverage", "length", "width",
-    "height", "volume", "mass", "cost", "smallest_wall",
+    "predicted_top1", "predicted_top1_white_noise", "confused_pair", "distance_smallest", "ild_smallest",
+    "ipd_smallest", "scatter_detection", "sensitivity_force", "noise_equivalent_force", "bandwidth", "coverage",
+    "length", "width", "height", "volume", "mass", "cost", "smallest_wall",
 )  # fmt: skip
 
 
@@ -57,7 +57,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
             be solved.
     """
     _check_size(design)
-    library, fidelity = quick_library(design, stated_frequencies(FREQUENCIES))
+    library, fidelity = quick_library(design, FREQUENCIES)
     shared = SharedFigures(Responses.of_library(library))
     apart = separability(library.transfer_function)
     predicted = shared.confusion(None)
@@ -110,7 +110,7 @@ def as_built_figures(design: ArrayDesign) -> dict[str, Any]:
         Refusal: a design that the batch does not take, or one of more than :data:`MOST_POINTS` points.
     """
     _check_size(design)
-    found, fidelity = quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=SENSORS)
+    found, fidelity = quick_scattered_accuracy(design, FREQUENCIES, sensors=SENSORS)
     return {
         "sensors": SENSORS,
         "mean": float(found.mean()),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import warnings
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -16,6 +15,7 @@ import numpy as np
 import acoustic_fem
 from acoustic_fem.atlas.cell_in_atlas import check_cell
 from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
+from acoustic_fem.atlas.fidelity_choice import QuickFidelity, quick_fidelity
 from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
 from acoustic_fem.quantities.local_air import design_air
 from geometry import build_parts, print_report
@@ -23,8 +23,10 @@ from geometry.air.cells import Cell, cell_catalogue
 from geometry.assembly.fit import misfits
 from geometry.assembly.model import array_model
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras, is_installed
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps, schematic_notes
 from geometry.layout.placement import ArrayLayout
@@ -35,8 +37,9 @@ from geometry.printing.printability import PrintReport
 from geometry.printing.report_files import report_content
 from geometry.schema.field_errors import DesignError
 from geometry.schema.part_fields import Tube
+from localize.signals.stimulus import BAND
 from studies.metrics.covered_area import FINGER, coverage
-from studies.metrics.pairs import BAND, worst_heard
+from studies.metrics.pairs import worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, write_json
 from studies.run.quality import DesignQuality, design_quality, draw_quality
@@ -85,7 +88,7 @@ class DesignCheck:
     overlaps: tuple[str, ...]
     """Lines on what of the layout cannot be built: parts in each other's way, tubes bent too far."""
     mend: str
-    """Change that would mend the overlaps; empty where there is none, or none is known."""
+    """Change that would remove the overlaps; empty where there are none, or none is known."""
     part_counts: Mapping[str, int]
     """Number of each part; empty where none was drawn, for nothing is installed that draws."""
     misfits: tuple[str, ...]
@@ -95,8 +98,10 @@ class DesignCheck:
     validity: tuple[Validity, ...]
     """Assumptions of the models, each against its limit."""
     attenuation: tuple[tuple[float, float, int], ...]
-    """Frequency (Hz), then of the point that is heard worst: level at its second-loudest microphone (dB; a ratio needs
-    two) and number; at fidelity lumped."""
+    """Frequency (Hz), then of the point with the weakest response: level at its second-loudest microphone (dB; a ratio
+    needs two) and number."""
+    fidelity: QuickFidelity
+    """Fidelity of the attenuation: the atlas, or 3-D and why."""
     quality: DesignQuality | None = None
     """How good it is; None where that was not asked, there is nothing to tell apart, or nothing to judge it with."""
 
@@ -139,11 +144,11 @@ class DesignCheck:
         return "cannot be printed" if self.failures else "a valid design"
 
     @property
-    def objection(self) -> str | None:
-        """Why the array cannot be made, in one line; None where it can."""
+    def error(self) -> DesignError | None:
+        """The error of a design that cannot be made, with every problem; None where it can be made."""
         if not self.problems:
             return None
-        return str(DesignError.of_notes(self.design.name, self.problems, self.verdict, self.mend))
+        return DesignError.of_notes(self.design.name, self.problems, self.verdict, self.mend)
 
     def to_dict(self) -> dict[str, Any]:
         """Findings as JSON can hold them."""
@@ -166,15 +171,16 @@ class DesignCheck:
                 {"frequency_hz": f, "second_microphone_db": level, "point": point}
                 for f, level, point in self.attenuation
             ],
+            "fidelity": self.fidelity.words,
             "quality": None if self.quality is None else self.quality.to_dict(),
         }
 
 
 def check_design(
-    design: ArrayDesign,
-    out: str | os.PathLike[str] | None = None,
+    design: DesignLike,
+    out: PathLike | None = None,
     *,
-    picture: str | os.PathLike[str] | None = None,
+    picture: PathLike | None = None,
     quality: bool = True,
     display: Display | None = None,
 ) -> DesignCheck:
@@ -183,19 +189,20 @@ def check_design(
     Parts are left out where the extra ``cad`` is not installed, and how good it is without ``train``: findings say so.
 
     Args:
-        design: the design.
-        out: a JSON file for all that was found; an earlier one is replaced.
-        picture: a PNG file for the array in plan with how well each point is told from the others.
+        design: the array: a design, the path of its file, or the name of a prototype.
+        out: a JSON file for all findings; an earlier one is replaced.
+        picture: a PNG file for the array in plan, each point coloured by its predicted accuracy.
         quality: whether to predict how good it is: :func:`studies.run.design_quality`; with a picture in any case.
         display: shows what is being done.
 
     Raises:
-        Refusal: a part cannot be built, the membrane's proportions are outside what can be solved, a file cannot be
-            written, or a picture of a design that has nothing to tell apart.
+        Refusal: no such design, a part cannot be built, the membrane's proportions are outside what can be solved, a
+            file cannot be written, or a picture is asked for of a design with one point or microphone.
     """
     path, drawn = None if out is None else Path(out), None if picture is None else Path(picture)
+    design = resolve_design(design)
     check_new_file(path, ".json")
-    check_new_file(drawn, ".png")
+    check_new_file(drawn, ".png", option="picture")
     if drawn is not None:
         check_extras("what judges points", "train")
     judge = drawn is not None or (quality and is_installed("train"))
@@ -208,7 +215,8 @@ def check_design(
         write_json(path, found.to_dict())
     if drawn is not None:
         if found.quality is None:
-            raise Refusal(f"{design.name}: a picture of fewer than two points or microphones would show nothing")
+            problem = "needs a design of at least two points and two microphones"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="picture")
         draw_quality(design, found.quality, drawn)
     return found
 
@@ -231,7 +239,8 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
     with steps("Attenuation"), warnings.catch_warnings():
         # the same limits are listed under validity
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
-        library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity="lumped")
+        fidelity = quick_fidelity(design, ATTENUATION_AT)
+        library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity.name)
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
     counts, in_the_way, printing = _drawn(design, layout, steps) if is_installed("cad") else ({}, (), None)
     return DesignCheck(
@@ -249,6 +258,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         printing=printing,
         validity=model_validity(design, library.medium, levels[-1][1]),
         attenuation=tuple(levels),
+        fidelity=fidelity,
     )
 
 

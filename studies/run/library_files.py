@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 from numpy.typing import ArrayLike
@@ -10,22 +9,23 @@ from numpy.typing import ArrayLike
 import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import FORMATS, load, write_library
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir
-from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import counted
+from geometry.ground.typed import PathLike
 from studies.output.display import Display
 from studies.output.folders import check_new_library
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 
 def solve_library(
-    design: ArrayDesign,
-    out: str | os.PathLike[str],
+    design: DesignLike,
+    out: PathLike,
     *,
-    fidelity: str = "navier-stokes",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
     air: LocalAir | None = None,
     display: Display | None = None,
@@ -33,31 +33,31 @@ def solve_library(
     """Library of a design, also in a file: transfer functions from every point to every microphone.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
         fidelity: see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
-        air: of the place where it is used; what is not given is the design's.
+        air: air of the place where it is used; values that are not given are the design's.
         display: shows what is being done, then a line for each distinct cell.
 
     Raises:
         Refusal: a file that cannot be written, a bad frequency or fidelity, or a design that cannot be solved.
     """
-    path, show = Path(out), display or Display()
+    path, show, design = Path(out), display or Display(), resolve_design(design)
     check_new_library(path, (".nc",))
+    design = resolve_design(design)
     if fidelity not in CLOSED_FORMS:
         check_extras("what solves in 3-D", "fem")
         check_system_libraries()
     with show.stage("Cells") as report:
-        there = design if air is None else design.with_values(air.design_values)
-        library = acoustic_fem.solve(there, stated_frequencies(frequency), fidelity=fidelity, progress=report)
+        library = acoustic_fem.solve(design, frequency, fidelity, air, report)
         write_library(library, path)
     for line in cell_lines(library):
         show.note(line)
     return library
 
 
-def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]) -> Library:
+def convert_library(library: PathLike, out: PathLike) -> Library:
     """Library of a file, written in another format, to the last digit.
 
     Args:

@@ -22,10 +22,10 @@ from acoustic_fem.atlas.fidelity_choice import QuickFidelity
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.as_built_sensors import made_fidelity, made_transfer_functions
+from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import read_completed, write_design
+from geometry.design.design_file import DesignLike, read_completed, write_design
 from geometry.ground.file_checks import read_bytes
 from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind, Refusal
@@ -48,9 +48,9 @@ _PARTS = ("transfer_function_real", "transfer_function_imag")
 
 def write_perturbed_library(
     path: str | os.PathLike[str],
-    design: ArrayDesign,
+    design: DesignLike,
     count: int,
-    frequency: ArrayLike,
+    frequency: ArrayLike | str,
     *,
     tolerances: Sequence[Tolerance] = TOLERANCES,
     seed: int = 0,
@@ -58,7 +58,7 @@ def write_perturbed_library(
 ) -> PerturbedLibrary:
     """Store of the transfer functions of sensors that are drawn from a design.
 
-    At fidelity ``atlas`` where that has the design and all that can be made of it, else ``lumped``; the store says
+    At fidelity ``atlas`` if that covers the design and all sensors about it, otherwise 3-D; the store says
     which and why. Sensor k depends on the design, the tolerances, (seed, k) and the frequencies alone. The store is
     built beside and renamed at the end: it is whole or not there.
 
@@ -84,8 +84,10 @@ def write_perturbed_library(
     grid = frequency_grid(frequency)
     report = progress or (lambda message, fraction: None)
     report("membranes", 0.0)
-    scattered, air = ScatteredDesign(design, tolerances), design_air(design)
-    fidelity = made_fidelity(scattered, grid, air)
+    scattered = ScatteredDesign(design, tolerances)
+    air = design_air(scattered.design)
+    fidelity = as_built_fidelity(scattered, grid, air)
+    sensors = AsBuiltSensors(scattered, grid, air, fidelity.name)
     target.parent.mkdir(parents=True, exist_ok=True)
     beside = target.with_name(f".{target.name}.{os.getpid()}.new")
     try:
@@ -94,8 +96,7 @@ def write_perturbed_library(
             files = ZarrFiles(beside, layout)
             for first in range(0, count, BLOCK):
                 report("sensors", first / count)
-                draws = scattered.draws(first, min(BLOCK, count - first), seed)
-                h = made_transfer_functions(scattered, draws, grid, air, fidelity.name)
+                h = sensors.transfer_functions(scattered.draws(first, min(BLOCK, count - first), seed))
                 files.put(first, dict(zip(_PARTS, (h.real, h.imag), strict=True)))
             sums = json.dumps(files.sums)
             write_record(beside / _MANIFEST, _KIND, _MANIFEST, f"{sums}\n".encode() + layout.packed())

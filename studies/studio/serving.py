@@ -10,7 +10,7 @@ import webbrowser
 from collections.abc import Callable
 from ipaddress import ip_address
 
-from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras
 from geometry.ground.refusal import Field, Kind, Refusal
 
@@ -26,7 +26,7 @@ def _post(line: str) -> None:
 
 
 def serve_studio(
-    design: ArrayDesign,
+    design: DesignLike,
     *,
     port: int | None = None,
     host: str = "127.0.0.1",
@@ -37,7 +37,7 @@ def serve_studio(
     """Serve the studio until it is interrupted.
 
     Args:
-        design: that a page begins with.
+        design: that a page begins with: a design, the path of its file, or the name of a prototype.
         port: to listen at, 0 to 65535, 0 for any; by default 8765, or the next one that is free.
         host: address to listen at; any but that of this machine's loopback needs a ``token``.
         token: that the address of the page holds, at least 16 characters; by default one that nobody can guess.
@@ -49,6 +49,7 @@ def serve_studio(
     """
     check_extras("the server of the page", "studio")
     _check(host, token)
+    design = resolve_design(design)
     for variable in _THREADS:  # of the processes that follow; this one has its limits below
         os.environ.setdefault(variable, "1")
     import scipy.linalg  # loads BLAS, which is to have one thread

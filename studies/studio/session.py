@@ -9,14 +9,14 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import prototype, write_design
 from geometry.ground.refusal import Kind, Refusal
-from studies.panels.comparing import comparison
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
-from studies.panels.form import addable_tables, flat_values, form_of, removable_tables, stated_values
+from studies.panels.form import addable_tables, comparison, flat_values, form_of, removable_tables, stated_values
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.messages import MessageError, packed, text_of, written
 from studies.studio.stage import Job, Stage, notifier, outcome, progress
@@ -316,7 +316,7 @@ class Session:
 
     # -- files --------------------------------------------------------------------------------------
     async def _export(self, message: Mapping[str, Any]) -> None:
-        name, fidelity = text_of(message, "name"), message.get("fidelity", "lumped")
+        name, fidelity = text_of(message, "name"), message.get("fidelity", ONE_DESIGN)
         if name not in EXPORTS:
             raise MessageError(kind=Kind.UNKNOWN, field="export", value=name, allowed=EXPORTS)
         if name == "design.toml":

@@ -125,7 +125,7 @@ class TouchInput:
             return
         loop = asyncio.get_running_loop()
 
-        async def post(message: dict[str, Any]) -> None:
+        async def post(message: dict[str, Any] | bytes) -> None:
             if self._live is job:  # the page knows of what was stopped
                 await self._post(message)
 

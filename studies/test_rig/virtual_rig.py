@@ -1,6 +1,6 @@
 """A virtual rig: a sensor with hidden deviations that writes recordings as a real one would.
 
-The hidden sensor is computed by the lumped batch, and at ``navier-stokes`` fidelity multiplied by what that changes in
+The hidden sensor is computed by the lumped batch, and at any other fidelity multiplied by what that changes in
 the nominal design. Beside what a fit of the usual parameters knows (bores, compliances, modulus, loss, gains, corners,
 chambers) it has deviations that such a fit lacks: lengths of tubes, cavities apart from their membranes, a loss factor
 of each membrane with the slope that it asks for, a rubber that relaxes more than that, temperature and pressure of the
@@ -28,13 +28,13 @@ from acoustic_fem.batch.topology import Topology
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import noise_density, response
-from acoustic_fem.quantities.checks import in_range
+from acoustic_fem.quantities.checks import in_range, one_of
+from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
 from acoustic_fem.quantities.local_air import design_air, standard_pressure
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.sound.sound_file import write_wav
-from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import write_design
-from geometry.ground.refusal import Refusal
+from geometry.design.design_file import DesignLike, resolve_design, write_design
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
 from studies.output.folders import check_folder, make_folder
@@ -44,7 +44,7 @@ Complex = NDArray[np.complex128]
 #: Marks a folder as one of recordings of a rig.
 RIG_MARK = ".acoustic-fem-rig"
 #: Band of the excitation, Hz.
-BAND = (0.8, 125.0)
+EXCITATION_BAND = (0.8, 125.0)
 #: Length of a recording, s.
 LENGTHS = (4.0, 86400.0)
 #: Band in which the hidden sensor is solved, Hz, and where in it; between these frequencies it is interpolated.
@@ -109,7 +109,7 @@ class HiddenScatter:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            in_range(f"scatter.{field.name}", getattr(self, field.name), *_RANGES.get(field.name, (0.0, 0.3)))
+            in_range(field.name, getattr(self, field.name), *_RANGES.get(field.name, (0.0, 0.3)))
 
 
 @dataclass(frozen=True)
@@ -128,7 +128,7 @@ class Recorder:
     level: float = 0.35
     """Level in the touched cavity, Pa rms."""
     excitation: Literal["noise", "sweep"] = "noise"
-    """Kind of the excitation: noise of flat spectrum, or exponential sweeps of 20 s, over :data:`BAND`."""
+    """Kind of the excitation: noise of flat spectrum, or exponential sweeps of 20 s, over :data:`EXCITATION_BAND`."""
     reference_noise: float = 5e-4
     """Noise of the calibration microphone over half the sample rate, white, Pa rms."""
     late: float = 0.0123
@@ -141,17 +141,17 @@ class Recorder:
     """Whether there is a file for each channel instead of one for all."""
 
     def __post_init__(self) -> None:
-        in_range("recorder.seconds", self.seconds, *LENGTHS, "s")
+        in_range("seconds", self.seconds, *LENGTHS, "s")
 
 
 class Rig:
     """Virtual rig: a made sensor whose parameters are hidden.
 
     Args:
-        design: the nominal array.
+        design: the nominal array: a design, the path of its file, or the name of a prototype.
         seed: of the hidden parameters; recordings use children of it.
         scatter: how far they lie from nominal.
-        fidelity: ``lumped``, or ``navier-stokes`` for what 3-D cells change.
+        fidelity: of the transfer functions of the nominal design, see :func:`acoustic_fem.solve`.
 
     Raises:
         Refusal: a negative seed, or a design that the lumped batch does not take.
@@ -159,14 +159,15 @@ class Rig:
 
     def __init__(
         self,
-        design: ArrayDesign,
+        design: DesignLike,
         seed: int,
         scatter: HiddenScatter | None = None,
-        fidelity: Literal["lumped", "navier-stokes"] = "lumped",
+        fidelity: str = ONE_DESIGN,
     ) -> None:
         if seed < 0:
-            raise Refusal(f"seed = {seed} must be 0 or above")
-        self.design, self.seed, self.fidelity = design, seed, fidelity
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="seed", value=seed, allowed="0 or above")
+        design = resolve_design(design)
+        self.design, self.seed, self.fidelity = design, seed, one_of("fidelity", fidelity, FIDELITIES)
         self.scatter = scatter or HiddenScatter()
         shared = Topology.of(design)
         self.topology = shared.individual()
@@ -286,7 +287,7 @@ class Rig:
         count = round(recorder.seconds * recorder.rate)
         total = before + count + round(abs(recorder.late) * recorder.rate) + 1
         grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
-        inside = (grid >= BAND[0]) & (grid <= BAND[1])
+        inside = (grid >= EXCITATION_BAND[0]) & (grid <= EXCITATION_BAND[1])
         drive = _excitation(recorder, total, random)
         drive[~inside] = 0
         drive *= recorder.level / np.sqrt(2 * (np.abs(drive[inside]) ** 2).sum()) * total
@@ -305,8 +306,8 @@ class Rig:
 
         Args:
             drives: by the number of the point, from 1: (n_line,) complex128, spectrum of the pressure in its cavity,
-                Pa, as of np.fft.rfft, n_line = total // 2 + 1; only :data:`BAND` is heard. The reference hears the
-                first.
+                Pa, as of np.fft.rfft, n_line = total // 2 + 1; lines outside :data:`EXCITATION_BAND` are ignored. The
+                reference channel records the first.
             total: number of samples of the pressure, at the rate of the recorder.
             before: number of them that come before the recording.
             count: number of samples of the recording.
@@ -317,7 +318,7 @@ class Rig:
             (1 + n_microphone, count) float64, Pa, the reference first, before they are clipped and rounded.
         """
         grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
-        inside = (grid >= BAND[0]) & (grid <= BAND[1])
+        inside = (grid >= EXCITATION_BAND[0]) & (grid <= EXCITATION_BAND[1])
         spectra = np.zeros((1 + len(self.design.microphones), len(grid)), np.complex128)
         spectra[0] = next(iter(drives.values())) * np.exp(2j * np.pi * grid * recorder.late)
         heard_at = self.transfer_function(grid[inside])
@@ -369,4 +370,6 @@ def _excitation(recorder: Recorder, total: int, random: np.random.Generator) -> 
     if recorder.excitation == "noise":
         return np.asarray(np.fft.rfft(random.standard_normal(total)))
     time = np.arange(total) / recorder.rate
-    return np.asarray(np.fft.rfft(scipy.signal.chirp(time % 20.0, BAND[0], 20.0, BAND[1], method="logarithmic")))
+    return np.asarray(
+        np.fft.rfft(scipy.signal.chirp(time % 20.0, EXCITATION_BAND[0], 20.0, EXCITATION_BAND[1], method="logarithmic"))
+    )
