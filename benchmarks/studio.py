@@ -160,6 +160,8 @@ def write_taps(design: str, path: Path, count: int = 7) -> list[float]:
     from geometry import prototype
     from localize.contacts.contact_shapes import QUIET
 
+    from studies.panels.touching import simulate_touch
+
     array = prototype(design)
     takes = [simulate_touch(array, 1 + 2 * sample % array.point_count, "tap", sample) for sample in range(1, count + 1)]
     signals = [np.frombuffer(each["signals"], "<f4").reshape(len(each["microphones"]), -1) for each in takes]
