@@ -20,7 +20,7 @@ import acoustic_fem
 from acoustic_fem.numerics.processors import cores
 from localize.live.listener import Latencies
 from studies.cli import app, designs
-from studies.listening.live import LiveSummary
+from studies.inference.live import LiveSummary
 
 ROOT = Path(__file__).parents[3]
 STUDY = """
