@@ -233,7 +233,7 @@ def test_only_what_the_kernel_or_the_memory_refuses_is_a_cell_without_solution(m
         def fails(*_: object, error: Exception = error, **__: object) -> None:
             raise error
 
-        monkeypatch.setattr("geometry.air.volume.air_volume", fails)
+        monkeypatch.setattr("acoustic_fem.cell.one_cell.air_volume", fails)
         with pytest.raises(CellError if error in raised else type(error)):
             solve_task(task, lambda fraction: None)
 
