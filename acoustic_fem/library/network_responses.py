@@ -122,7 +122,7 @@ def _cell_admittances(
 
 
 def _about_atlas(cells: tuple[Cell, ...], frequency: NDArray[np.float64]) -> dict[str, Any]:
-    """What a library says of cells in the atlas; warns where its errors are not known."""
+    """Provenance of cells in the atlas; warns where its errors are not known."""
     atlas = cell_atlas()
     atlas.warn_above(frequency)
     atlas.warn_below(least_angle(cells))
