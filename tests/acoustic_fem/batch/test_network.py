@@ -409,8 +409,8 @@ def test_bad_frequencies_are_refused(frequency, kind):
     ("field", "values", "kind"),
     [
         ("tube_radius", np.full((1, 1), 2e-4), Kind.WRONG_TYPE),
-        ("membrane_share", np.ones((1, 1)), Kind.WRONG_TYPE),
-        ("membrane_share", np.ones((1, 1, 2)), Kind.MISMATCH),
+        ("membrane_fraction", np.ones((1, 1)), Kind.WRONG_TYPE),
+        ("membrane_fraction", np.ones((1, 1, 2)), Kind.MISMATCH),
         ("cavity_height", np.full((1, 1), -1e-3), Kind.OUT_OF_RANGE),
         ("membrane_loss", np.full((1, 1), np.nan), Kind.OUT_OF_RANGE),
         ("back_volume", np.full((1, 1), 2, dtype=np.float32), Kind.WRONG_TYPE),
