@@ -212,6 +212,9 @@ _OPTIONS = {
     "touches_per_point": "touches",
     "rejected_fraction": "reject",
     "loudest_sound_db": "ambient",
+    "base_samples": "base",
+    "library_size": "library",
+    "formats": "format",
 }
 
 

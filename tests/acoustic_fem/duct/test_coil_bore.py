@@ -5,6 +5,7 @@ import pytest
 import scipy.sparse as sp
 import skfem
 from reference_data import AIR
+from refusals import refused
 from scipy.sparse.linalg import spsolve
 
 from acoustic_fem.duct import plane_wave
@@ -20,6 +21,7 @@ from acoustic_fem.duct.coil_bore import (
     heat_system,
 )
 from acoustic_fem.duct.sections import CircularSection
+from geometry.ground.refusal import Kind
 
 #: Outer diameter and wire of the two springs, m.
 SPRINGS = [(0.6e-3, 0.08e-3), (0.28e-3, 0.05e-3)]
@@ -162,14 +164,14 @@ def test_a_smooth_bore_of_the_effective_radius_is_the_spring_but_for_its_grooves
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
+    ("arguments", "field", "value"),
     [
-        ((0.6e-3, 0.0), "wire_diameter = 0 m"),
-        ((0.6e-3, 0.2e-3), "must be below a quarter of outer_diameter"),
-        ((0.6e-3, 0.08e-3, 1), "refinement = 1"),
-        ((0.6e-3, 0.08e-3, 8, 0.0), "cusp = 0 rad"),
+        ((0.6e-3, 0.0), "wire_diameter", 0.0),
+        ((0.6e-3, 0.2e-3), "wire_diameter", 0.2e-3),
+        ((0.6e-3, 0.08e-3, 1), "refinement", 1),
+        ((0.6e-3, 0.08e-3, 8, 0.0), "cusp", 0.0),
     ],
 )
-def test_an_impossible_spring_is_refused(arguments, message):
-    with pytest.raises(ValueError, match=message):
+def test_an_impossible_spring_is_refused(arguments, field, value):
+    with refused(Kind.OUT_OF_RANGE, field, value):
         CoilBore(*arguments)
