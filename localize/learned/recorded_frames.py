@@ -135,17 +135,25 @@ class RecordedFrames:
     def samples(self, start: int, count: int) -> tuple[Tensor, Tensor]:
         """Training samples ``start`` to ``start + count - 1``, the same whatever was asked for before.
 
-        Sample i is of point i modulo the number of points, the parts that were recorded of it equally often.
+        Each round of as many samples as there are points takes every point once, in an order of its own, and the parts
+        that were recorded of a point equally often.
 
         Returns:
             (count, n_microphone, 250) float32, Pa, and (count,) int64, points from 0.
         """
         words = random_words(self.seed, "training", "recorded frame", start, count, 1)
         number = uniform(words, self._signals.device)[:, 0]
-        point = torch.arange(start, start + count, device=self._signals.device) % self.point_count
+        point = self._order(start, count).to(self._signals.device)
         kind = choice(number[:, 0], self._kinds[point])
         frame = self._first[point, kind] + choice(number[:, 1], self._count[point, kind])
         return self._cut(self._drawn[frame]), point
+
+    def _order(self, start: int, count: int) -> Tensor:
+        """(count,) int64, points from 0 of samples ``start`` to ``start + count - 1``."""
+        first, last = start // self.point_count, (start + count - 1) // self.point_count
+        words = random_words(self.seed, "training", "recorded order", first, last - first + 1, self.point_count)
+        order = words.argsort(1, kind="stable").reshape(-1)
+        return torch.from_numpy(order[start - first * self.point_count :][:count])
 
     def _cut(self, first: Tensor) -> Tensor:
         index = first[:, None] + torch.arange(FRAME, device=first.device)

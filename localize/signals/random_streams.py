@@ -48,6 +48,7 @@ Kind = Literal[
     "pulse",
     "stroke",
     "roughness",
+    "recorded order",
 ]
 _KINDS: tuple[Kind, ...] = get_args(Kind)
 

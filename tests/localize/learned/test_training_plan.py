@@ -1,6 +1,7 @@
 """What a plan asks for is what the network is trained on: touches, labels, sound."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from localize.learned.training_plan import PLANS, TrainingPlan
 from localize.signals.disturbances import ROOM_LEVELS
 from localize.signals.finger_stimuli import Louder
 from localize.signals.stimulus import multi_sines
+from localize.signals.touch_generator import TouchSignals
 
 SHORT = TrainingPlan(seconds_per_point=16, epochs=2, batch=32, microphone_noise=1e-3)
 
@@ -36,18 +38,62 @@ def frames_of(plan, monkeypatch):
     return frames, touches.samples(0, sum(map(len, frames))).signals[..., -250:]
 
 
+def orders_of(frames, touches):
+    """Numbers of the touches that the frames of each epoch are of."""
+    orders = [[int((touches - frame).abs().sum((1, 2)).argmin()) for frame in epoch] for epoch in frames]
+    for epoch, order in zip(frames, orders, strict=True):
+        assert torch.allclose(epoch, touches[order], atol=1e-6)
+    return orders
+
+
 def test_every_epoch_draws_new_touches_unless_the_plan_says_that_they_stay(monkeypatch):
-    frames, touches = frames_of(SHORT, monkeypatch)
-    assert torch.allclose(torch.cat(frames), touches, atol=1e-6)
+    first, second = orders_of(*frames_of(SHORT, monkeypatch))
+    assert sorted(first) == list(range(64))
+    assert sorted(second) == list(range(64, 128))
+    assert first != sorted(first)
 
 
 def test_touches_that_stay_come_in_another_order_in_every_epoch(monkeypatch):
-    (first, second), touches = frames_of(replace(SHORT, new_touches=False, method="stft"), monkeypatch)
-    orders = [[int((touches[:64] - frame).abs().sum((1, 2)).argmin()) for frame in epoch] for epoch in (first, second)]
-    for epoch, order in zip((first, second), orders, strict=True):
-        assert sorted(order) == list(range(64))
-        assert torch.allclose(epoch, touches[order], atol=1e-6)
-    assert orders[0] != orders[1]
+    first, second = orders_of(*frames_of(replace(SHORT, new_touches=False, method="stft"), monkeypatch))
+    assert sorted(first) == sorted(second) == list(range(64))
+    assert first != second
+
+
+class PointsOnly:
+    """Touches whose frames hold nothing but their number."""
+
+    device = "cpu"
+
+    def __init__(self, points):
+        self.response = SimpleNamespace(point_count=points)
+
+    def samples(self, start, count):
+        number = torch.arange(start, start + count)
+        return TouchSignals(number[:, None, None].expand(-1, 2, 250), number % self.response.point_count, number)
+
+
+@pytest.mark.parametrize("new_touches", [True, False])
+@pytest.mark.parametrize("points", [48, 300])  # fewer and more than are made at once
+def test_a_step_has_points_from_all_over_a_large_array_whatever_was_asked_for_before(new_touches, points):
+    plan = TrainingPlan(seconds_per_point=4, epochs=2, batch=32, new_touches=new_touches)
+    touches = PointsOnly(points)
+    steps = range(2 * (4 * points // 32))
+
+    def batches():
+        return training._Batches(touches, None, plan, len(steps) // 2)
+
+    straight = batches()
+    made = [straight.frames(step, 32) for step in steps]
+    assert all(int(point.max() - point.min()) > 0.6 * points for _, point in made)
+    assert torch.equal(batches().frames(steps[-1], 32)[0], made[-1][0])
+    number = torch.cat([frames[:, 0, 0] for frames, _ in made])
+    assert len(number.unique()) == len(number) // (1 if new_touches else 2)
+
+
+def test_an_array_of_more_points_than_a_step_has_touches_is_learnt():
+    # 3 % where the touches of a step came in the order of the points, 25 % where they are shuffled; one in 48 by chance
+    plan = TrainingPlan(seconds_per_point=14, epochs=1, batch=16, seed=1, held_out_fraction=0.7, microphone_noise=0.0)
+    assert localize.train(rc_line(48, spread=0.3), plan).training["held_out_accuracy"][-1] > 0.15
 
 
 def test_labels_are_shared_along_a_line_or_by_number():
