@@ -47,10 +47,9 @@ from .run.check import DesignCheck as DesignCheck, check_design as check_design
 from .run.library_files import convert_library as convert_library, solve_library as solve_library
 from .run.part_folder import MadeParts as MadeParts, export_parts as export_parts
 from .run.pipeline import run_design as run_design
-from .run.prototypes import copy_prototype as copy_prototype
 from .run.quality import DesignQuality as DesignQuality
 from .run.run_result import RunResult as RunResult
-from .run.starting import new_design as new_design
+from .run.starting import copy_prototype as copy_prototype, new_design as new_design
 from .run.wiring import wiring_table as wiring_table
 from .scatter.tolerance_run import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
 from .studio.serving import serve_studio as serve_studio

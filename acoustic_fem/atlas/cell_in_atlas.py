@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.atlas.cell_table import CellAtlas, Opening, OutsideAtlas, cell_atlas
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
-from acoustic_fem.duct.known_bores import known_port_admittance
+from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.duct.tube_opening import entrance_impedance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
@@ -143,7 +143,7 @@ def _neck(
     medium: Medium,
 ) -> NDArray[np.complex128]:
     """Two-port of a duct whose second end opens into a cavity."""
-    duct = known_port_admittance(radius, length, frequency, medium)
+    duct = port_admittance(radius, length, frequency, medium)
     own, transfer = duct[:, 0, 0], duct[:, 0, 1]
     held = 1 / (1 + opening * own)
     neck = np.empty_like(duct)

@@ -15,7 +15,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from acoustic_fem.duct.known_bores import known_port_admittance
+from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.fields.cylinder_heat import CylinderField
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field, field_coefficients
 from acoustic_fem.fields.helmholtz import pressure_system
@@ -340,7 +340,7 @@ def _through_bore(
     nodal: ComplexArray, port: int, bore: StraightBore, frequency: NDArray[np.float64], medium: Medium
 ) -> ComplexArray:
     """The admittance with the port at the far end of a bore."""
-    duct = known_port_admittance(metres(bore.radius), metres(bore.length), frequency, medium)
+    duct = port_admittance(metres(bore.radius), metres(bore.length), frequency, medium)
     met = nodal[:, port, port] + duct[:, 1, 1]
     column = nodal[:, :, port].copy()
     beyond = nodal - column[:, :, None] * column[:, None, :] / met[:, None, None]

@@ -16,6 +16,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -29,6 +30,8 @@ from geometry.ground.refusal import Refusal
 
 #: A complex quantity over frequency: values that broadcast with the frequencies, or a function of Hz.
 Spectrum = ArrayLike | Callable[[NDArray[np.float64]], ArrayLike]
+#: Ducts on longer grids are computed anew each time, so that what is kept stays below 10 MB.
+_LONGEST_GRID = 1024
 
 
 def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
@@ -86,8 +89,24 @@ def port_admittance(
     Raises:
         Refusal: a radius, length or frequency that is not finite and positive.
     """
-    length = positive("length", length, "m")
+    length, radius = positive("length", length, "m"), positive("radius", radius, "m")
+    frequency = positive("frequency", frequency, "Hz")
+    if radius.ndim == length.ndim == 0 and frequency.ndim == 1 and frequency.size <= _LONGEST_GRID:
+        return _duct(float(radius), float(length), frequency.tobytes(), medium).copy()
     return two_port(series_impedance(radius, frequency, medium), shunt_admittance(radius, frequency, medium), length)
+
+
+@lru_cache(maxsize=64)
+def _duct(radius: float, length: float, grid: bytes, medium: Medium) -> NDArray[np.complex128]:
+    """As :func:`port_admittance`, kept: an array has many tubes and cells, and few bores that differ."""
+    return two_port(*_line(radius, grid, medium), length)
+
+
+@lru_cache(maxsize=32)
+def _line(radius: float, grid: bytes, medium: Medium) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Series impedance and shunt admittance per length of a round bore, kept."""
+    frequency = np.frombuffer(grid)
+    return series_impedance(radius, frequency, medium), shunt_admittance(radius, frequency, medium)
 
 
 def two_port(series: ArrayLike, shunt: ArrayLike, length: ArrayLike) -> NDArray[np.complex128]:

@@ -13,8 +13,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.duct.known_bores import known_port_admittance
-from acoustic_fem.duct.plane_wave import CompliantWall, Line, two_port
+from acoustic_fem.duct.plane_wave import CompliantWall, Line, port_admittance, two_port
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
 from acoustic_fem.network.chain_matrices import PointCell, TwoPort, chains_of, join
@@ -132,7 +131,7 @@ def _duct_between_stubs(design: ArrayDesign, tube: Tube, frequency: NDArray[np.f
     length, radius = tube.acoustic_length(design.printing.port_lip), metres(tube.acoustic_diameter) / 2
     if tube.sheath_material is None:
         between = max(length - 2 * tube.stub_length, _SHORTEST_DUCT * tube.length)
-        return _as_two_port(known_port_admittance(radius, metres(between), frequency, medium))
+        return _as_two_port(port_admittance(radius, metres(between), frequency, medium))
     rigid = CircularSection(radius)
     compliance = sheath_compliance(design, tube) / soft_rubber(design, tube.sheath_material).ratio(frequency)
     soft = _line(CompliantWall(rigid, compliance), metres(length), frequency, medium)

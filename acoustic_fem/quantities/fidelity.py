@@ -1,4 +1,4 @@
-"""The names of fidelities, apart from what computes them: whoever only names them loads nothing."""
+"""The fidelities: what the cells of an array may be computed with."""
 
 from typing import Literal, get_args
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly.part_list import Kind, PartSet, PlacedPart, build_parts, place_parts
+from geometry.assembly.part_list import Kind, PartSet, PlacedPart, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
@@ -69,18 +69,17 @@ def array_model(
     design = array
     layout = lay_out(design) if layout is None else layout
     parts = build_parts(design, layout) if parts is None else parts
-    placed = place_parts(design, layout)
-    shapes = {name: parts[name].val() for name in dict.fromkeys(part.part for part in placed)}
+    shapes = {name: parts[name].val() for name in dict.fromkeys(part.part for part in parts.placed)}
     if design.membrane.stretch != 1:
         shapes |= {name: _mounted_membrane(alike) for name, alike in membranes_of(design).items()}
     tubes, tube_shapes = _tubes(design, layout)
-    packages, package = _packages(design, placed)
+    packages, package = _packages(design, parts.placed)
     return ArrayModel(
         design,
         layout,
         parts,
         {**shapes, **tube_shapes, "microphone-package": package},
-        (*placed, *tubes, *packages),
+        (*parts.placed, *tubes, *packages),
         tuple(tube for tube in layout.tubes if tube.schematic),
     )
 

@@ -55,7 +55,8 @@ class PartSet(dict[str, "cq.Workplane"]):
     ``parameters`` has for each part the numbers and words written into its 3MF file: what matters most of it, and
     under ``design_toml`` the text of the whole design, from which :func:`build_parts` draws the part of that name
     again. ``counts`` has how many of it one array needs, 0 for single shells beside a carrier. ``kinds`` has what each
-    part is, for parts of an array: where it comes from, and what is put into it, follow from that.
+    part is, for parts of an array: where it comes from, and what is put into it, follow from that. ``placed`` has where
+    every copy lies, as :func:`place_parts` gives it.
     """
 
     def __init__(self) -> None:
@@ -63,6 +64,7 @@ class PartSet(dict[str, "cq.Workplane"]):
         self.parameters: dict[str, dict[str, float | int | str]] = {}
         self.counts: dict[str, int] = {}
         self.kinds: dict[str, Kind] = {}
+        self.placed: tuple[PlacedPart, ...] = ()
 
     def origin(self, name: str) -> Origin:
         """Where a part comes from; one of no kind is printed."""
@@ -80,6 +82,7 @@ class PartSet(dict[str, "cq.Workplane"]):
         chosen.parameters = {name: self.parameters[name] for name in names if name in self.parameters}
         chosen.counts = {name: self.counts[name] for name in names if name in self.counts}
         chosen.kinds = {name: self.kinds[name] for name in names if name in self.kinds}
+        chosen.placed = tuple(part for part in self.placed if part.part in names)
         return chosen
 
 
@@ -147,6 +150,7 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
     from geometry.solids.membrane import build_membrane
     from geometry.solids.shell import build_shell
 
+    layout = layout or lay_out(design)
     plan = _plan(design, layout)
     microphone, printing = design.microphone, design.printing
     parts = PartSet()
@@ -178,6 +182,7 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
         joined = {"shells": len(carrier.places), "necks": carrier.necks}
         parts.parameters["carrier"] = {**_shell_parameters(design.resonator), **about["joints"], **joined}
     parts.counts, parts.kinds = _counts(design, plan), _kinds(design, plan)
+    parts.placed = _placed(design, layout, plan)
     text = write_design(design.completed())
     for name in parts:
         head: dict[str, float | int | str] = {"design": design.name, "count": parts.counts[name]}
@@ -229,12 +234,16 @@ def _disc_parameters(design: ArrayDesign) -> dict[str, float | int | str]:
 
 def part_counts(design: ArrayDesign) -> dict[str, int]:
     """How many of each part one array needs, by the names of :func:`build_parts` (one mold serves all)."""
-    return _counts(design, _plan(design))
+    return _counts(design, _plan(design, lay_out(design)))
 
 
 def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, ...]:
     """Where every copy of every made part lies; the floors of resonators' cavities lie at z = 0 of a flat array."""
-    plan, placed = _plan(design, layout), []
+    return _placed(design, layout, _plan(design, layout))
+
+
+def _placed(design: ArrayDesign, layout: ArrayLayout, plan: _Plan) -> tuple[PlacedPart, ...]:
+    placed = []
     kinds = _kinds(design, plan)
 
     def put(
@@ -286,8 +295,7 @@ class _Plan:
     microphone_housings: tuple[tuple[str, float], ...]
 
 
-def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
-    layout = layout or lay_out(design)
+def _plan(design: ArrayDesign, layout: ArrayLayout) -> _Plan:
     at_points = [in_common_rotation(point_ports(design, point), ANGLE_STEP) for point in layout.points]
     at_microphones = [in_common_rotation(microphone_ports(design, each), ANGLE_STEP) for each in layout.microphones]
     forms = _forms(design, layout, [ports for ports, _ in at_points])

@@ -14,7 +14,7 @@ import scipy.ndimage
 from numpy.typing import NDArray
 
 from geometry.ground.typed import Array
-from localize.contacts.radii import MOVING
+from localize.contacts.contact import MOVING
 from localize.live.events import Decision, TrackedPlace
 from localize.live.front_end import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of

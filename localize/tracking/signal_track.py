@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.contacts.radii import MOVING
+from localize.contacts.contact import MOVING
 from localize.decoders.bayes import BayesDecoder, sound_levels
 from localize.live.front_end import Listening
 from localize.live.stream import TouchStream

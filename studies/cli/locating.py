@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from geometry.ground.refusal import counted
-from localize.contacts.radii import MOVING
+from localize.contacts.contact import MOVING
 from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.listening.embedding import PRECISION, embed_decoder

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.ground.refusal import Refusal, counted
-from studies.study.failure_reasons import by_kind
+from studies.study.cases import by_kind
 from studies.study.metric_registry import METRICS
 
 if TYPE_CHECKING:

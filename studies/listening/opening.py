@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.ground.refusal import Refusal
-from localize.contacts.radii import RADII
+from localize.contacts.contact import RADII
 
 if TYPE_CHECKING:
     from acoustic_fem import Library

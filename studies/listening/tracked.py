@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.ground.whole_files import write_text
-from localize.contacts.radii import MOVING
+from localize.contacts.contact import MOVING
 from studies.listening.opening import Decoding, open_stream, open_tracker
 from studies.output.folders import check_new_file, is_own_table
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
-from localize.contacts.radii import MOVING
+from localize.contacts.contact import MOVING
 from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
 from studies.run.library_files import solve_library

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
+from geometry.ground.refusal import counted
 from studies.output.display import Display
 from studies.output.folders import check_new_library
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
@@ -50,7 +51,6 @@ def solve_library(
         check_system_libraries()
     import acoustic_fem
     from acoustic_fem.library.exchange import write_library
-    from studies.run.pipeline import cell_lines
 
     with show.stage("Cells") as report:
         there = design if air is None else design.with_values(air.design_values)
@@ -78,3 +78,19 @@ def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]
     loaded = load(Path(library))
     write_library(loaded, path)
     return loaded
+
+
+def cell_lines(library: Library) -> list[str]:
+    """Lines of text, one for each distinct cell of a library: from the cache or solved, unknowns, seconds."""
+    lines = []
+    for cell in library.provenance["cells"]:
+        if "unknowns" not in cell:
+            lines.append(f"{cell['cell']}: {cell['method']}")
+        elif cell["cached"]:
+            lines.append(f"{cell['cell']}: from the cache ({counted(cell['unknowns'], 'unknown')})")
+        else:
+            lines.append(
+                f"{cell['cell']}: {counted(cell['unknowns'], 'unknown')} solved at {len(cell['sampled_frequencies'])} "
+                f"frequencies in {cell['seconds']:.1f} s"
+            )
+    return lines

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.formats.names import FORMATS
+from geometry.formats.part_files import FORMATS
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes

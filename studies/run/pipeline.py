@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.missing_packages import check_system_libraries
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.remedies import refuse_unbuildable
@@ -25,6 +25,7 @@ from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
 from studies.run.findings import AGREEMENT, write_results
+from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
 from studies.run.run_result import RunResult
 from studies.run.validity import model_validity
@@ -157,22 +158,6 @@ def check_points(design: ArrayDesign, source: str | None = None) -> None:
             f"{source or design.name}: lines.0.points = {design.point_count} must be at least 2: run needs at least 2 "
             "points, to tell one from the other; solve and parts take one"
         )
-
-
-def cell_lines(library: Library) -> list[str]:
-    """Lines of text, one for each distinct cell of a library: from the cache or solved, unknowns, seconds."""
-    lines = []
-    for cell in library.provenance["cells"]:
-        if "unknowns" not in cell:
-            lines.append(f"{cell['cell']}: {cell['method']}")
-        elif cell["cached"]:
-            lines.append(f"{cell['cell']}: from the cache ({counted(cell['unknowns'], 'unknown')})")
-        else:
-            lines.append(
-                f"{cell['cell']}: {counted(cell['unknowns'], 'unknown')} solved at {len(cell['sampled_frequencies'])} "
-                f"frequencies in {cell['seconds']:.1f} s"
-            )
-    return lines
 
 
 def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:

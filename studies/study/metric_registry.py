@@ -241,8 +241,8 @@ def _scatter_slopes(design: ArrayDesign, names: Sequence[str], discs: KnownDiscs
 def _forgiving() -> Iterable[Metric]:
     yield Metric(
         "scattered_top1", "1", "predicted top-1 accuracy of mis-made sensors",
-        f"Mean over {SENSORS} sensors made with the scatter of studies.scatter.TOLERANCES of the predicted top-1 of "
-        "one localizer that was trained on the nominal design; the design's microphone noise, lumped fidelity. Two "
+        f"Mean over {SENSORS} sensors made with the scatter of acoustic_fem.scatter.TOLERANCES of the predicted top-1 "
+        "of one localizer that was trained on the nominal design; the design's microphone noise, lumped fidelity. Two "
         "seconds per design.",
         _scattered_top1, frozenset({"designs"}), band=BAND,
     )  # fmt: skip

@@ -41,8 +41,7 @@ from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
 from studies.metrics.batch_responses import Responses
 from studies.metrics.shared import SharedFigures
-from studies.study.cases import Cases
-from studies.study.failure_reasons import PROGRAM_ERROR
+from studies.study.cases import PROGRAM_ERROR, Cases
 from studies.study.metric_registry import Metric, metrics_named
 from studies.sweep.store import DONE, FAILED, BlockResult
 

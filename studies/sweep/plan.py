@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from acoustic_fem.cell.design_cells import is_cached
-from studies.study.cases import sobol_note
-from studies.study.failure_reasons import by_kind
+from studies.study.cases import by_kind, sobol_note
 from studies.study.study import Study
 from studies.sweep.block import Job
 from studies.sweep.cost import elapsed, seconds_of, team_size

@@ -21,8 +21,7 @@ from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
 from geometry.ground.refusal import Refusal, counted
 from studies.output.display import Display
-from studies.study.cases import Cases
-from studies.study.failure_reasons import PROGRAM_ERROR
+from studies.study.cases import PROGRAM_ERROR, Cases
 from studies.study.metric_registry import metrics_named
 from studies.study.study import Study
 from studies.sweep.block import CellKey, Job, SolvedCell

@@ -28,8 +28,8 @@ from studies.output.checked_store import METADATA, CheckedStore, read_store, tak
 from studies.output.folders import check_folder
 from studies.output.seals import SEALS, Seals
 from studies.output.sole_writer import hold
+from studies.study.cases import by_kind
 from studies.study.differences import first_difference, other_table
-from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS
 from studies.study.study import Study, StudyError
 from studies.sweep.new_store import (
@@ -248,7 +248,7 @@ class SweepStore:
             self._variables["state"][part] = values["state"]  # last: from now on the block counts
 
     def failures(self) -> dict[str, list[int]]:
-        """Numbers of the failed cases by kind of reason, as :func:`studies.study.failure_reasons.by_kind`."""
+        """Numbers of the failed cases by kind of reason, as :func:`studies.study.cases.by_kind`."""
         reasons = self._variables["reason"][:]
         return by_kind((int(number), str(reasons[number])) for number in np.flatnonzero(self.state == FAILED))
 

@@ -26,8 +26,7 @@ from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 from studies.cli.app import app
 from studies.metrics.shared import SharedFigures
-from studies.study.cases import cases_of
-from studies.study.failure_reasons import by_kind
+from studies.study.cases import by_kind, cases_of
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
 from studies.study.study import Study, StudyError
