@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from acoustic_fem.quantities.checks import in_range, numbers
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact
 from localize.contacts.draws import Draws
-from localize.signals.random_streams import Kind, Purpose
+from localize.signals.random_streams import Purpose, StreamKind
 
 Place = tuple[float, float]
 
@@ -213,7 +213,7 @@ def times(seconds: float) -> Array:
     return np.arange(round(seconds * RATE) + 1) / RATE
 
 
-def held(kind: Kind, place: Place, time: Array, pressed: Array, tool: Tool, draws: Draws) -> Contact:
+def held(kind: StreamKind, place: Place, time: Array, pressed: Array, tool: Tool, draws: Draws) -> Contact:
     """A tool that is held to one place.
 
     Args:
@@ -245,7 +245,7 @@ def joined(contacts: list[Contact], label: str = "") -> Contact:
         Refusal: no contacts.
     """
     if not contacts:
-        raise Refusal("contacts is empty: at least one is needed to join")
+        raise Refusal("is empty: at least one is needed to join", kind=Kind.MISSING, field="contacts")
     first = contacts[0]
     begin, time = float(first.time[0]), []
     for each in contacts:
@@ -260,7 +260,9 @@ def joined(contacts: list[Contact], label: str = "") -> Contact:
     )
 
 
-def _moved(kind: Kind, path: ArrayLike, speed: ArrayLike, tool: Tool, stream: tuple[int, Purpose, int]) -> Contact:
+def _moved(
+    kind: StreamKind, path: ArrayLike, speed: ArrayLike, tool: Tool, stream: tuple[int, Purpose, int]
+) -> Contact:
     draws = Draws(kind, *stream)
     time, places, pressed = _way(path, speed)
     radius, force = draws.between(tool.radius), draws.log_between(tool.force)
@@ -273,15 +275,25 @@ def _way(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]:
     """Times (n,) s, places (n, 2) mm and the course of the force (n,) of what moves along a path."""
     corners = numbers("path", path)
     if corners.ndim != 2 or corners.shape[1:] != (2,) or len(corners) < 2 or not np.isfinite(corners).all():
-        raise Refusal(f"path has shape {corners.shape}; it must be at least two places (x, y) of finite numbers, mm")
+        raise Refusal(
+            f"has shape {corners.shape}; it must be at least two places (x, y) of finite numbers, mm",
+            kind=Kind.WRONG_TYPE,
+            field="path",
+        )
     lengths = np.hypot(*np.diff(corners, axis=0).T)
     speeds = numbers("speed", speed)
     if speeds.shape not in ((), lengths.shape):
-        raise Refusal(f"speed has shape {speeds.shape}; it must be one, or {lengths.shape}, one for each piece")
+        raise Refusal(
+            f"has shape {speeds.shape}; it must be one number, or {lengths.shape}, one for each piece of the path",
+            kind=Kind.WRONG_TYPE,
+            field="speed",
+        )
     for value in speeds.flat:
         in_range("speed", value, *SPEEDS, "mm/s")
     if lengths.sum() <= 0:
-        raise Refusal("path has no length; what stands still is a press")
+        raise Refusal(
+            "has no length", kind=Kind.UNSUITABLE, field="path", remedy="a contact that stands still is a press"
+        )
     kept = np.concatenate([[True], lengths > 0])
     at = np.concatenate([[0.0], np.cumsum(lengths / speeds)])[kept]
     lasts = float(at[-1])
@@ -298,5 +310,5 @@ def still(place: Place, count: int) -> Array:
     """A path that stays at one place, mm: (count, 2) float64, mm."""
     spot = numbers("place", place)
     if spot.shape != (2,) or not np.isfinite(spot).all():
-        raise Refusal(f"place = {place!r:.60} must be (x, y), two finite numbers, mm")
+        raise Refusal(kind=Kind.WRONG_TYPE, field="place", value=place, allowed="(x, y), two finite numbers, mm")
     return np.tile(spot, (count, 1))

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.signals.random_streams import Kind, Purpose, random_words, uniform
+from localize.signals.random_streams import Purpose, StreamKind, random_words, uniform
 
 _WORDS = 128
 TREMOR = (6.0, 12.0)
@@ -26,7 +26,7 @@ class Draws:
         sample: index of the contact in the stream.
     """
 
-    def __init__(self, kind: Kind, seed: int, purpose: Purpose, sample: int) -> None:
+    def __init__(self, kind: StreamKind, seed: int, purpose: Purpose, sample: int) -> None:
         drawn = uniform(random_words(seed, purpose, kind, sample, 1, _WORDS))
         self._left = iter(drawn.numpy().astype(np.float64).ravel().tolist())
 

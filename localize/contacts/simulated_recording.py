@@ -18,7 +18,7 @@ import torch
 from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import in_range
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force, surface_of
 from localize.signals.array_response import ArrayResponse, interpolated, interpolated_from_zero, response_of
@@ -97,7 +97,13 @@ class ContactRecorder:
         in_range("sample_rate", sample_rate, *RATES, "Hz")
         self._period = round(sample_rate / LINE_SPACING)
         if abs(self._period * LINE_SPACING - sample_rate) > 1e-9:
-            raise Refusal(f"sample_rate = {sample_rate!r} Hz must be a multiple of {LINE_SPACING:g} Hz")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="sample_rate",
+                value=sample_rate,
+                unit="Hz",
+                allowed=f"a multiple of {LINE_SPACING:g} Hz",
+            )
         self.response = response_of(array)
         self.sample_rate, self.seed, self.purpose = float(sample_rate), seed, purpose
         self._place, _ = surface_of(self.response)
@@ -105,7 +111,11 @@ class ContactRecorder:
         if ambient is not None or microphone_noise != 0.0:
             if sample_rate != SAMPLE_RATE:
                 raise Refusal(
-                    f"sample_rate = {sample_rate:g} Hz must be {SAMPLE_RATE:g} Hz where there is noise or sound"
+                    kind=Kind.CONFLICT,
+                    field="sample_rate",
+                    value=sample_rate,
+                    unit="Hz",
+                    allowed=f"{SAMPLE_RATE:g} Hz where there is noise or sound",
                 )
             self._background = TouchGenerator(
                 self.response,
@@ -123,7 +133,11 @@ class ContactRecorder:
         """(n_point, n_microphone, period) Pa/N per sample; what comes before time zero stands at the end."""
         response = self.response
         if response.cavity_response is None:
-            raise Refusal(f"{response.name}: contacts need a library with a design: it tells the pressure of a force")
+            raise Refusal(
+                f"{response.name}: bare transfer functions do not give the pressure of a force",
+                kind=Kind.MISMATCH,
+                remedy="take a library that has a design",
+            )
         grid = response.frequency
         band = (float(grid[0]), min(float(grid[-1]), SAMPLE_RATE / 2))
         fade = top_faded(band).numpy().astype(np.float64)

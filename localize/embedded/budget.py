@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.frame_covariance import SAMPLES
 from localize.embedded.decoder_tables import EmbeddedTables
 from localize.embedded.reflections import BLOCK
@@ -70,8 +70,11 @@ class Budget:
             match = _STATED.fullmatch(part)
             if match is None or match[1] in found or not float(match[2]):
                 raise Refusal(
-                    f"budget = {text!r}: {part!r} must be one of flash, ram, stack and instructions, once, with a "
-                    "number above 0, such as flash=512k,ram=16k,instructions=2.5M"
+                    f"holds {part!r}; each part must be flash, ram, stack or instructions, once, with a number above 0",
+                    kind=Kind.OUT_OF_RANGE,
+                    field="budget",
+                    value=text,
+                    remedy="write it as flash=512k,ram=16k,instructions=2.5M",
                 )
             thousand = 1000 if match[1] == "instructions" else 1024
             found[match[1]] = int(float(match[2]) * thousand ** {"": 0, "k": 1, "M": 2}[match[3]])
@@ -93,7 +96,7 @@ class Budget:
             if left is not None and needed > left:
                 over.append(f"{name} {needed} of {left}{'' if name == 'instructions' else ' bytes'}")
         if over:
-            raise Refusal(f"budget is exceeded by {what}: {', '.join(over)}")
+            raise Refusal(f"is exceeded by {what}: {', '.join(over)}", kind=Kind.UNSUITABLE, field="budget")
 
 
 def in_units(name: str, value: int) -> str:

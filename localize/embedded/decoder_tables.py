@@ -18,7 +18,7 @@ import numpy as np
 import scipy.signal
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import POWERS, TEMPERATURE, WEAKEST, share_of
 from localize.decoders.frame_covariance import (
@@ -134,7 +134,7 @@ def embedded_tables(
         Refusal: an unknown precision, or as :class:`localize.BayesDecoder` and :class:`localize.SoundTest`.
     """
     if precision not in PRECISIONS:
-        raise Refusal(f"precision = {precision!r} must be {' or '.join(map(repr, PRECISIONS))}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="precision", value=precision, allowed=PRECISIONS)
     check_noise(microphone_noise)
     response = response_of(library)
     warn_of_uncovered(response)

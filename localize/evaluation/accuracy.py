@@ -11,7 +11,7 @@ import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -239,14 +239,21 @@ def check_evaluation(
     if tuple(localizer.microphones) != response.microphones or localizer.point_count != response.point_count:
         raise Refusal(
             f"the localizer is for {counted(localizer.point_count, 'point')} and microphones "
-            f"{', '.join(localizer.microphones)}; "
-            f"the library has {counted(response.point_count, 'point')} and microphones "
-            f"{', '.join(response.microphones)}"
+            f"{', '.join(localizer.microphones)}; the library has {counted(response.point_count, 'point')} and "
+            f"microphones {', '.join(response.microphones)}",
+            kind=Kind.MISMATCH,
         )
     if not 1 <= touches_per_point <= MOST_TOUCHES:
-        raise Refusal(f"touches_per_point = {touches_per_point} must be between 1 and {MOST_TOUCHES:,}")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="touches_per_point",
+            value=touches_per_point,
+            allowed=f"between 1 and {MOST_TOUCHES:,}",
+        )
     if not FRAME <= samples <= SAMPLE_LENGTH:
-        raise Refusal(f"samples = {samples} must be between {FRAME} and {SAMPLE_LENGTH}")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="samples", value=samples, allowed=f"between {FRAME} and {SAMPLE_LENGTH}"
+        )
     response.noise(microphone_noise)
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.tolerant import TolerantDecoder
 from localize.live.events import Decision
@@ -153,7 +153,11 @@ def _expected(decoder: BayesDecoder) -> float | None:
 def _louder(decoder: BayesDecoder, noise: NDArray[np.float64]) -> float:
     """The noise over that which the decoder was told, rms, at least 1."""
     if noise.shape != (len(decoder.microphones),):
-        raise Refusal(f"noise has shape {noise.shape}, must be ({len(decoder.microphones)},): one per microphone")
+        raise Refusal(
+            f"has shape {noise.shape}, must be ({len(decoder.microphones)},), one value for each microphone",
+            kind=Kind.WRONG_TYPE,
+            field="noise",
+        )
     return max(1.0, float(np.sqrt(np.mean(noise**2))) / decoder.noise_rms)
 
 

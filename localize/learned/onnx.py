@@ -26,7 +26,7 @@ import torch
 from torch import Tensor, nn
 
 from acoustic_fem.library.provenance import versions
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import whole_file
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder
@@ -57,9 +57,17 @@ def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str
             :class:`localize.DriftDecoder`, which remembers the frames before.
     """
     if isinstance(localizer, TolerantDecoder):
-        raise Refusal("localizer must not be a TolerantDecoder: what it fits to a frame is in no graph yet")
+        raise Refusal(
+            "must not be a TolerantDecoder, because the fit to each frame has no graph",
+            kind=Kind.WRONG_TYPE,
+            field="localizer",
+        )
     if isinstance(localizer, DriftDecoder):
-        raise Refusal("localizer must not be a DriftDecoder: a graph does not remember the frames before")
+        raise Refusal(
+            "must not be a DriftDecoder, because a graph does not remember earlier frames",
+            kind=Kind.WRONG_TYPE,
+            field="localizer",
+        )
     graph = _NetworkGraph(localizer) if isinstance(localizer, Localizer) else DecoderGraph(localizer)
     model = _translated(graph.eval(), len(localizer.microphones))
     model.producer_name = "acoustic-fem"

@@ -12,6 +12,7 @@ import torch
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
+from geometry.ground.refusal import Kind
 from localize.evaluation.accuracy import Locator
 from localize.live.events import Decision
 from localize.live.front_end import AS_IT_COMES, Listening
@@ -86,7 +87,11 @@ class RecordedFrames:
         self.recordings = found.recordings
         self.held_out = split([(each.point, each.part, each.file) for each in self.recordings], seed)
         if not any(self.held_out):
-            raise TouchManifestError(f"{found.path}: no point has two recordings of one part; none can be held out")
+            raise TouchManifestError(
+                "no point has two recordings of one part, so that none can be held out",
+                kind=Kind.UNSUITABLE,
+                file=found.path,
+            )
         self.seed = seed
         self.point_count = response.point_count
         signals, touched = [], []
@@ -95,7 +100,11 @@ class RecordedFrames:
             heard = read_recording(each.path, response.microphones, full_scale).signals
             first = touched_frames(heard, response.microphones, noise_rms)
             if not len(first):
-                raise TouchManifestError(f"{each.path}: holds no frame that is louder than the microphones' noise")
+                raise TouchManifestError(
+                    "has no frame that is louder than the noise of the microphones",
+                    kind=Kind.UNSUITABLE,
+                    file=each.path,
+                )
             signals.append(heard.astype(np.float32))
             touched.append(first)
         refuse_same_take(found, signals, touched)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 if TYPE_CHECKING:
     from localize.learned.features import FeatureChoice
@@ -45,15 +45,17 @@ def check_ranges(
     for name, (least, most) in (whole | WHOLE).items():
         value = field[name]
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-            raise Refusal(f"{name} = {value!r} must be a whole number from {least} to {most}")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=f"a whole number from {least} to {most}"
+            )
     for name, (low, high) in (real | REAL).items():
         value = field[name]
         if (name, value) in (("time_limit", None), ("microphone_noise", "design")):
             continue
         if isinstance(value, str) or not low <= value <= high:
-            raise Refusal(f"{name} = {value!r} must be between {low:g} and {high:g}")
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=f"between {low:g} and {high:g}")
     if field["network"] not in NETWORKS:
-        raise Refusal(f"network = {field['network']!r} must be one of: {', '.join(NETWORKS)}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="network", value=field["network"], allowed=NETWORKS)
 
 
 @dataclass(frozen=True)
@@ -135,15 +137,25 @@ class TrainingPlan:
             },
         )
         if isinstance(self.ambient, str) and self.ambient != "rooms":
-            raise Refusal(f"ambient = {self.ambient!r} must be 'rooms', or lowest and highest level")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="ambient",
+                value=self.ambient,
+                allowed="'rooms', or the lowest and highest level, dB SPL",
+            )
         if self.ambient is not None and self.ambient != "rooms":
             check_ambient(self.ambient)
         for stimuli in self.stimuli or ("",):
             if stimuli not in STIMULI:
-                raise Refusal(f"stimuli = {self.stimuli!r} must name at least one of: {', '.join(STIMULI)}")
+                raise Refusal(
+                    kind=Kind.OUT_OF_RANGE,
+                    field="stimuli",
+                    value=self.stimuli,
+                    allowed=f"at least one of: {', '.join(STIMULI)}",
+                )
         for name, allowed in (("method", ("exact", "stft")), ("label_neighbours", ("line", "number"))):
             if getattr(self, name) not in allowed:
-                raise Refusal(f"{name} = {getattr(self, name)!r} must be one of: {', '.join(allowed)}")
+                raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=getattr(self, name), allowed=allowed)
         map_count(2, self.features)
 
     @classmethod
@@ -157,7 +169,7 @@ class TrainingPlan:
             Refusal: another name.
         """
         if name not in PLANS:
-            raise Refusal(f"plan = {name!r} must be one of: {', '.join(PLANS)}")
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="plan", value=name, allowed=PLANS)
         return cls.paper() if name == "paper" else cls(microphone_noise="design")
 
     @classmethod

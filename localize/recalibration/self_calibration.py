@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
 from localize.live.front_end import Listening
@@ -147,7 +147,13 @@ def self_calibrate(
             range; a library without the band, or of a design that the lumped batch does not take.
     """
     if not 1e-9 <= microphone_noise <= 10:
-        raise Refusal(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="microphone_noise",
+            value=microphone_noise,
+            unit="Pa",
+            allowed="between 1e-9 and 10 Pa",
+        )
     Listening(high_pass)
     response = response_of(library)
     heard = _usable(np.asarray(frames, np.float64), response, microphone_noise)
@@ -155,8 +161,10 @@ def self_calibrate(
     level = float(np.median(heard.std(2).max(1)))
     if not LEVELS[0] <= level <= LEVELS[1]:
         raise SelfCalibrationError(
-            f"the touches are {level:.3g} Pa rms at their loudest microphone, where {LEVELS[0]:g} to {LEVELS[1]:g} Pa "
-            f"can be judged: are the samples pascals? Needed are {NEEDED}"
+            f"the touches have a median level of {level:.3g} Pa rms at their loudest microphone; it must be between "
+            f"{LEVELS[0]:g} and {LEVELS[1]:g} Pa",
+            kind=Kind.UNSUITABLE,
+            remedy=f"check that the samples are pascals; a calibration needs {NEEDED}",
         )
     noises = [max(share * level, 2 * microphone_noise) for share in STAGES]
     heard = heard[np.random.default_rng(seed).permutation(len(heard))]
@@ -188,7 +196,9 @@ def touched(frames: Array, noise: float) -> NDArray[np.bool_]:
 def _usable(frames: Array, response: ArrayResponse, noise: float) -> Array:
     """Frames that hold a touch, each once."""
     if frames.ndim != 3 or frames.shape[2] != FRAME:
-        raise Refusal(f"frames have shape {frames.shape}, must be (n, n_microphone, {FRAME})")
+        raise Refusal(
+            f"has shape {frames.shape}, must be (n, n_microphone, {FRAME})", kind=Kind.WRONG_TYPE, field="frames"
+        )
     number = np.flatnonzero(touched(frames, noise))
     heard = frames[number]
     if len(heard):
@@ -197,7 +207,8 @@ def _usable(frames: Array, response: ArrayResponse, noise: float) -> Array:
     if len(heard) < FEWEST:
         raise SelfCalibrationError(
             f"{len(heard)} of {counted(len(frames), 'frame')} hold a touch; a calibration needs at least {FEWEST} "
-            f"({FEWEST * FRAME / SAMPLE_RATE:g} s of touches)"
+            f"({FEWEST * FRAME / SAMPLE_RATE:g} s of touches)",
+            kind=Kind.UNSUITABLE,
         )
     return heard
 
@@ -210,8 +221,10 @@ def _check_copies(frames: Array, number: NDArray[np.int64]) -> None:
     if len(copies):
         raise SelfCalibrationError(
             f"{len(copies)} of {counted(len(frames), 'frame')} with a touch are copies of others, such as frame "
-            f"{number[copies[0]]} of frame {earlier[copies[0]]} (from 0): a copy of what the search saw judges "
-            "nothing; give each touch once"
+            f"{number[copies[0]] + 1} of frame {earlier[copies[0]] + 1}, so that held-out frames would not be new to "
+            "the search",
+            kind=Kind.UNSUITABLE,
+            remedy="give each touch once",
         )
 
 
@@ -225,7 +238,9 @@ def _check_channels(frames: Array, microphones: tuple[str, ...]) -> None:
             raise SelfCalibrationError(
                 f"channels {microphones[one]} and {microphones[other]} hold one signal: in the frames with a touch "
                 f"{microphones[other]} is {product[one, other] / product[one, one]:.3g} times {microphones[one]}, "
-                f"their correlation {correlation:.4f}; each microphone needs a channel of its own"
+                f"with a correlation of {correlation:.4f}",
+                kind=Kind.UNSUITABLE,
+                remedy="record each microphone on a channel of its own",
             )
 
 

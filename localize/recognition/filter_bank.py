@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import Locator
@@ -123,8 +123,10 @@ class Ear:
         slide = straight_slide(self._response, locator.locate, signals[:, begin : each.end + FRAME])
         if slide is None:
             raise Refusal(
-                f"`speed` must be given: what is heard from {each.begin / SAMPLE_RATE:.2f} to "
-                f"{each.end / SAMPLE_RATE:.2f} s is no straight slide over three points, which would tell it"
+                f"must be given: the touch from {each.begin / SAMPLE_RATE:.2f} to {each.end / SAMPLE_RATE:.2f} s is "
+                "not a straight slide over three points, so that its speed cannot be measured",
+                kind=Kind.MISSING,
+                field="speed",
             )
         found = [np.zeros((0, WINDOW))]
         for touched, time in zip(slide.point, slide.time, strict=True):

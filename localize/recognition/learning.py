@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from acoustic_fem.library.provenance import versions
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import Checkpoint
 from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape
@@ -91,11 +91,13 @@ def train_recognizer(
     plan = plan or RecognitionPlan.of(subject)
     known = (*SUBJECTS, WRITTEN, RECORDED)
     if subject not in known:
-        raise Refusal(f"subject = {subject!r} must be one of: {', '.join(known)}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="subject", value=subject, allowed=known)
     if subject != WRITTEN and (subject == RECORDED) != (recordings is not None):
         raise Refusal(
-            f"subject = {subject!r}: a manifest of recordings goes with {RECORDED!r} or {WRITTEN!r}, and {RECORDED!r} "
-            "with nothing else"
+            f"a manifest of recordings goes with {RECORDED!r} or {WRITTEN!r}, and {RECORDED!r} needs one",
+            kind=Kind.CONFLICT,
+            field="subject",
+            value=subject,
         )
     response = response_of(library)
     warn_of_uncovered(response)

@@ -17,7 +17,7 @@ import numpy as np
 import scipy.signal
 from numpy.typing import ArrayLike
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.frame_covariance import INTEGRATION_STEP, SAMPLES, SOURCE_RMS, touch_covariances, whitening
@@ -171,7 +171,9 @@ class PulseReader:
         given = batch[0]
         if given.shape[1] < LEAST * SAMPLE_RATE:
             raise Refusal(
-                f"signals last {given.shape[1] / SAMPLE_RATE:g} s, must last at least {LEAST:g} s for a pulse"
+                f"lasts {given.shape[1] / SAMPLE_RATE:g} s, must last at least {LEAST:g} s for a pulse",
+                kind=Kind.UNSUITABLE,
+                field="signals",
             )
         probability = self._decoder.named(prepared(given))
         felt = int(probability.argmax()) if point is None else point

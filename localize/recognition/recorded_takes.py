@@ -10,6 +10,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.features import COLUMNS, FREQUENCIES
@@ -232,9 +233,15 @@ def recorded_takes(
     labels = tuple(sorted({each.label for each in found.recordings}))
     moving = {each.speed is not None for each in found.recordings}
     if len(moving) > 1:
-        raise TouchManifestError(f"{found.path}: some recordings state a speed and some do not; all must, or none")
+        raise TouchManifestError(
+            "some recordings give a speed and some do not; all must, or none", kind=Kind.CONFLICT, file=found.path
+        )
     if isinstance(through, LineReader) and moving == {True}:
-        raise TouchManifestError(f"{found.path}: recordings of letters must state no speed: it is of no use")
+        raise TouchManifestError(
+            "recordings of letters must not give a speed, because nothing is done with it",
+            kind=Kind.CONFLICT,
+            file=found.path,
+        )
     held = split([(0, each.label, each.file) for each in found.recordings], seed, labels)
     signals, touched, parts = [], [], []
     for each, judged in zip(found.recordings, held, strict=True):  # what is judged is cut as what is to be told
@@ -248,7 +255,7 @@ def recorded_takes(
             own = maps_of(windows_of(through, heard, frames, each.point - 1, each.speed, before))
         if not len(own):
             sought = "letter" if isinstance(through, LineReader) else f"window of {WINDOW} samples"
-            raise TouchManifestError(f"{each.path}: holds no {sought} in which something is heard")
+            raise TouchManifestError(f"has no {sought} with a touch in it", kind=Kind.UNSUITABLE, file=each.path)
         signals.append(heard.astype(np.float32))
         touched.append(frames)
         parts.append((own, torch.full((len(own),), labels.index(each.label))))

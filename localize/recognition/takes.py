@@ -13,7 +13,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.live.front_end import HighPass
@@ -190,7 +190,7 @@ def at_usual_speed(waveform: Array, speed: float) -> Array:
         Refusal: a speed that is not between 1 and 100 mm/s.
     """
     if not 1.0 <= speed <= 100.0:
-        raise Refusal(f"speed = {speed:g} mm/s must be between 1 and 100 mm/s")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="speed", value=speed, unit="mm/s", allowed="between 1 and 100 mm/s")
     place = np.arange(int(len(waveform) * speed / SPEED)) * (SPEED / speed)
     spline = scipy.interpolate.make_interp_spline(np.arange(len(waveform)), waveform, k=3)
     return np.asarray(spline(np.minimum(place, len(waveform) - 1)))
@@ -223,7 +223,12 @@ class TakeMaker:
 
     def __post_init__(self) -> None:
         if self.passing and any(each.membrane_radius is None for each in self.sensors):
-            raise Refusal(f"passing = {self.passing:g} must be 0 of bare transfer functions, which have no membranes")
+            raise Refusal(
+                kind=Kind.CONFLICT,
+                field="passing",
+                value=self.passing,
+                allowed="0 for bare transfer functions, which have no membranes",
+            )
 
     def signals(self, purpose: Purpose, number: int) -> tuple[Array, int, int, float]:
         """Signals of one take, (n_microphone, n_sample) Pa; its kind and point, from 0; and its speed, mm/s."""

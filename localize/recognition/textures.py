@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import hertz_share
 from localize.recognition.event_kinds import band_noise
@@ -148,7 +148,7 @@ def _felt(
 ) -> tuple[Array, float]:
     """What of the force changes, (count,), over the rms of what the ridges do; and that rms over the mean force."""
     if not 1.0 <= speed <= 100.0:
-        raise Refusal(f"speed = {speed:g} mm/s must be between 1 and 100 mm/s")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="speed", value=speed, unit="mm/s", allowed="between 1 and 100 mm/s")
     wander = 1 + 0.01 * band_noise(count, 0.2, 2.0, random)
     place = np.cumsum(speed * wander) / SAMPLE_RATE + random.uniform(0.0, 10.0)
     height = felt_height(profile, place, blunter * random.uniform(*RADIUS))

@@ -25,7 +25,7 @@ import torch
 from torch import Tensor
 
 from acoustic_fem.quantities.checks import in_range
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
 from localize.signals.stimulus import (
@@ -279,13 +279,19 @@ def _read_wav(path: Path) -> np.ndarray:
 
     sound = read_wav(path)
     if len(sound.channels) != 1:
-        raise Refusal(f"{path}: has {counted(len(sound.channels), 'channel')}, must have one: the pressure in a cavity")
+        raise Refusal(
+            f"has {counted(len(sound.channels), 'channel')}, must have one: the pressure in a cavity",
+            kind=Kind.MISMATCH,
+            file=path,
+        )
     (pressure,) = sound.channels.values()
     if not np.isfinite(pressure).all():
-        raise Refusal(f"{path}: holds values that are not finite")
+        raise Refusal("holds values that are not finite", kind=Kind.UNSUITABLE, file=path)
     if not len(pressure) or not np.ptp(pressure) > 0:
-        raise Refusal(f"{path}: is silent: its value never changes")
+        raise Refusal("is silent: its value never changes", kind=Kind.UNSUITABLE, file=path)
     resampled = at_one_kilohertz(pressure[None], sound.rate)[0]
     if len(resampled) < SAMPLE_LENGTH:
-        raise Refusal(f"{path}: lasts {len(pressure) / sound.rate:.3g} s, must last at least 1 s")
+        raise Refusal(
+            f"lasts {len(pressure) / sound.rate:.3g} s, must last at least 1 s", kind=Kind.UNSUITABLE, file=path
+        )
     return resampled

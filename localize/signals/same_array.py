@@ -8,7 +8,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import PathLike
 
 _NOT_OF_THE_ARRAY = ("name", "description", "air", "printing")
 """Fields that may differ: what an array is called, where it is, and how its parts are printed."""
@@ -34,7 +35,7 @@ class Array(Protocol):
         """What it was made from, with the ``design`` as a text where there is one."""
 
 
-def check_same_array(localizer: Array, library: Array, source: object) -> None:
+def check_same_array(localizer: Array, library: Array, source: PathLike) -> None:
     """Refuse a library whose microphones or points are not those of a localizer.
 
     Args:
@@ -47,23 +48,31 @@ def check_same_array(localizer: Array, library: Array, source: object) -> None:
     """
     own, other = (", ".join(each.microphones) for each in (localizer, library))
     if own != other:
-        raise Refusal(f"{source}: is of another array than the localizer: its microphones are {other}, must be {own}")
+        raise Refusal(
+            f"is of another array than the localizer: its microphones are {other}, must be {own}",
+            kind=Kind.MISMATCH,
+            file=source,
+        )
     if len(localizer.line) != len(library.line):
         raise Refusal(
-            f"{source}: is of another array than the localizer: it has {len(library.line)} points, must have "
-            f"{len(localizer.line)}"
+            f"is of another array than the localizer: it has {len(library.line)} points, must have "
+            f"{len(localizer.line)}",
+            kind=Kind.MISMATCH,
+            file=source,
         )
     different = (np.asarray(localizer.line) != library.line) | (np.asarray(localizer.place) != library.place)
     if different.any():
         point = int(np.flatnonzero(different)[0])
         here, there = (f"place {each.place[point]} of line {each.line[point]}" for each in (library, localizer))
         raise Refusal(
-            f"{source}: is of another array than the localizer, or its points are numbered otherwise: point "
-            f"{point + 1} is {here}, must be {there}"
+            f"is of another array than the localizer, or its points are numbered otherwise: point {point + 1} is "
+            f"{here}, must be {there}",
+            kind=Kind.MISMATCH,
+            file=source,
         )
 
 
-def check_same_design(localizer: Array, library: Array, source: object) -> None:
+def check_same_design(localizer: Array, library: Array, source: PathLike) -> None:
     """Refuse a library of another design than a localizer's, as far as both say of which they are.
 
     Args:
@@ -77,7 +86,7 @@ def check_same_design(localizer: Array, library: Array, source: object) -> None:
     check_same_array(localizer, library, source)
     difference = design_difference(localizer, library)
     if difference:
-        raise Refusal(f"{source}: is of another design than the localizer: {difference}")
+        raise Refusal(f"is of another design than the localizer: {difference}", kind=Kind.MISMATCH, file=source)
 
 
 def design_difference(localizer: Array, library: Array) -> str | None:

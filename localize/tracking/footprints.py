@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force
 from localize.signals.array_response import ArrayResponse
@@ -134,7 +134,11 @@ def _checked(response: ArrayResponse) -> float:
         Refusal: bare transfer functions.
     """
     if response.position is None or response.cavity_response is None:
-        raise Refusal(f"{response.name}: places need a library with a design: bare transfer functions know of none")
+        raise Refusal(
+            f"{response.name}: bare transfer functions have no positions of points",
+            kind=Kind.MISMATCH,
+            remedy="track contacts with a library that has a design",
+        )
     return pitch_of(response)
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
@@ -167,7 +167,11 @@ class PositionDecoder(BayesDecoder):
         """
         asked = np.asarray(place, dtype=np.float64)
         if asked.ndim != 2 or asked.shape[0] < 2 or asked.shape[1] != 2 or not np.isfinite(asked).all():
-            raise Refusal(f"place has shape {asked.shape}: it must be (n, 2), finite, with n at least 2")
+            raise Refusal(
+                f"has shape {asked.shape}; it must be (n, 2), finite, with n at least 2",
+                kind=Kind.WRONG_TYPE,
+                field="place",
+            )
         batch, _ = checked_signals(signals, self.microphones)
         return np.stack([self._along(asked, frames) for frames in cut_frames(batch)])
 
