@@ -5,24 +5,26 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped
 from acoustic_fem.cell.solid import MarkedSolid, MeshGoal, checked_physics, converge
+from acoustic_fem.fields.cylinder_heat import CylinderAir, SideBore
+from acoustic_fem.fields.navier_stokes import WallMotion
 from acoustic_fem.numerics import disk_cache
+from acoustic_fem.numerics.rational_sweep import ReducedModel
 from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 from geometry.air.straight_bores import StraightBore
+from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.ground.extras import NotInstalled, installed_version
 from geometry.ground.refusal import Refusal, said_by
 from geometry.schema.cavity_shapes import Box, Dome
 from geometry.schema.ports import CellPort
-
-if TYPE_CHECKING:
-    from acoustic_fem.fields.cylinder_heat import CylinderAir
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
 DESIGN_BAND = (1.0, 500.0)
@@ -158,10 +160,6 @@ def marked_solid(cell: Cell, physics: Physics = "navier-stokes") -> MarkedSolid:
     Raises:
         Refusal: its air cannot be made.
     """
-    from acoustic_fem.cell.condensed import BodyFaces
-    from acoustic_fem.fields.navier_stokes import WallMotion
-    from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
-
     air = air_volume(cell, level=physics == "navier-stokes")
     radius = np.linspace(0, cell.opening_diameter / 2, 200)
     bowl = 1 - (radius / radius[-1]) ** 2
@@ -173,8 +171,6 @@ def marked_solid(cell: Cell, physics: Physics = "navier-stokes") -> MarkedSolid:
 
 def _cylinder(cell: Cell) -> CylinderAir | None:
     """The air of a cell whose cavity is a cylinder."""
-    from acoustic_fem.fields.cylinder_heat import CylinderAir, SideBore
-
     if cell.shape is not None:
         return None
     bores = []
@@ -195,8 +191,6 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
         NotInstalled: nothing can be meshed on this system.
     """
     from OCP.Standard import Standard_Failure
-
-    from acoustic_fem.cell.condensed import AirModel
 
     cell = task.cell
     try:
@@ -239,9 +233,6 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
 
 def rebuilt(task: CellTask, record: CellRecord, grid: NDArray[np.float64], cached: bool) -> CellSolution:
     """Solution of a cell on a grid of frequencies, (n_freq,) float64 in Hz, from its record."""
-    from acoustic_fem.cell.condensed import CondensedBody, Pumped
-    from acoustic_fem.numerics.rational_sweep import ReducedModel
-
     arrays, about = record
 
     def model(name: str) -> ReducedModel:

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
+from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign
@@ -69,9 +71,6 @@ def _cell_admittances(
             [{"cell": cell.label, "method": "closed form"} for cell in cells],
         )
     if fidelity == "atlas":
-        from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
-        from acoustic_fem.atlas.cell_table import cell_atlas
-
         atlas = cell_atlas()
         atlas.warn_above(frequency)
         atlas.warn_below(least_angle(cells))

@@ -16,7 +16,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
+import h5netcdf
+
 from geometry.ground.file_checks import library_reads, ordinary_file
+from geometry.ground.refusal import Refusal
 
 _MARK = b"\nacoustic-fem sha256 "
 _LENGTH = len(_MARK) + 64 + 1
@@ -58,21 +61,19 @@ def seal(path: Path) -> None:
         file.write(_MARK + digest.encode() + b"\n")
 
 
-def read_netcdf(path: Path, what: str, refusal: Callable[[str], Exception], take: Callable[[Any], T]) -> T:
+def read_netcdf(path: Path, what: str, refusal: type[Refusal], take: Callable[[Any], T]) -> T:
     """What is taken from a netCDF-4 file whose bytes are those that were written, or that was tried.
 
     Args:
         path: the file.
         what: such as ``a SOFA file``, for messages.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
         take: reads from the open ``h5netcdf.File``; nothing of it is used once the file is closed.
 
     Raises:
         Exception: by ``refusal``: no ordinary file, not netCDF, damaged, cut short, or one that takes too long or too
             much memory to read.
     """
-    import h5netcdf
-
     ordinary_file(path, what, refusal, _LARGEST)
     with path.open("rb") as file:
         file.seek(-min(_LENGTH, path.stat().st_size), os.SEEK_END)
@@ -95,7 +96,7 @@ def _digest_before_seal(path: Path) -> bytes:
     return digest.hexdigest().encode()
 
 
-def _try_apart(path: Path, what: str, refusal: Callable[[str], Exception]) -> None:
+def _try_apart(path: Path, what: str, refusal: type[Refusal]) -> None:
     """Read all of a file in a process that may take too long, or be ended by it."""
     try:
         tried = subprocess.run(

@@ -10,6 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from geometry.air.mesh import InvertedElementsError
 from geometry.ground.refusal import Refusal
 
 #: What is solved on a mesh.
@@ -78,8 +79,6 @@ def refined(
     Raises:
         ConvergenceError: four refinements of the first mesh that may do are not enough.
     """
-    from geometry.air.mesh import InvertedElementsError
-
     furthest = 0.0
 
     def advance(begin: float, end: float, done: float) -> None:

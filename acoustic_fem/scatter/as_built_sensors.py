@@ -5,7 +5,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from itertools import product
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,12 +13,9 @@ from acoustic_fem.atlas.fidelity_choice import QuickFidelity, quick_fidelity_by
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.openings import check_openings
 from acoustic_fem.network.microphone import vent_ratio
-from acoustic_fem.scatter.tolerances import CUT, QUANTITIES
-
-if TYPE_CHECKING:
-    from acoustic_fem.quantities.fidelity import ClosedForm
-    from acoustic_fem.quantities.medium import Medium
-    from acoustic_fem.scatter.tolerances import ScatteredDesign
+from acoustic_fem.quantities.fidelity import ClosedForm
+from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.scatter.tolerances import CUT, QUANTITIES, ScatteredDesign
 
 #: What of the scatter counts in the bounds of the atlas.
 _BOUNDED = ("bore", "cavity_diameter", "cavity_height", "chamber_height", "ovality")

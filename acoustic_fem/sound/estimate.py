@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
+import scipy.signal
 from numpy.typing import NDArray
 
 from geometry.ground.refusal import Refusal
@@ -138,8 +139,6 @@ def amplitudes(signals: Array, rate: float, frequency: Array, segment: float = S
     Returns:
         (n_signal, n_segment, n_freq) complex128, in the unit of the signals.
     """
-    import scipy.signal
-
     step = max(1, math.floor(rate / (_OVERSAMPLING * frequency.max())))
     if step > 1:
         # the same filter for all channels leaves their ratios alone

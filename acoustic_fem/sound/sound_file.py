@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
+import scipy.io.wavfile
 from numpy.typing import NDArray
 
 from geometry.ground.array_files import read_mat, read_npz
@@ -19,6 +20,7 @@ from geometry.ground.csv_files import read_csv
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
 from geometry.ground.refusal import Refusal, counted
 from geometry.ground.typed import Array
+from geometry.ground.whole_files import whole_file
 
 FORMATS = (".wav", ".csv", ".npz", ".mat")
 #: What a file may hold beside its channels.
@@ -116,10 +118,6 @@ def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int
     Raises:
         Refusal: another number of bits.
     """
-    import scipy.io.wavfile
-
-    from geometry.ground.whole_files import whole_file
-
     if bits not in (16, 24, 32):
         raise Refusal(f"bits = {bits} must be 16, 24 or 32")
     steps = 2.0 ** (bits - 1)
@@ -159,8 +157,6 @@ class _WavChannels(Mapping[str, Array]):
 
 def read_wav(path: Path) -> Sound:
     """Read a WAV file as :func:`read_sound` does, whatever its suffix."""
-    import scipy.io.wavfile
-
     path = ordinary_file(path, "a WAV file", SoundFileError, LARGEST_DATA)
     _check_chunks(path)
     with library_reads(path, "a WAV file", SoundFileError), warnings.catch_warnings():

@@ -13,7 +13,7 @@ from geometry.assembly.part_list import Kind, PartSet, PlacedPart, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
-from geometry.solids.membrane import membranes_of
+from geometry.solids.membrane import build_membrane, membranes_of
 from geometry.solids.tube import TubePiece, build_tube, piece_of
 
 if TYPE_CHECKING:
@@ -131,8 +131,6 @@ def plane_of(matrix: NDArray[np.float64]) -> cq.Plane:
 
 def _mounted_membrane(design: ArrayDesign) -> cq.Shape:
     """The membrane at its mounted size: lengths in the plane times the stretch, thickness at constant volume."""
-    from geometry.solids.membrane import build_membrane
-
     mounted = design.membrane.model_copy(update={"stretch": 1.0, "thickness": design.membrane.mounted_thickness})
     return build_membrane(design.model_copy(update={"membrane": mounted})).val()
 

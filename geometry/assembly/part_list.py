@@ -22,12 +22,12 @@ from geometry.layout.placement import (
     microphone_ports,
     point_ports,
 )
-from geometry.molds.mold import MoldKind, mold_counts, mold_kinds
+from geometry.molds.mold import MoldKind, build_mold, mold_counts, mold_kinds
 from geometry.plan.cylinder import FLAT, Axes
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import Membrane, Resonator
 from geometry.schema.ports import ANGLE_STEP, Port, in_common_rotation
-from geometry.solids.membrane import membrane_radius, membranes_of
+from geometry.solids.membrane import build_membrane, membrane_radius, membranes_of
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -144,10 +144,8 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
     Raises:
         Refusal: a part is not one valid solid.
     """
-    from geometry.molds.mold import build_mold
     from geometry.solids.carrier import array_carrier
     from geometry.solids.housing import build_board, build_housing
-    from geometry.solids.membrane import build_membrane
     from geometry.solids.shell import build_shell
 
     layout = layout or lay_out(design)

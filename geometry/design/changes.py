@@ -7,6 +7,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from geometry.ground.refusal import Kind
 from geometry.schema.field_errors import DERIVED_FROM, UnknownField, nearest
 
 
@@ -43,13 +44,13 @@ def check_name(data: Any, name: str, source: str) -> None:
     place = data
     for depth, step in enumerate(steps):
         if place is None:
-            raise UnknownField(
-                f"{source}: {'.'.join(steps[:depth])} is not given; give the whole table, not {name} alone"
-            )
+            table = ".".join(steps[:depth])
+            remedy = f"give the whole table, not {name} alone"
+            raise UnknownField("is not given", kind=Kind.MISSING, file=source, field=table, remedy=remedy)
         free = steps[:depth] in (["materials"], ["point_kinds"], ["tube_kinds"])  # keys are the user's own
         known = keys_of(place)
         if step not in known and not (free and depth == len(steps) - 1):
-            raise UnknownField(f"{source}: {name} is not a field of this design{nearest(step, known)}")
+            raise UnknownField.of_name(name, source, nearest(step, known))
         place = place[int(step)] if isinstance(place, (list, tuple)) else place.get(step)
 
 

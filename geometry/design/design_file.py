@@ -19,6 +19,7 @@ from tomlkit.items import AbstractTable, Item
 import geometry
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
+from geometry.ground.refusal import Kind
 from geometry.ground.text_files import parse_toml, read_text
 from geometry.ground.whole_files import check_own_kind, write_text
 from geometry.schema.array_fields import StatedArray
@@ -105,7 +106,7 @@ def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
     try:
         write_text(path, write_design(design))
     except OSError as error:
-        raise DesignError(f"{path}: cannot be written: {error.strerror}") from None
+        raise DesignError(f"cannot be written: {error.strerror}", kind=Kind.UNREADABLE, file=path) from None
 
 
 def value_of(design: ArrayDesign, name: str) -> Any:
@@ -128,8 +129,9 @@ def value_of(design: ArrayDesign, name: str) -> Any:
             known = keys_of(as_lists(place))
         if step not in known:
             if place is None:
-                raise UnknownField(f"{design.name}: {'.'.join(steps[:depth])} is not given, so there is no {name}")
-            raise UnknownField(f"{design.name}: {name} is not a field of this design{nearest(step, known)}")
+                problem = f"is in a table that the design does not give, {'.'.join(steps[:depth])}"
+                raise UnknownField(problem, kind=Kind.MISSING, file=design.name, field=name)
+            raise UnknownField.of_name(name, design.name, nearest(step, known))
         if isinstance(place, BaseModel):
             place = getattr(place, step)
         else:
@@ -151,7 +153,7 @@ def prototype_text(name: str) -> str:
     """
     names = prototype_names()
     if name not in names:
-        raise DesignError(f"no prototype is named {name!r}{nearest(name, names)}")
+        raise DesignError(kind=Kind.UNKNOWN, field="prototype", value=name, remedy=nearest(name, names))
     return (resources.files(geometry) / "prototypes" / f"{name}.toml").read_text(encoding="utf-8")
 
 
@@ -185,7 +187,8 @@ def resolve_design(argument: str | os.PathLike[str]) -> ArrayDesign:
         return prototype(text)
     if text.endswith(".toml") or os.path.exists(text):
         return load_design(text)
-    raise DesignError(f"{text}: neither a design file nor a prototype{nearest(text, names)}")
+    problem = "neither a design file nor a prototype"
+    raise DesignError(problem, kind=Kind.UNKNOWN, file=text, remedy=nearest(text, names))
 
 
 # -- writing ----------------------------------------------------------------------------------------

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
 
 from geometry.ground.refusal import counted
+from geometry.schema.array_fields import Line, StatedArray
 from geometry.schema.field_errors import nearest
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import Line, StatedArray
-    from geometry.schema.kinds import PointKind
+from geometry.schema.kinds import PointKind
 
 #: So that dotted names and the formulas of studies can hold them.
 _KIND_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
@@ -57,7 +54,7 @@ def _pattern(design: StatedArray, field: str, line: Line) -> Iterator[str]:
 def _names(field: str, names: Sequence[str], known: Mapping[str, object], table: str) -> Iterator[str]:
     for place, name in enumerate(names):
         if name not in known:
-            hint = nearest(name, list(known)) if known else "; none is given"
+            hint = "; " + (nearest(name, list(known)) or "none is given")
             yield f"{field}.{place} = {name!r} must be the name of a kind under [{table}.NAME]{hint}"
 
 

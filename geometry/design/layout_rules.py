@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from geometry.ground.refusal import Refusal
 from geometry.plan import area, cylinder, hand, ring
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import StatedArray
+from geometry.schema.array_fields import StatedArray
 
 
 def plane_rules(design: StatedArray) -> Iterator[str]:

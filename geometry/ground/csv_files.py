@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
+from geometry.ground.refusal import Kind, Refusal
 
 _LONGEST_LINE = 4_000_000  # characters; the longest that is written is a design in one line of text
 
@@ -26,16 +27,16 @@ class Table:
     """Other rows that are not empty, read when they are asked for."""
 
 
-def read_csv(path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception]) -> Table:
+def read_csv(path: str | os.PathLike[str], what: str, refusal: type[Refusal]) -> Table:
     """The table in a CSV file in UTF-8, with or without a byte order mark.
 
     Args:
         path: the file.
         what: such as ``a CSV file``, for messages.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
 
     Raises:
-        Exception: by ``refusal``: no such file, too large, a line too long, or not CSV in UTF-8; where that is so of a
+        Refusal: of that class: no such file, too large, a line too long, or not CSV in UTF-8; where that is so of a
             later row, when that is asked for.
     """
     path = ordinary_file(path, what, refusal, LARGEST_DATA)
@@ -50,7 +51,7 @@ def read_csv(path: str | os.PathLike[str], what: str, refusal: Callable[[str], E
     return Table(tuple(remarks), tuple(next(rows, [])), rows)
 
 
-def _rows(path: Path, what: str, refusal: Callable[[str], Exception], remarks: int) -> Iterator[list[str]]:
+def _rows(path: Path, what: str, refusal: type[Refusal], remarks: int) -> Iterator[list[str]]:
     with path.open(encoding="utf-8-sig", newline="") as file:
         lines = _lines(path, file, refusal)
         for _ in range(remarks):
@@ -65,10 +66,11 @@ def _rows(path: Path, what: str, refusal: Callable[[str], Exception], remarks: i
                 yield row
 
 
-def _lines(path: Path, file: IO[str], refusal: Callable[[str], Exception]) -> Iterator[str]:
+def _lines(path: Path, file: IO[str], refusal: type[Refusal]) -> Iterator[str]:
     number = 0
     while line := file.readline(_LONGEST_LINE):
         number += 1
         if len(line) == _LONGEST_LINE:
-            raise refusal(f"{path}: line {number} has {_LONGEST_LINE} characters or more; is it a CSV file?")
+            problem = f"line {number} has {_LONGEST_LINE} characters or more"
+            raise refusal(problem, kind=Kind.UNREADABLE, file=path, remedy="give a CSV file, one row a line")
         yield line

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.util import find_spec
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: Extra of pyproject.toml: packages by which it is known to be there, as they are imported.
 EXTRAS = {
@@ -45,7 +45,7 @@ def check_extras(what: str, *extras: str) -> None:
     """
     missing = [each for each in extras if not is_installed(each)]
     if missing:
-        raise MissingExtra(_line(what, ",".join(missing)))
+        raise MissingExtra(_line(what, ",".join(missing)), kind=Kind.NOT_INSTALLED)
 
 
 def is_installed(extra: str) -> bool:
@@ -75,7 +75,7 @@ def installed_version(package: str) -> str:
     try:
         return version(package)
     except PackageNotFoundError:
-        raise MissingExtra(what_to_install(package)) from None
+        raise MissingExtra(what_to_install(package), kind=Kind.NOT_INSTALLED) from None
 
 
 def _line(what: str, extras: str) -> str:

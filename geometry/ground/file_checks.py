@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from geometry.ground.refusal import Refusal, counted, said_by
+from geometry.ground.refusal import Kind, Refusal, said_by
 
 LARGEST_DATA = 2**29
 """Most bytes of a file of numbers or sound: eight channels of 16 bits at 48 kHz for eleven minutes."""
@@ -29,45 +29,42 @@ _KINDS = {
 }
 
 
-def ordinary_file(
-    path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception], largest: int | None = None
-) -> Path:
+def ordinary_file(path: str | os.PathLike[str], what: str, refusal: type[Refusal], largest: int | None = None) -> Path:
     """The path of a file that is there, is ordinary, may be read, and is not too large.
 
     Args:
         path: the file.
         what: such as ``a design file``, for messages.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
         largest: most bytes that it may have; by default any number.
 
     Raises:
-        Exception: by ``refusal``: no such file, a folder, pipe, socket or device, not readable, or too large.
+        Refusal: of that class: no such file, a folder, pipe, socket or device, not readable, or too large.
     """
     path = Path(path)
     try:
         status = path.stat()
         kind = _KINDS.get(stat.S_IFMT(status.st_mode))
         if kind is not None:
-            raise refusal(f"{path}: is {kind}, not {what}")
+            raise refusal(f"is {kind}, not {what}", kind=Kind.UNREADABLE, file=path)
         if largest is not None and status.st_size > largest:
-            raise refusal(f"{path}: {counted(status.st_size, 'byte')} must be at most {largest} for {what}")
+            raise _too_large(path, status.st_size, what, refusal, largest)
         path.open("rb").close()
     except OSError as error:
-        raise refusal(f"{path}: {_reason(error)}") from None
+        raise _unreadable(path, error, refusal) from None
     except Refusal:
         raise
     except ValueError:  # what Python says of a name with a NUL byte
-        raise refusal(f"{path}: no such file: its name holds a NUL byte") from None
+        problem = "no such file: its name holds a NUL byte"
+        raise refusal(problem, kind=Kind.MISSING, file=path) from None
     return path
 
 
-def read_bytes(
-    path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception], largest: int | None = None
-) -> bytes:
+def read_bytes(path: str | os.PathLike[str], what: str, refusal: type[Refusal], largest: int | None = None) -> bytes:
     """The content of a file; arguments as for :func:`ordinary_file`.
 
     Raises:
-        Exception: by ``refusal``, as there.
+        Refusal: of that class, as there.
     """
     path = ordinary_file(path, what, refusal, largest)
     try:
@@ -75,33 +72,44 @@ def read_bytes(
             # Some files of the system state no length: what is read is bounded too.
             content = file.read() if largest is None else file.read(largest + 1)
     except OSError as error:
-        raise refusal(f"{path}: {_reason(error)}") from None
+        raise _unreadable(path, error, refusal) from None
     if largest is not None and len(content) > largest:
-        raise refusal(f"{path}: must be at most {largest} bytes for {what}")
+        raise _too_large(path, len(content), what, refusal, largest)
     return content
 
 
 @contextmanager
-def library_reads(path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception]) -> Iterator[None]:
+def library_reads(path: str | os.PathLike[str], what: str, refusal: type[Refusal]) -> Iterator[None]:
     """Refuse a file by its name, whatever a library raises while it reads it; around its call and nothing of ours.
 
     Args:
         path: the file.
         what: what it should be, such as ``a MAT file up to version 7``, for messages.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
 
     Raises:
-        Exception: by ``refusal``; what is a refusal already passes.
+        Refusal: of that class; what is a refusal already passes.
     """
     try:
         yield
     except Refusal:
         raise
     except Exception as error:
-        raise refusal(f"{path}: cut short or not {what}: {said_by(error)}") from None
+        raise not_as_written(path, what, refusal, said_by(error)) from None
 
 
-def _reason(error: OSError) -> str:
+def not_as_written(path: str | os.PathLike[str], what: str, refusal: type[Refusal], why: str) -> Refusal:
+    """The refusal of a file that is cut short or of another format, with what was found in it."""
+    return refusal(f"cut short or not {what}: {why}", kind=Kind.UNREADABLE, file=path)
+
+
+def _unreadable(path: Path, error: OSError, refusal: type[Refusal]) -> Refusal:
     if isinstance(error, FileNotFoundError):
-        return "no such file"
-    return f"cannot be read: {error.strerror or error}"
+        return refusal(kind=Kind.MISSING, file=path)
+    return refusal(f"cannot be read: {error.strerror or error}", kind=Kind.UNREADABLE, file=path)
+
+
+def _too_large(path: Path, size: int, what: str, refusal: type[Refusal], largest: int) -> Refusal:
+    return refusal(
+        kind=Kind.OUT_OF_RANGE, file=path, value=size, unit="bytes", allowed=f"at most {largest} bytes for {what}"
+    )

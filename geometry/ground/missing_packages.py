@@ -14,6 +14,7 @@ from importlib.util import find_spec
 from types import ModuleType
 
 from geometry.ground.extras import MissingExtra, NotInstalled, what_to_install
+from geometry.ground.refusal import Kind
 from geometry.ground.system_libraries import missing_libraries, what_is_missing
 
 #: The CAD kernel, the mesher and the renderer, by what is loaded of them.
@@ -37,7 +38,8 @@ def check_system_libraries() -> None:
         MissingLibrary: with what to install.
     """
     if missing := missing_libraries():
-        raise MissingLibrary(what_is_missing(f"{missing[0]}: cannot open shared object file"))
+        line = what_is_missing(f"{missing[0]}: cannot open shared object file")
+        raise MissingLibrary(line, kind=Kind.NOT_INSTALLED)
 
 
 def load_before_renderer() -> None:
@@ -77,7 +79,7 @@ class _LastFinder(MetaPathFinder):
 
     def find_spec(self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None) -> None:
         if path is None and (line := what_to_install(fullname)) and _importer().partition(".")[0] in _OURS:
-            raise MissingExtra(line)
+            raise MissingExtra(line, kind=Kind.NOT_INSTALLED)
 
 
 def _importer() -> str:
@@ -112,5 +114,5 @@ def _told() -> Iterator[None]:
         yield
     except (ImportError, OSError) as error:
         if missing := what_is_missing(str(error)):
-            raise MissingLibrary(missing) from error
+            raise MissingLibrary(missing, kind=Kind.NOT_INSTALLED) from error
         raise

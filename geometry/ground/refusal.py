@@ -122,11 +122,15 @@ class Refusal(ValueError):
         if self.value is not self.NOT_GIVEN:
             unit = f" {self.unit}" if self.unit and _is_number(self.value) else ""
             subject = f"{subject} = {quoted(self.value)}{unit}" if subject else f"{quoted(self.value)}{unit}"
-        problem = _joined(self.problem, names or {}) or self._usual_problem()
+        problem = (_joined(self.problem, names or {}) or self._usual_problem()) + self._more()
         line = f"{subject} {problem}" if subject else problem
         line = line if self.file is None else f"{self.file}: {line}"
         remedy = _joined(self.remedy, names or {})
         return in_one_line(f"{line}; {remedy}" if remedy else line)
+
+    def _more(self) -> str:
+        """Words on other problems than this one, after the first."""
+        return ""
 
     def _usual_problem(self) -> str:
         if isinstance(self.allowed, str):

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 """What the system says where nothing more can be written: to the disk, by this user, or to a file so long."""
@@ -119,21 +119,27 @@ def replace_section(path: str | os.PathLike[str], begin: str, end: str, lines: S
     before, found, rest = text.partition(begin)
     _, closed, after = rest.partition(end)
     if not found or not closed or begin in rest:
-        raise Refusal(f"{path}: {begin!r} and then {end!r} must each stand in it once")
+        problem = f"must have {begin!r} once and after it {end!r} once"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, file=path)
     write_text(path, "\n".join([before + begin, *lines, end + after]))
 
 
-def check_own_kind(path: str | os.PathLike[str], suffix: str, refusal: Callable[[str], Exception]) -> None:
+def check_own_kind(path: str | os.PathLike[str], suffix: str, refusal: type[Refusal]) -> None:
     """Refuse to write over a file whose name ends as that of another kind: a recording, a picture.
 
     Args:
         path: the file to write.
         suffix: end of the names of its kind, such as ``.nc``.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
 
     Raises:
-        Exception: by ``refusal``: a file is there, and its name ends otherwise.
+        Refusal: of that class: a file is there, and its name ends otherwise.
     """
     path = Path(path)
     if path.exists() and not path.is_dir() and path.suffix.lower() != suffix:
-        raise refusal(f"{path}: exists, and only a {suffix} file is replaced; name another file, or remove this one")
+        raise refusal(
+            f"exists, and only a {suffix} file is replaced",
+            kind=Kind.EXISTS,
+            file=path,
+            remedy="name another file, or remove this one",
+        )

@@ -28,7 +28,7 @@ _STEP, _FINE = 0.2, 64
 
 
 class OverlapError(DesignError):
-    """A design that cannot be built; :attr:`problems` has every line of :func:`overlaps`."""
+    """A design that cannot be built; ``problems`` has one for every line of :func:`overlaps`."""
 
 
 def refuse_overlaps(design: ArrayDesign, layout: ArrayLayout | None = None) -> None:
@@ -45,7 +45,7 @@ def refuse_overlaps(design: ArrayDesign, layout: ArrayLayout | None = None) -> N
         return
     found = overlaps(design, lay_out(design) if layout is None else layout)
     if found:
-        raise OverlapError(f"{design.name}: cannot be built: {found[0]}", *found[1:])
+        raise OverlapError.of_notes(design.name, found)
 
 
 def buildability_notes(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, ...]:

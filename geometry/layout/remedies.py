@@ -32,7 +32,8 @@ def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, u
     try:
         refuse_overlaps(design, layout)
     except OverlapError as error:
-        raise OverlapError(*error.problems, also="; ".join(filter(None, (mend_of(design), unless)))) from None
+        remedy = "; ".join(filter(None, (mend_of(design), unless)))
+        raise OverlapError.of(error, others=error.others, remedy=remedy) from None
 
 
 def mend_of(design: ArrayDesign) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from geometry.assembly.part_list import Kind, part_set
+from geometry.design.array_design import ArrayDesign
 from geometry.formats.part_files import SharedShape, tessellation_tolerance
 from geometry.ground.refusal import Refusal
 from geometry.printing.print_rules import Finding, judge_cast, judge_printed, judge_shims
@@ -16,8 +17,6 @@ from geometry.schema.print_processes import PrintProcess, Verdict, find_process,
 
 if TYPE_CHECKING:
     import cadquery as cq
-
-    from geometry.design.array_design import ArrayDesign
 
 DEFAULT_PROCESS = "sla-resin"
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, Self, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
-from geometry.ground.refusal import Refusal, counted, in_one_line
+from geometry.ground.refusal import Kind, Refusal, Text, counted
 from geometry.schema.declared_fields import DesignField, declared_field, section_of
 
 _Stated = TypeVar("_Stated", bound=BaseModel)
@@ -24,22 +24,41 @@ DERIVED_FROM = {
 
 
 class DesignError(Refusal):
-    """A design that is not valid. The message is one line: file, field, value and what is allowed.
+    """A design that is not valid: its facts are those of the first problem that was found."""
 
-    ``problems`` has every problem found, one line each; the message is the first of them and how many more there are.
-    """
+    def __init__(self, problem: Text = "", *, others: Sequence[Refusal] = (), **facts: Any) -> None:
+        """Keep a problem and the others; for the facts of the first see :class:`geometry.Refusal`."""
+        super().__init__(problem, **facts)
+        self.others = tuple(others)
+        """Further problems, each with its own facts."""
 
-    def __init__(self, *problems: str, also: str = "") -> None:
-        """Keep the problems, at least one, and what else there is to say, such as what would mend them."""
-        self.problems = problems
-        more = len(problems) - 1
-        super().__init__(
-            problems[0] + (f" (and {counted(more, 'more problem')})" if more else "") + (f"; {also}" if also else "")
-        )
+    @property
+    def problems(self) -> tuple[Refusal, ...]:
+        """Every problem that was found, this one first."""
+        return (Refusal.of(self), *self.others)
+
+    @classmethod
+    def of_several(cls, problems: Sequence[Refusal], **changes: Any) -> Self:
+        """One error of some problems, at least one; ``changes`` are facts of the first that become others."""
+        return cls.of(problems[0], others=problems[1:], **changes)
+
+    @classmethod
+    def of_notes(cls, design: str, notes: Sequence[str], verdict: str = "cannot be built", remedy: Text = "") -> Self:
+        """The error of a design that cannot be made, with the name of the design and each reason in words."""
+        problems = [Refusal(note, kind=Kind.CONFLICT, file=design) for note in notes]
+        return cls.of_several(problems, problem=f"{verdict}: {notes[0]}", remedy=remedy)
+
+    def _more(self) -> str:
+        return f" (and {counted(len(self.others), 'more problem')})" if self.others else ""
 
 
 class UnknownField(DesignError):
     """A name that is no field of the design at hand, or one of a table that it does not give."""
+
+    @classmethod
+    def of_name(cls, name: str, design: str, remedy: str) -> Self:
+        """The error of a dotted name that a design does not have."""
+        return cls("is not a field of this design", kind=Kind.UNKNOWN, file=design, field=name, remedy=remedy)
 
 
 #: Numbers as a file states them: no text that looks like one, no true or false.
@@ -78,17 +97,22 @@ def names_of(model: type[BaseModel]) -> list[str]:
 
 
 def nearest(word: str, known: Sequence[str]) -> str:
-    """``; did you mean ...?`` where a known word is near, else the known words, those most like it first."""
+    """``did you mean ...?`` where a known word is near, else the known words, those most like it first."""
     close = difflib.get_close_matches(word.lower(), [name.lower() for name in known], n=1, cutoff=0.6)
     for name in known:
         if close and name.lower() == close[0]:
-            return f"; did you mean {name!r}?"
+            return f"did you mean {name!r}?"
     likeness = {name: difflib.SequenceMatcher(None, word.lower(), name.lower()).ratio() for name in known}
-    return f"; known: {', '.join(sorted(known, key=lambda name: -likeness[name]))}" if known else ""
+    return f"known: {', '.join(sorted(known, key=lambda name: -likeness[name]))}" if known else ""
 
 
 def error_from_validation(
-    error: ValidationError, model: type[BaseModel], given: object, source: str = "", what: str = "design"
+    error: ValidationError,
+    model: type[BaseModel],
+    given: object,
+    source: str | None = None,
+    what: str = "design",
+    table: str = "",
 ) -> DesignError:
     """The error of this package for one of pydantic's.
 
@@ -96,14 +120,15 @@ def error_from_validation(
         error: what the validation of ``given`` as ``model`` raised.
         model: the model.
         given: the data as they were given, to quote from.
-        source: file the data come from, put before each line.
+        source: file the data come from.
         what: what the file describes.
+        table: dotted name of the table of the file that the data are.
     """
     # What follows from another field cannot follow where that is wrong, which is said.
     found = [each for each in error.errors(include_url=False) if each["type"] != "default_factory_not_called"]
     details = sorted(found, key=lambda e: (e["type"] == "missing", e["type"] == "value_error"))
     misspelt = [e["loc"] for e in details if e["type"] == "extra_forbidden"]
-    lines = []
+    problems = []
     for detail in details:
         loc = detail["loc"]
         if detail["type"] == "missing" and any(
@@ -115,8 +140,9 @@ def error_from_validation(
             len(e["loc"]) > len(loc) and e["loc"][: len(loc)] == loc for e in details
         ):
             continue  # pydantic counts the good entries only; the bad one has its own line
-        lines.append((f"{source}: " if source else "") + in_one_line(_sentence(detail, model, given, what)))
-    return DesignError(*lines)
+        problem = _problem(detail, model, given, what)
+        problems.append(Refusal.of(problem, file=source, field=".".join(filter(None, (table, problem.field)))))
+    return DesignError.of_several(problems)
 
 
 def model_of(
@@ -124,24 +150,27 @@ def model_of(
     given: object,
     source: str,
     what: str = "design",
-    refusal: Callable[[str], Exception] = DesignError,
+    refusal: type[Refusal] = DesignError,
+    table: str = "",
 ) -> _Stated:
     """What plain values state, as a model.
 
     Args:
         model: the model.
         given: tables as dictionaries, as TOML gives them.
-        source: file the values come from, put before the message.
+        source: file the values come from.
         what: what the file describes.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
+        table: dotted name of the table of the file that the values are.
 
     Raises:
-        Exception: by ``refusal``, in one line: a field is missing, unknown, or has a value that is not allowed.
+        Refusal: of that class: a field is missing, unknown, or has a value that is not allowed.
     """
     try:
         return model.model_validate(given)
     except ValidationError as error:
-        raise refusal(str(error_from_validation(error, model, given, source, what))) from None
+        found = error_from_validation(error, model, given, source, what, table)
+        raise (found if issubclass(DesignError, refusal) else refusal.of(found)) from None
 
 
 def check_value(model: type[BaseModel], name: str, value: object, source: str) -> None:
@@ -164,7 +193,7 @@ def check_value(model: type[BaseModel], name: str, value: object, source: str) -
         _adapter(model, loc).validate_python(value)
     except ValidationError as error:
         detail: Any = {**error.errors(include_url=False)[0], "loc": loc}
-        raise DesignError(f"{source}: {in_one_line(_sentence(detail, model, {}, 'design'))}") from None
+        raise DesignError.of(_problem(detail, model, {}, "design"), file=source) from None
 
 
 @lru_cache(maxsize=256)
@@ -176,57 +205,66 @@ def _adapter(model: type[BaseModel], loc: tuple[int | str, ...]) -> TypeAdapter[
     return TypeAdapter(limited, config=ConfigDict(allow_inf_nan=False))
 
 
-def _sentence(detail: ErrorDetails, model: type[BaseModel], given: object, what: str) -> str:
+def _problem(detail: ErrorDetails, model: type[BaseModel], given: object, what: str) -> Refusal:
     loc, kind = detail["loc"], detail["type"]
     name = ".".join(str(step) for step in loc)
-    value = detail["input"]
+    value = _plain(detail["input"])
     if kind == "value_error":
-        return (f"{name}." if name else "") + str(detail["ctx"]["error"])
+        said = detail["ctx"]["error"]
+        found = said if isinstance(said, Refusal) else Refusal(str(said))
+        return Refusal.of(found, field=".".join(filter(None, (name, found.field))))
     if kind == "extra_forbidden":
         section = _find(model, loc[:-1])[1]
-        known = names_of(section) if section is not None else []
-        return f"{name} = {_quote(value)} is not a field of a {what}{nearest(str(loc[-1]), known)}"
+        return Refusal(
+            f"is not a field of a {what}",
+            kind=Kind.UNKNOWN,
+            field=name,
+            value=value,
+            remedy=nearest(str(loc[-1]), names_of(section) if section is not None else []),
+        )
     info, section = _find(model, loc)
     field = declared_field(name, info) if info is not None else None
-    must = _must(field, section, detail)
+    if kind == "missing" and isinstance(loc[-1], int):
+        place = ".".join(map(str, loc[:-1]))
+        return Refusal(kind=Kind.MISSING, field=place, value=value, allowed=f"a list with an entry number {loc[-1]}")
+    if field is None and section is None:
+        return Refusal(f"is not allowed: {detail['msg'][0].lower()}{detail['msg'][1:]}", field=name, value=value)
+    allowed, remedy = _allowed(field, section, detail)
     if kind == "missing":
-        if isinstance(loc[-1], int):
-            return f"{'.'.join(map(str, loc[:-1]))} = {_quote(value)} must have an entry number {loc[-1]}"
         about = f" ({field.description})" if field is not None and field.description else ""
-        return f"{name} is missing: {must}{about}"
-    unit = f" {field.unit}" if field is not None and field.unit and _is_number(value) else ""
-    note = ""
+        said = allowed if isinstance(allowed, str) else f"one of: {', '.join(allowed)}"
+        return Refusal(kind=Kind.MISSING, field=name, allowed=f"{said}{about}")
     if loc and loc[-1] in DERIVED_FROM:
         source_key, formula = DERIVED_FROM[str(loc[-1])]
         table = _lookup(given, loc[:-1])
         if isinstance(table, Mapping) and source_key in table:
-            note = f" (it is {formula})"
-    return f"{name or what} = {_quote(value)}{unit} {must}{note}"
+            allowed = f"{allowed} (it is {formula})"
+    return Refusal(
+        kind=Kind.WRONG_TYPE if kind.endswith(("_type", "_parsing")) else Kind.OUT_OF_RANGE,
+        field=name or what,
+        value=value,
+        unit=field.unit if field is not None else "",
+        allowed=allowed,
+        remedy=remedy,
+    )
 
 
-def _must(field: DesignField | None, section: type[BaseModel] | None, detail: ErrorDetails) -> str:
-    """``must be ...`` for one field."""
+def _allowed(
+    field: DesignField | None, section: type[BaseModel] | None, detail: ErrorDetails
+) -> tuple[str | tuple[str, ...], str]:
+    """Words that follow "must be", or the choices; and what may have been meant."""
     kind = detail["type"]
-    if field is None:
-        if section is not None:
-            return f"must be a table of {', '.join(names_of(section))}"
-        return f"is refused: {detail['msg'][0].lower()}{detail['msg'][1:]}"
+    if section is not None and (field is None or field.kind == "a table"):
+        return f"a table of {', '.join(names_of(section))}", ""
+    assert field is not None
     if kind == "finite_number":
-        return "must be a finite number" + (f" {field.allowed}" if field.allowed else "")
-    if section is not None and field.kind == "a table":
-        return f"must be a table of {', '.join(names_of(section))}"
-    if kind == "literal_error":
-        return f"must be one of {field.allowed}{_meant(detail['input'], field.allowed)}"
-    if not field.allowed:
-        return f"must be {field.kind}"
-    if field.kind == "a number" and kind not in ("float_type", "missing"):
-        return f"must be {field.allowed}"
-    return f"must be {field.kind}{', one of' if field.allowed.startswith(chr(39)) else ''} {field.allowed}"
-
-
-def _meant(value: object, allowed: str) -> str:
-    close = difflib.get_close_matches(str(value), [word.strip("'") for word in allowed.split(", ")], n=1)
-    return f"; did you mean {close[0]!r}?" if close else ""
+        return " ".join(filter(None, ("a finite number", field.allowed))), ""
+    if field.choices:
+        close = difflib.get_close_matches(str(detail["input"]), field.choices, n=1)
+        return field.choices, f"did you mean {close[0]!r}?" if close else ""
+    if field.allowed and field.kind == "a number" and kind not in ("float_type", "missing"):
+        return field.allowed, ""
+    return " ".join(filter(None, (field.kind, field.allowed))), ""
 
 
 def _find(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[FieldInfo | None, type[BaseModel] | None]:
@@ -255,19 +293,8 @@ def _lookup(data: Any, loc: Sequence[int | str]) -> object:
     return data
 
 
-def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
-
-
-def _quote(value: object) -> str:
-    """A value as a file would show it, cut where it is long."""
-    if value is None or value is PydanticUndefined:
-        return "nothing"
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, float):
-        return f"{value:.12g}"
-    if isinstance(value, BaseModel):
-        value = value.model_dump()
-    text = repr(value)
-    return text if len(text) <= 80 else text[:77] + "..."
+def _plain(value: object) -> object:
+    """A value as a file would show it."""
+    if value is PydanticUndefined:
+        return None
+    return value.model_dump() if isinstance(value, BaseModel) else value

@@ -7,13 +7,12 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import read_toml
-
-if TYPE_CHECKING:
-    from geometry.schema.manufacture import Printing
+from geometry.schema.field_errors import DesignError
+from geometry.schema.manufacture import Printing, PrintRules
 
 #: What a rule of a process says of a part.
 Verdict = Literal["ok", "warn", "fail"]
@@ -192,9 +191,6 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
     for key, value in words.items():
         if not isinstance(value, str) or not value:
             raise Refusal(f"{path.name}: {key} = {value!r} must be a text")
-    from geometry.schema.field_errors import DesignError
-    from geometry.schema.manufacture import PrintRules
-
     try:
         rules = PrintRules(**given)
     except DesignError as error:

@@ -10,19 +10,15 @@ would move 0.41 to 0.45 of the air.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from acoustic_fem import Library
 from acoustic_fem.quantities.checks import in_range, numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.random_streams import Purpose, random_words, uniform
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
 
 RADII = (0.05, 100.0)
 """Smallest and largest radius of a contact, mm."""

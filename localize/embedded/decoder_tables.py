@@ -12,12 +12,13 @@ directions that a point leaves empty, l_k = 0, tell most points apart before any
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 import scipy.signal
 from numpy.typing import NDArray
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import POWERS, TEMPERATURE, WEAKEST, share_of
@@ -37,9 +38,6 @@ from localize.live.stream import LEAST_SILENCE, SILENCE
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import SAMPLE_RATE
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 Single = NDArray[np.float32]
 #: Precision of the tables of a decoder in C.

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
@@ -18,10 +19,6 @@ from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import COMPONENT_INTERVALS, SAMPLE_LENGTH, StimulusSource, multi_sines
 from localize.signals.threads import one_thread
 from localize.signals.touch_generator import TouchGenerator
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
 
 MOST_TOUCHES = 1_000_000
 """Most touches of a point that are judged."""

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.tolerant import TolerantDecoder
@@ -143,8 +144,6 @@ def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None
 
 def _expected(decoder: BayesDecoder) -> float | None:
     """Most that sensors leave as a decoder expects them; None where that is not known."""
-    from acoustic_fem.library.transfer_functions import MEASURED
-
     if isinstance(decoder, TolerantDecoder):
         return OF_TWO if len(decoder.microphones) == 2 else OF_MORE
     return OF_KNOWN if decoder.provenance.get("fidelity") == MEASURED else None

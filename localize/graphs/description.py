@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self, TypeVar
@@ -93,7 +93,7 @@ def check_format(
     format: str,
     version: int,
     source: str | os.PathLike[str],
-    refusal: Callable[[str], Exception],
+    refusal: type[Refusal],
     what: str = "a localizer",
 ) -> None:
     """Refuse a description of something else, or of another version of the program, before its values are looked at.
@@ -103,7 +103,7 @@ def check_format(
         format: what its field of this name must be.
         version: the same.
         source: where it stands, put before the message.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
         what: what it should be of.
 
     Raises:
@@ -115,16 +115,14 @@ def check_format(
         raise refusal(f"{source}: version = {values.get('version')} must be {version}")
 
 
-def described(
-    model: type[_Model], text: str | bytes, source: str | os.PathLike[str], refusal: Callable[[str], Exception]
-) -> _Model:
+def described(model: type[_Model], text: str | bytes, source: str | os.PathLike[str], refusal: type[Refusal]) -> _Model:
     """What a JSON text states, checked.
 
     Args:
         model: the schema.
         text: the text, which was read as JSON.
         source: where it stands, put before the message.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
 
     Raises:
         Exception: by ``refusal``, in one line: a value that is missing, unknown or not allowed.

@@ -6,12 +6,13 @@ import os
 import subprocess
 import sys
 import threading
-from collections.abc import Callable
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 
 import numpy as np
 from numpy.typing import NDArray
+
+from geometry.ground.refusal import Refusal
 
 LONGEST = 10.0
 """Time that a batch of frames may take, s; the start of the process has as much on top."""
@@ -25,13 +26,13 @@ class ForeignGraph:
     Args:
         content: the ONNX file.
         source: its name, put before messages.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
 
     Raises:
         Exception: by ``refusal``: the graph cannot be loaded within the limits.
     """
 
-    def __init__(self, content: bytes, source: str, refusal: Callable[[str], Exception]) -> None:
+    def __init__(self, content: bytes, source: str, refusal: type[Refusal]) -> None:
         self._source, self._refusal = source, refusal
         self._ours, theirs = Pipe()
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p), "OMP_NUM_THREADS": "1"}

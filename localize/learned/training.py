@@ -7,13 +7,14 @@ import os
 from collections.abc import Callable
 from dataclasses import asdict
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
 from localize.decoders.frame_covariance import whole_frame_covariance
 from localize.learned.checkpoint import Checkpoint, training_identity
@@ -30,9 +31,6 @@ from localize.signals.random_streams import Purpose
 from localize.signals.stimulus import Device
 from localize.signals.threads import one_thread
 from localize.signals.touch_generator import SHARD, TouchGenerator, TouchSignals
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 __all__ = ["TrainingPlan", "soft_labels", "train"]
 

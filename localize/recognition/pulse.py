@@ -11,12 +11,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.signal
 from numpy.typing import ArrayLike
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
@@ -27,10 +27,6 @@ from localize.signals.array_response import ArrayResponse, interpolated_from_zer
 from localize.signals.frames import checked_signals
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, SAMPLE_RATE
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
 
 RATES = (40.0, 160.0)
 """Lowest and highest heart rate that is looked for, beats a minute."""

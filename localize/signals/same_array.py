@@ -8,6 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.design.design_file import read_stored_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import PathLike
 
@@ -91,8 +92,6 @@ def check_same_design(localizer: Array, library: Array, source: PathLike) -> Non
 
 def design_difference(localizer: Array, library: Array) -> str | None:
     """First field in which the designs of a localizer and a library differ, in words; None where none is known."""
-    from geometry.design.design_file import read_stored_design
-
     texts = [each.provenance.get("design") for each in (localizer, library)]
     if not all(isinstance(text, str) for text in texts):
         return None

@@ -7,12 +7,12 @@ is between membranes, is not heard: a short pause does not end a path.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.ndimage
 from numpy.typing import NDArray
 
+from acoustic_fem import Library
 from geometry.ground.typed import Array
 from localize.contacts.contact import MOVING
 from localize.live.events import Decision, TrackedPlace
@@ -23,10 +23,6 @@ from localize.signals.threads import one_thread
 from localize.tracking.footprints import footprints_over, pitch_of, pressure_of_force
 from localize.tracking.moving import AHEAD, LATENCY, STEP, HeardHop, MovingScorer
 from localize.tracking.smoothing import HOP_TIME, Cells, smoothed
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
 
 MOST = 100
 """Number of footprints at most, unless points are more: their number makes the time of a frame."""

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import Ambient, BayesDecoder
@@ -27,9 +28,6 @@ from localize.tracking.place_search import found_place
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-    from acoustic_fem import Library
-
 
 RADIUS = 4.0
 """Radius of a contact where none is given, mm: that of a finger that touches lightly."""

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem import Library
 from localize.contacts.contact import MOVING
 from localize.decoders.bayes import BayesDecoder, sound_levels
 from localize.live.front_end import Listening
@@ -14,9 +13,6 @@ from localize.live.stream import TouchStream
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice
 from localize.tracking.path import PathTracker, Track
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 BLOCK = 1000
 """Number of samples that are taken at once: decisions carry their frames, and those of an hour take memory."""

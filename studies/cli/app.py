@@ -18,7 +18,9 @@ from typing import Annotated, Any, NoReturn, TextIO
 
 import typer
 
+from geometry.ground.extras import what_to_install
 from geometry.ground.refusal import Refusal, in_one_line
+from geometry.ground.system_libraries import what_is_missing
 from geometry.ground.whole_files import FULL
 from studies.cli.options import in_options
 from studies.cli.verbs import VERBS, VerbGroup, option_names
@@ -106,9 +108,6 @@ def _tell(error: Exception) -> None:
         fail(f"{message}; try {error.ctx.command_path if error.ctx else 'acoustic-fem'} --help", 2)
     if not isinstance(error, (ImportError, OSError)):
         return
-    from geometry.ground.extras import what_to_install
-    from geometry.ground.system_libraries import what_is_missing
-
     if missing := what_is_missing(str(error)):
         fail(missing)
     if isinstance(error, ModuleNotFoundError) and (extra := what_to_install(error.name)):

@@ -8,6 +8,8 @@ from typing import Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
+from acoustic_fem.quantities.local_air import LocalAir
+from geometry import resolve_design
 from geometry.formats.part_files import FORMATS
 from geometry.ground.refusal import Refusal
 from studies.cli.options import (
@@ -24,7 +26,13 @@ from studies.cli.options import (
 )
 from studies.cli.terminal_tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
 from studies.output.frequencies import LIBRARY_FREQUENCIES
+from studies.run.check import check_design
+from studies.run.findings import verdict
 from studies.run.library_files import solve_library
+from studies.run.part_folder import export_parts
+from studies.run.pipeline import check_points, run_design
+from studies.run.wiring import wiring_table
+from studies.studio.serving import serve_studio
 
 AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Go on also where parts overlap.")]
 _FIDELITY: Fidelity = defaults_of(solve_library)["fidelity"]
@@ -53,9 +61,6 @@ def studio(
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
     """
-    from geometry import resolve_design
-    from studies.studio.serving import serve_studio
-
     serve_studio(resolve_design(design), port=port, host=host, token=token, browser=browser)
 
 
@@ -84,9 +89,6 @@ def check(
         return
     if design is None:
         raise typer.BadParameter("give a DESIGN, or --fields")
-    from geometry import resolve_design
-    from studies.run.check import check_design
-
     with display_on_stderr() as display:
         found = check_design(resolve_design(design), out, picture=picture, display=display)
     show_check(found)
@@ -105,8 +107,6 @@ def wiring(
 
     Example: [bold]acoustic-fem wiring 4 36 --out wiring.png[/bold]
     """
-    from studies.run.wiring import wiring_table
-
     found = wiring_table(microphones, points, out)
     table = table_of(
         "lines", "points", "against one transducer per point", "against rows + columns", numbers=(0, 1, 2, 3)
@@ -151,9 +151,6 @@ def solve(
     Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped[/bold]
     """
     grid = frequency_option(frequencies)
-    from acoustic_fem.quantities.local_air import LocalAir
-    from geometry import resolve_design
-
     with display_on_stderr() as display, named(frequency="--frequencies", **AIR_OPTIONS):
         air = LocalAir(pressure, altitude, temperature)
         library = solve_library(
@@ -189,9 +186,6 @@ def parts(
     for word in formats:
         if word not in FORMATS:
             raise typer.BadParameter(f"--format: {word!r} must be of {', '.join(FORMATS)}, with commas")
-    from geometry import resolve_design
-    from studies.run.part_folder import export_parts
-
     with display_on_stderr() as display:
         made = export_parts(
             resolve_design(design),
@@ -221,10 +215,6 @@ def run(
 
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """
-    from geometry import resolve_design
-    from studies.run.findings import verdict
-    from studies.run.pipeline import check_points, run_design
-
     resolved = resolve_design(design)
     check_points(resolved, design)  # which names the file
     with display_on_stderr() as display:

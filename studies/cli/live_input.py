@@ -7,28 +7,26 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Annotated, Self
+from typing import Annotated, Self
 
 import typer
+from rich.console import Console
 
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import Refusal, counted
+from localize.live.listener import Heard
+from localize.live.sound_device import input_devices
+from studies.cli.live_display import LivePicture
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RefusedShare
 from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.terminal_tables import show, table_of
-from studies.listening.live import LiveInput, listen
+from studies.listening.live import LiveInput, LiveSession, LiveSummary, listen
 from studies.listening.opening import Decoding
-
-if TYPE_CHECKING:
-    from localize.live.listener import Heard
-    from studies.cli.live_display import LivePicture
-    from studies.listening.live import LiveSession, LiveSummary
 
 
 def _list_devices(wanted: bool) -> None:
     if not wanted:
         return
-    from localize.live.sound_device import input_devices
-
     table = table_of("device", "name", "audio system", "channels", "rate (Hz)", "", numbers=(0, 3, 4))
     for each in input_devices():
         default = "default" if each.default else ""
@@ -113,8 +111,6 @@ def live(
     wanted = int(device) if device is not None and device.isdecimal() else device
     source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
     words = {name: f"--{name}" for name in ("channels", "device", "radius", "refused")}
-    from acoustic_fem.quantities.local_air import LocalAir
-
     with (
         named(full_scale="--full-scale", microphone_noise="--noise", loudest="--ambient", **words, **AIR_OPTIONS),
         _Output(waveform) as output,
@@ -131,8 +127,6 @@ class _Output:
     """What is done with every event: the picture of a terminal, elsewhere a line of JSON."""
 
     def __init__(self, waveform: bool) -> None:
-        from rich.console import Console
-
         self._console = Console()
         self._waveform = waveform
         self._picture: LivePicture | None = None
@@ -161,8 +155,6 @@ class _Output:
 
     def _shown(self, session: LiveSession) -> LivePicture:
         if self._picture is None:
-            from studies.cli.live_display import LivePicture
-
             self._picture = LivePicture(
                 session.source,
                 session.array,

@@ -10,6 +10,7 @@ import typer
 
 from geometry.ground.refusal import counted
 from localize.learned.training_plan import PLANS, TrainingPlan
+from localize.recognition.recognition_plan import RecognitionPlan
 from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.evaluation.localizer_evaluation import evaluate_localizer
@@ -142,8 +143,6 @@ def _train_kinds(
     for option, is_given in of_localizers.items():
         if is_given:
             raise typer.BadParameter(f"{option} is of localizers; with --kind it says nothing")
-    from localize.recognition.recognition_plan import RecognitionPlan
-
     options = {"time_limit": "--seconds", "microphone_noise": "--noise", "subject": "--kind"}
     options |= {name: f"--{name}" for name in ("epochs", "seed", "network")}
     with named(**options), display_on_stderr() as display:

@@ -3,27 +3,23 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import counted
 from localize.contacts.contact import MOVING
+from localize.live.events import State
 from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.listening.embedding import PRECISION, embed_decoder
 from studies.listening.exporting import export_decoder
 from studies.listening.opening import Decoding
-from studies.listening.pulse_reading import read_pulse
+from studies.listening.pulse_reading import RecordedPulse, read_pulse
 from studies.listening.recognized import recognize_recording
-from studies.listening.recorded import locate_recording
-from studies.listening.tracked import track_recording
-
-if TYPE_CHECKING:
-    from localize.live.events import State
-    from studies.listening.pulse_reading import RecordedPulse
-    from studies.listening.recorded import LocatedTouches
-    from studies.listening.tracked import TrackedRecording
+from studies.listening.recorded import LocatedTouches, locate_recording
+from studies.listening.tracked import TrackedRecording, track_recording
 
 DecoderNoise = Annotated[
     float | None,
@@ -186,8 +182,6 @@ def locate(
     if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "refused": "--refuse"}
-    from acoustic_fem.quantities.local_air import LocalAir
-
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
         air = LocalAir(pressure, altitude, temperature)
         decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
@@ -246,8 +240,6 @@ def recognize(
 
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "speed": "--speed", "point": "--point"}
     options["ambient"] = "--ambient"
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
@@ -312,8 +304,6 @@ def track(
 
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "radius": "--radius"}
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
         decoding = Decoding(noise=noise, ambient=ambient, air=LocalAir(pressure, altitude, temperature))
@@ -355,8 +345,6 @@ def pulse(
 
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     with named(full_scale="--full-scale", microphone_noise="--noise", point="--point", **AIR_OPTIONS):
         decoding = Decoding(noise=noise, air=LocalAir(pressure, altitude, temperature))
         found = read_pulse(

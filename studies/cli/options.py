@@ -8,15 +8,12 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+from typing import Annotated, Any, TypeVar
 
 import typer
 
 from geometry.ground.refusal import Refusal
-
-if TYPE_CHECKING:
-    from studies.output.display import Display
-
+from studies.output.display import Display
 
 Answer = TypeVar("Answer", str, int, float)
 
@@ -69,8 +66,6 @@ AIR_OPTIONS = {"pressure": "--pressure", "altitude": "--altitude", "temperature_
 
 def display_on_stderr() -> Display:
     """Progress for the user; what a verb finds goes to stdout."""
-    from studies.output.display import Display
-
     return Display(sys.stderr)
 
 

@@ -7,12 +7,18 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import acoustic_fem
+from localize import BayesDecoder, OnnxLocalizer
+from localize.decoders.tolerant import tolerant_decoder
+from localize.signals.array_response import response_of
+from localize.signals.noise_model import NoiseChoice
+from localize.signals.same_array import check_same_array, design_difference
+from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
 from studies.output.display import Display
 from studies.output.folders import check_folder
 
 if TYPE_CHECKING:
     from localize.evaluation.accuracy import Locator
-    from localize.signals.noise_model import NoiseChoice
     from studies.evaluation.headline import Headline
 
 #: White noise that the Bayes decoder assumes where touches have less, Pa rms.
@@ -57,14 +63,9 @@ def evaluate_localizer(
 
     if folder is not None:
         check_folder(folder, "evaluate", JSON_FILE, reads=(model, library))
-    import acoustic_fem
-    from localize import BayesDecoder, OnnxLocalizer, load_localizer
-    from localize.decoders.tolerant import tolerant_decoder
+    from localize import load_localizer
     from localize.evaluation.accuracy import check_evaluation
-    from localize.signals.array_response import response_of
-    from localize.signals.same_array import check_same_array, design_difference
     from studies.evaluation.evaluation_report import write_evaluation
-    from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
     from studies.evaluation.headline import TOLERANT, Headline, judge_headlines
 
     localizer = OnnxLocalizer(model) if Path(model).suffix == ".onnx" else load_localizer(model)

@@ -7,13 +7,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import acoustic_fem
 from geometry.ground.refusal import Refusal
+from localize import RecognitionPlan, TrainingPlan
+from localize.signals.array_response import response_of
+from studies.evaluation.training_files import TOUCHES, write_recognizer_files, write_training_files
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.sole_writer import sole_writer_of
 
 if TYPE_CHECKING:
-    from localize import Evaluation, Localizer, RecognitionPlan, Recognizer, TrainingPlan
+    from localize import Evaluation, Localizer, Recognizer
 
 #: Where the state of a training is kept until it is done.
 _CHECKPOINT = "checkpoint.safetensors"
@@ -58,10 +62,7 @@ def train_localizer(
     checkpoint = folder / _CHECKPOINT
     _check_unfinished(folder)
     check_folder(folder, "train", _CHECKPOINT, reads=(library, recordings))
-    import acoustic_fem
-    from localize import TrainingPlan, evaluate, train
-    from localize.signals.array_response import response_of
-    from studies.evaluation.training_files import TOUCHES, write_training_files
+    from localize import evaluate, train
 
     plan = plan or TrainingPlan(microphone_noise="design")
     response = response_of(acoustic_fem.load(library))
@@ -110,9 +111,7 @@ def train_kinds(
     checkpoint = folder / _CHECKPOINT
     _check_unfinished(folder)
     check_folder(folder, "train", _CHECKPOINT, reads=(library, recordings))
-    import acoustic_fem
     from localize import train_recognizer
-    from studies.evaluation.training_files import write_recognizer_files
 
     loaded = acoustic_fem.load(library)
     with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Recognizer") as report:

@@ -6,22 +6,21 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from geometry import ArrayDesign
 from geometry.ground.refusal import Refusal, counted
+from geometry.schema.declared_fields import DesignField, field_named
+from studies.optimization.problem import Optimization
+from studies.optimization.search import OptimizationResult, pareto_front
 from studies.study.cases import by_kind
 from studies.study.metric_registry import METRICS
-
-if TYPE_CHECKING:
-    from geometry import ArrayDesign
-    from geometry.schema.declared_fields import DesignField
-    from studies.optimization.problem import Optimization
-    from studies.optimization.search import OptimizationResult
-    from studies.sweep.store import Sweep
+from studies.sweep.store import Sweep
 
 Values = NDArray[np.float64]
 #: Steps of a range in the figures of effects and of pairs.
@@ -214,8 +213,6 @@ def fast_front(values: Values) -> NDArray[np.bool_]:
         (n,) bool.
     """
     if values.shape[1] != 2:
-        from studies.optimization.search import pareto_front
-
         return pareto_front(values)
     order = np.lexsort((-values[:, 1], -values[:, 0]))
     best = np.maximum.accumulate(values[order, 1])
@@ -318,9 +315,6 @@ def unit_of(name: str) -> str:
 
 
 def _field(name: str) -> DesignField | None:
-    from geometry import ArrayDesign
-    from geometry.schema.declared_fields import field_named
-
     return field_named(ArrayDesign, name)
 
 
@@ -340,7 +334,6 @@ def with_base_metrics(table: ResultTable) -> ResultTable:
     """
     if table.base_metrics or table.fidelity not in CLOSED_FORMS:
         return table
-    import acoustic_fem
     from acoustic_fem.atlas import quick_fidelity
 
     if table.fidelity == "atlas" and quick_fidelity(table.base, table.frequency).outside:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.ground.typed import Array
+from geometry.layout.size import array_size
 from studies.metrics.batch_responses import Complex, Responses, known
 from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
@@ -71,8 +72,6 @@ class SharedFigures:
     def sizes(self) -> Array:
         """Length, width and height of each design, (n_design, 3) float64, mm: length is the longer side."""
         if self._sizes is None:
-            from geometry.layout.size import array_size
-
             sizes = [array_size(design) for design in known(self.responses.designs)]
             self._sizes = np.array([(max(x, y), min(x, y), z) for x, y, z in sizes])
         return self._sizes

@@ -121,7 +121,7 @@ class PrintDemand:
             try:
                 refuse_overlaps(design)
             except OverlapError as error:
-                reasons = list(error.problems)
+                reasons = [str(problem) for problem in error.problems]
         return reasons
 
     def _limit(self, measure: Measure) -> float:

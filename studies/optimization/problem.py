@@ -152,7 +152,7 @@ def read_optimization(
         )
     # the optimiser proposes the cases
     study = study_of({**given, "sampling": "random", "cases": 1}, text, source, folder, base)
-    file = model_of(OptimizeFields, wanted, f"{source}: optimize", "study", StudyError)
+    file = model_of(OptimizeFields, wanted, source, "study", StudyError, table="optimize")
     try:
         return _checked(file, study, text)
     except Refusal as error:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 import warnings
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, NonNegativeInt, ValidationError
 
 from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import write_text
 
@@ -37,7 +38,7 @@ METADATA = "zarr.json"
 _LARGEST = 100_000_000
 #: Most values of an array that is read whole.
 _LARGEST_ARRAY = 100_000_000
-Refuse = Callable[[str], Exception]
+Refuse = type[Refusal]
 
 
 class StoreWarning(UserWarning):
@@ -252,7 +253,7 @@ def read_store(
         form: latest format that is known; from 2 on there are checksums, from 3 on an identity.
         schema: of the attributes.
         described: attributes that change no number.
-        refusal: makes the error of a message.
+        refusal: class of the errors.
 
     Raises:
         Exception: by ``refusal``: no such store, one of a later format, or one whose group or attributes are damaged;
@@ -345,7 +346,7 @@ def _arrays(path: Path, stored: dict[str, Any] | None) -> tuple[dict[str, dict[s
     return described, broken
 
 
-class _Broken(Exception):
+class _Broken(Refusal):
     """Why an array cannot be taken."""
 
 

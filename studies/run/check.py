@@ -9,9 +9,19 @@ from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
+import numpy as np
+
+import acoustic_fem
+from acoustic_fem.atlas.cell_in_atlas import check_cell
+from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
+from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
+from acoustic_fem.quantities.local_air import design_air
+from geometry import build_parts, print_report
 from geometry.air.cells import Cell, cell_catalogue
+from geometry.assembly.fit import misfits
+from geometry.assembly.model import array_model
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.extras import check_extras, is_installed
 from geometry.ground.refusal import Refusal
@@ -21,18 +31,16 @@ from geometry.layout.placement import ArrayLayout
 from geometry.layout.remedies import mend_of
 from geometry.layout.size import array_size
 from geometry.plan.wiring_graph import WiringCounts, wiring_counts
+from geometry.printing.printability import PrintReport
 from geometry.printing.report_files import report_content
 from geometry.schema.field_errors import DesignError
+from geometry.schema.part_fields import Tube
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, write_json
 from studies.run.quality import DesignQuality, design_quality, draw_quality
 from studies.run.validity import Validity, model_validity
-
-if TYPE_CHECKING:
-    from geometry.printing.printability import PrintReport
-    from geometry.schema.part_fields import Tube
 
 #: Frequencies of the estimated attenuation, Hz.
 ATTENUATION_AT = (1.0, 10.0, 100.0)
@@ -135,8 +143,7 @@ class DesignCheck:
         """Why the array cannot be made, in one line; None where it can."""
         if not self.problems:
             return None
-        first, *others = self.problems
-        return str(DesignError(f"{self.design.name}: {self.verdict}: {first}", *others, also=self.mend))
+        return str(DesignError.of_notes(self.design.name, self.problems, self.verdict, self.mend))
 
     def to_dict(self) -> dict[str, Any]:
         """Findings as JSON can hold them."""
@@ -218,8 +225,6 @@ class _Steps:
 
 
 def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
-    import acoustic_fem
-
     with steps("Layout"):
         layout = lay_out(design)
         found = overlaps(design, layout)
@@ -251,10 +256,6 @@ def _drawn(
     design: ArrayDesign, layout: ArrayLayout, steps: _Steps
 ) -> tuple[Mapping[str, int], tuple[str, ...], PrintReport]:
     """Numbers of the parts, what keeps them from being put together, and what the print rules say of them."""
-    from geometry import build_parts, print_report
-    from geometry.assembly.fit import misfits
-    from geometry.assembly.model import array_model
-
     with steps("Parts"):
         parts = build_parts(design, layout)
     with steps("Fit"):
@@ -269,8 +270,6 @@ def _drawn(
 
 def fidelity_lines(design: ArrayDesign, cells: Sequence[Cell]) -> tuple[str, ...]:
     """Lines on what each fidelity costs for the distinct cells of a design, and how far from the default it was."""
-    from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
-
     lumped, helmholtz = (
         "; ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
         for measured in (LUMPED_IS_OFF, HELMHOLTZ_IS_OFF)
@@ -287,12 +286,6 @@ def fidelity_lines(design: ArrayDesign, cells: Sequence[Cell]) -> tuple[str, ...
 
 def _of_atlas(design: ArrayDesign, cells: Sequence[Cell]) -> str:
     """How far the atlas of cells is from the default, or why it has not the cells of this design."""
-    import numpy as np
-
-    from acoustic_fem.atlas.cell_in_atlas import check_cell
-    from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
-    from acoustic_fem.quantities.local_air import design_air
-
     atlas, air = cell_atlas(), design_air(design)
     try:
         for cell in cells:

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from numpy.typing import ArrayLike
+
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.library.exchange import FORMATS, load, write_library
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from acoustic_fem.quantities.local_air import LocalAir
+from geometry.design.array_design import ArrayDesign
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import counted
 from studies.output.display import Display
 from studies.output.folders import check_new_library
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from acoustic_fem import Library
-    from acoustic_fem.quantities.local_air import LocalAir
-    from geometry.design.array_design import ArrayDesign
 
 
 def solve_library(
@@ -49,9 +48,6 @@ def solve_library(
     if fidelity not in CLOSED_FORMS:
         check_extras("what solves in 3-D", "fem")
         check_system_libraries()
-    import acoustic_fem
-    from acoustic_fem.library.exchange import write_library
-
     with show.stage("Cells") as report:
         there = design if air is None else design.with_values(air.design_values)
         library = acoustic_fem.solve(there, stated_frequencies(frequency), fidelity=fidelity, progress=report)
@@ -71,8 +67,6 @@ def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]
     Raises:
         Refusal: a file that is no library, or cannot be written.
     """
-    from acoustic_fem.library.exchange import FORMATS, load, write_library
-
     path = Path(out)
     check_new_library(path, FORMATS, reads=(library,))
     loaded = load(Path(library))

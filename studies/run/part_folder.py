@@ -6,24 +6,25 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from geometry.formats.part_files import FORMATS
+from geometry import export, print_report
+from geometry.assembly.bill import Bill, bill_of_materials, write_bill
+from geometry.assembly.fit import misfits
+from geometry.assembly.model import ArrayModel, array_model
+from geometry.assembly.order_table import write_assembly_table
+from geometry.design.array_design import ArrayDesign
+from geometry.formats.part_files import FORMATS, ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.remedies import refuse_unbuildable
+from geometry.printing.plates import export_plates
+from geometry.printing.printability import PrintReport
+from geometry.printing.report_files import write_report
 from geometry.schema.field_errors import DesignError
 from geometry.schema.print_processes import PrintProcess, find_process, process_of
 from studies.output.display import Display, Report
 from studies.output.folders import FILES, check_folder, replaced_files
-
-if TYPE_CHECKING:
-    from geometry.assembly.bill import Bill
-    from geometry.assembly.model import ArrayModel
-    from geometry.design.array_design import ArrayDesign
-    from geometry.formats.part_files import ExportedFile
-    from geometry.printing.printability import PrintReport
 
 #: How what cannot be built is drawn, for those who read why it is refused.
 ALL_THE_SAME = "`allow_overlaps` draws it all the same"
@@ -76,9 +77,6 @@ def export_parts(
             folder's list of files names what is none of its own.
         OSError: the folder cannot be written.
     """
-    from geometry.assembly.fit import misfits
-    from geometry.assembly.model import array_model
-
     check_system_libraries()
     folder = Path(out)
     named = None if process is None or isinstance(process, PrintProcess) else process
@@ -93,7 +91,7 @@ def export_parts(
         report("fit", 0.05)
         in_the_way = misfits(model)
         if in_the_way and not allow_overlaps:
-            raise DesignError(f"{design.name}: cannot be built: {in_the_way[0]}", *in_the_way[1:], also=ALL_THE_SAME)
+            raise DesignError.of_notes(design.name, in_the_way, remedy=ALL_THE_SAME)
         made = _make(model, fresh, formats, rules, in_the_way, report)
     files = tuple(replace(file, path=folder / file.path.name) for file in made.files)
     return replace(made, report=folder / made.report.name, files=files)
@@ -107,16 +105,10 @@ def _make(
     in_the_way: tuple[str, ...],
     report: Report,
 ) -> MadeParts:
-    from geometry import export, print_report
-    from geometry.assembly.bill import bill_of_materials, write_bill
-    from geometry.assembly.order_table import write_assembly_table
-    from geometry.formats.part_files import tessellate_distinct
     from geometry.formats.step_assembly import write_step
     from geometry.pictures.mold_cut import mold_section
     from geometry.pictures.viewer import write_gltf, write_viewer
     from geometry.pictures.views import exploded_view, top_view
-    from geometry.printing.plates import export_plates
-    from geometry.printing.report_files import write_report
 
     design, parts = model.design, model.parts
     shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.1 + 0.25 * done))

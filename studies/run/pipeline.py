@@ -12,31 +12,42 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.library.exchange import write_library
+from acoustic_fem.numerics.disk_cache import CacheWarning
+from geometry import export, print_report
+from geometry.assembly.model import ArrayModel, array_model
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import write_design
+from geometry.formats.part_files import ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
+from geometry.layout.placement import ArrayLayout
 from geometry.layout.remedies import refuse_unbuildable
 from geometry.layout.size import array_size
+from geometry.printing.printability import PrintReport
+from localize import BayesDecoder, TrainingPlan
+from localize.decoders.tolerant import tolerant_decoder
+from localize.signals.array_response import response_of
 from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
+from studies.output import response_figures as draw
 from studies.output.display import Display, Report
+from studies.output.figure_style import crop_picture
 from studies.output.folders import claim_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
+from studies.run.run_report import write_report
 from studies.run.run_result import RunResult
 from studies.run.validity import model_validity
 
 if TYPE_CHECKING:
-    from acoustic_fem import Library
-    from geometry.assembly.model import ArrayModel
-    from geometry.formats.part_files import ExportedFile
-    from geometry.layout.placement import ArrayLayout
-    from geometry.printing.printability import PrintReport
-    from localize import Localizer, TrainingPlan
+    from localize import Localizer
     from localize.evaluation.accuracy import Locator
     from studies.evaluation.headline import Headline
 
@@ -82,9 +93,6 @@ def run_design(
             or decoded.
         OSError: the folder cannot be written.
     """
-    from geometry.design.design_file import write_design
-    from studies.run.run_report import write_report
-
     show = display or Display()
     check_points(design)
     check_system_libraries()
@@ -137,8 +145,6 @@ def run_design(
 
 def training_plan(points: int) -> TrainingPlan:
     """Plan of a run's training: by the number of points alone, without a limit of time, with the design's own noise."""
-    from localize import TrainingPlan
-
     touches = min(TOUCHES_PER_POINT, max(1, MOST_TOUCHES // (EPOCHS * points)))
     return TrainingPlan(epochs=EPOCHS, seconds_per_point=touches, microphone_noise="design")
 
@@ -162,8 +168,6 @@ def check_points(design: ArrayDesign, source: str | None = None) -> None:
 
 def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:
     """Tell the user every warning; those that speak of a model's limits are returned for the report."""
-    from acoustic_fem.numerics.disk_cache import CacheWarning
-
     told = dict.fromkeys((entry.category, str(entry.message)) for entry in caught)
     for _, message in told:
         show.note(f"note: {message}")
@@ -174,11 +178,7 @@ def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tup
 def _make_parts(
     design: ArrayDesign, layout: ArrayLayout, folder: Path, report: Report
 ) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
-    from geometry import export, print_report
-    from geometry.assembly.model import array_model
-    from geometry.formats.part_files import tessellate_distinct
     from geometry.pictures.views import draw_array, draw_point
-    from studies.output.figure_style import crop_picture
 
     report("CAD", 0.0)
     model = array_model(design, layout=layout)
@@ -209,9 +209,6 @@ def _solved(
     design: ArrayDesign, grid: NDArray[np.float64], fidelity: str, folder: Path, show: Display
 ) -> tuple[Library, Library | None, tuple[str, ...]]:
     """The library, that of closed forms in the band where it is another, and what was said of the models' limits."""
-    import acoustic_fem
-    from acoustic_fem.library.exchange import write_library
-
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         with show.stage("Cells", of=_STAGES) as report:
@@ -230,9 +227,7 @@ def _judged_localizer(
     library: Library, training: TrainingPlan, folder: Path, show: Display
 ) -> tuple[Localizer, Headline, Headline, Headline | None]:
     """The trained localizer, and how it, the model-based decoder and the tolerant one name held-out touches."""
-    from localize import BayesDecoder, train
-    from localize.decoders.tolerant import tolerant_decoder
-    from localize.signals.array_response import response_of
+    from localize import train
     from studies.evaluation.headline import TOLERANT, judge_headlines
 
     with show.stage("Localizer", of=_STAGES) as report:
@@ -262,8 +257,6 @@ def _draw_figures(
     network: Headline,
     report: Report,
 ) -> dict[str, Path]:
-    from studies.output import response_figures as draw
-
     where = folder / "figures"
     report("curves", 0.0)
     drawn = {

@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
+from acoustic_fem.atlas import QuickFidelity, quick_fidelity
+from acoustic_fem.library.noise_floor import detection_limits
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
@@ -20,12 +23,12 @@ from studies.metrics.pairs import BAND
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import number
+from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.scatter.effects import quick_scattered_accuracy
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from acoustic_fem.atlas import QuickFidelity
 
 #: Mis-made sensors for designs of up to so many points; of larger ones fewer, as each takes the square of its points,
 #: and never less than the last.
@@ -98,10 +101,6 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
     Raises:
         Refusal: the design cannot be solved.
     """
-    import acoustic_fem
-    from acoustic_fem.atlas import quick_fidelity
-    from acoustic_fem.library.noise_floor import detection_limits
-
     if design.point_count < 2 or len(design.microphones) < 2:
         return None
     grid = stated_frequencies(FREQUENCIES)
@@ -135,8 +134,6 @@ def _mis_made(design: ArrayDesign) -> tuple[NDArray[np.float64], QuickFidelity |
     """Predicted shares of mis-made sensors, (n,) float64, and their fidelity; none where the batch does not take the
     design or it takes long.
     """
-    from studies.scatter.effects import quick_scattered_accuracy
-
     if design.point_count > _MOST_POINTS:
         return np.zeros(0), None
     count = math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2)
@@ -155,8 +152,6 @@ def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.Pat
         quality: its figures.
         path: of the PNG.
     """
-    from studies.output.figure_style import WIDTH, figure_in_style, save_figure
-
     with figure_in_style((WIDTH, 4.6)) as figure:
         axes = figure.subplots()
         _plan(axes, design, quality)

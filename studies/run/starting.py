@@ -14,7 +14,7 @@ from typing import Any
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import changed
 from geometry.design.design_file import prototype, prototype_text, save_design, value_of
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import OverlapError, refuse_overlaps, schematic_notes
@@ -181,7 +181,7 @@ def _buildable(asked: _Asked) -> ArrayDesign | Refusal:
             layout = lay_out(design)
             refuse_overlaps(design, layout)
             if notes := schematic_notes(design, layout):
-                raise OverlapError(*notes)
+                raise OverlapError.of_several([Refusal(note, kind=Kind.CONFLICT) for note in notes])
         except (DesignError, OverlapError) as error:
             problem = problem or error
         else:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from acoustic_fem.quantities.checks import frequency_grid, stated_grid
 from acoustic_fem.quantities.fidelity import Fidelity
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.changes import as_lists, check_name
@@ -21,6 +22,7 @@ from geometry.ground.text_files import parse_toml, read_text
 from geometry.schema.declared_fields import field_named
 from geometry.schema.field_errors import check_value, model_of
 from studies.study.constraints import parse_constraint
+from studies.study.metric_registry import metrics_named
 from studies.study.study import Parameter, Sampling, Study, StudyError
 
 #: Most cases of one study; a store of more should be several.
@@ -177,16 +179,12 @@ def _base(name: str, folder: Path) -> ArrayDesign:
 
 
 def _metrics(names: tuple[str, ...], frequency: NDArray[np.float64]) -> tuple[str, ...]:
-    from studies.study.metric_registry import metrics_named
-
     for metric in metrics_named(names):
         metric.check_grid(frequency)
     return tuple(dict.fromkeys(names))
 
 
 def _frequencies(text: str) -> NDArray[np.float64]:
-    from acoustic_fem.quantities.checks import frequency_grid, stated_grid
-
     try:
         grid = stated_grid(text)
     except Refusal as error:
@@ -246,7 +244,7 @@ def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: 
         raise Refusal(
             f"parameters.{name} = {given!r} must be a list of values, or a range {{from = ..., to = ..., count = ...}}"
         )
-    limits = model_of(RangeFields, given, f"{source}: parameters.{name}", "study", StudyError)
+    limits = model_of(RangeFields, given, source, "study", StudyError, table=f"parameters.{name}")
     whole = kind == "a whole number"
     if kind == "a text":
         raise Refusal(f"parameters.{name} is a text: give a list of values, not a range")

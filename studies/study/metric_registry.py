@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry import ArrayDesign
 from geometry.ground.refusal import Refusal
 from studies.metrics import build, touch_metrics
 from studies.metrics.batch_responses import Responses, known
@@ -24,7 +25,6 @@ from studies.metrics.shared import SharedFigures
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.membrane.disc import KnownDiscs
-    from geometry import ArrayDesign
 
 Values = NDArray[np.float64]
 

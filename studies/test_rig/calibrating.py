@@ -6,21 +6,26 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.calibration import Calibration, Update
+from acoustic_fem.calibration.fitted_model import UpdatedModel
+from acoustic_fem.calibration.manifest import read_manifest
+from acoustic_fem.calibration.measured_library import calibrate
+from acoustic_fem.calibration.model_updating import update
+from acoustic_fem.quantities.local_air import LocalAir
+from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.ground.refusal import Refusal
+from localize.signals import BAND
 from studies.output.display import Display
 from studies.output.folders import check_new_file
 from studies.output.frequencies import CALIBRATION_FREQUENCIES, stated_frequencies
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
-
-    from acoustic_fem import Library
-    from acoustic_fem.calibration import Calibration, Update
-    from acoustic_fem.quantities.local_air import LocalAir
-    from acoustic_fem.scatter.tolerances import Tolerance
+from studies.test_rig.calibration_figures import draw_calibration
+from studies.test_rig.priors import fit_priors, model_deviation
 
 #: The manifest of a folder of recordings.
 MANIFEST = "calibration.toml"
@@ -83,15 +88,6 @@ def calibrate_sensor(
         raise Refusal(f"{path}: `out` must be a library, .nc; its figure goes beside it as .png")
     check_new_file(path, kept="a measured library")
     check_new_file(picture, kept="the figure of one")
-    import acoustic_fem
-    from acoustic_fem.calibration.fitted_model import UpdatedModel
-    from acoustic_fem.calibration.manifest import read_manifest
-    from acoustic_fem.calibration.measured_library import calibrate
-    from acoustic_fem.calibration.model_updating import update
-    from acoustic_fem.scatter.tolerances import tolerances_of
-    from studies.test_rig.calibration_figures import draw_calibration
-    from studies.test_rig.priors import fit_priors, model_deviation
-
     grid, scatter, source = stated_frequencies(frequency), tolerances_of(tolerances), Path(recordings)
     manifest = read_manifest(source / MANIFEST if source.is_dir() else source)
     if air is not None:
@@ -116,7 +112,6 @@ def calibrate_sensor(
 def _prospect(fit: Update) -> tuple[NDArray[np.float64] | None, int | None]:
     """What is to be expected of the fitted library, and what to measure next."""
     from localize.recalibration import expected_accuracy, is_enough, least_known
-    from localize.signals import BAND
 
     if fit.model.frequency[0] > BAND[0] or fit.model.frequency[-1] < BAND[1]:
         return None, None

@@ -5,16 +5,22 @@ from __future__ import annotations
 import os
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
+import numpy as np
+
+import acoustic_fem
+from acoustic_fem.library.exchange import write_library
+from acoustic_fem.library.provenance import versions
+from acoustic_fem.library.transfer_functions import described, measured_library
+from geometry import ArrayDesign
+from geometry.design.design_file import write_design
 from studies.output.display import Display
 from studies.output.folders import check_folder, make_folder, replaced_folder, write_json
+from studies.output.frequencies import stated_frequencies
 from studies.test_rig.calibrating import MANIFEST
-
-if TYPE_CHECKING:
-    from geometry import ArrayDesign
-    from studies.test_rig.rig_touches import TouchSession
-    from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
+from studies.test_rig.rig_touches import TouchSession, record_touches
+from studies.test_rig.virtual_rig import RIG_MARK, HiddenScatter, Recorder, Rig
 
 #: What lies in the folder of a session.
 CALIBRATION, TOUCHES, TRUTH, TRUE_LIBRARY = "calibration", "touches", "truth.json", "truth.nc"
@@ -76,9 +82,6 @@ def record_rig(
             cannot be written.
     """
     folder, show = Path(out), display or Display()
-    from studies.test_rig.rig_touches import TouchSession, record_touches
-    from studies.test_rig.virtual_rig import RIG_MARK, Recorder, Rig
-
     check_folder(folder, "rig", RIG_MARK)
     rig = Rig(design, seed, scatter, fidelity)
     recorder = recorder or Recorder(seconds=SECONDS)
@@ -117,15 +120,6 @@ def hidden_values(rig: Rig) -> dict[str, Any]:
 
 def _write_truth(rig: Rig, folder: Path, recorder: Recorder, session: TouchSession) -> Path:
     """The library of the sensor as it is, and the file of all that is hidden."""
-    import numpy as np
-
-    import acoustic_fem
-    from acoustic_fem.library.exchange import write_library
-    from acoustic_fem.library.provenance import versions
-    from acoustic_fem.library.transfer_functions import described, measured_library
-    from geometry.design.design_file import write_design
-    from studies.output.frequencies import stated_frequencies
-
     settings = {"scatter": asdict(rig.scatter), "recorder": asdict(recorder), "session": asdict(session)}
     made = {**versions(rig.seed, ("numpy", "scipy")), "fidelity": rig.fidelity}
     grid = stated_frequencies(TRUE_FREQUENCIES)

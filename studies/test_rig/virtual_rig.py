@@ -17,6 +17,7 @@ from typing import Literal
 
 import numpy as np
 import scipy.interpolate
+import scipy.signal
 import tomlkit
 from numpy.typing import NDArray
 
@@ -367,7 +368,5 @@ def _excitation(recorder: Recorder, total: int, random: np.random.Generator) -> 
     """Spectrum of what is played, before it is scaled and cut to its band."""
     if recorder.excitation == "noise":
         return np.asarray(np.fft.rfft(random.standard_normal(total)))
-    import scipy.signal
-
     time = np.arange(total) / recorder.rate
     return np.asarray(np.fft.rfft(scipy.signal.chirp(time % 20.0, BAND[0], 20.0, BAND[1], method="logarithmic")))

@@ -22,7 +22,7 @@ from localize import load_localizer
 from studies.metrics.separation import separability
 from studies.output.display import Display
 from studies.output.folders import MARK, claim_folder
-from studies.run import chain as run_module
+from studies.run import pipeline as run_module
 from studies.run.findings import membrane_compliances
 from studies.run.library_files import cell_lines
 from studies.run.pipeline import run_design, training_plan
