@@ -292,7 +292,7 @@ def _way(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]:
         in_range("speed", value, *SPEEDS, "mm/s")
     if lengths.sum() <= 0:
         raise Refusal(
-            "has no length", kind=Kind.UNSUITABLE, field="path", remedy="a contact that stands still is a press"
+            "has no length", kind=Kind.UNSUITABLE, field="path", remedy="press a contact that stands still"
         )
     kept = np.concatenate([[True], lengths > 0])
     at = np.concatenate([[0.0], np.cumsum(lengths / speeds)])[kept]

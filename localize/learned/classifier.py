@@ -44,13 +44,14 @@ class NetworkShape:
     """Choice of the maps, see :mod:`localize.learned.features`."""
 
     def __post_init__(self) -> None:
-        for name, value, least in (
-            ("maps", self.maps, 1),
-            ("points", self.points, 2),
-            ("width", self.width, PARTIAL),
-            ("stages in depths", len(self.depths), 1),
-            ("smallest of depths", min(self.depths, default=1), 1),
-        ):
+        if not self.depths or min(self.depths) < 1:
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="network.depths",
+                value=self.depths,
+                allowed="at least one stage, of at least one block each",
+            )
+        for name, value, least in (("maps", self.maps, 1), ("points", self.points, 2), ("width", self.width, PARTIAL)):
             if value < least:
                 raise Refusal(kind=Kind.OUT_OF_RANGE, field=f"network.{name}", value=value, allowed=f"at least {least}")
         if self.width % PARTIAL:

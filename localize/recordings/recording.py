@@ -113,10 +113,14 @@ def read_recording(
         if cut.any():
             first = int(cut.argmax())
             level, time = abs(channel[first]), first / rate
-            said = f"{path}: channel {microphone} is clipped at {level:.4g} Pa, first at {time:.3f} s"
+            clipping = RecordingError(
+                f"channel {microphone} is clipped at {level:.4g} Pa, first at {time:.3f} s",
+                kind=Kind.UNSUITABLE,
+                file=path,
+            )
             if not spare:
-                raise RecordingError(said)
-            warnings.warn(f"{said}: it is left out where it is", RecordingWarning, stacklevel=2)
+                raise clipping
+            warnings.warn(f"{clipping}; its clipped samples are left out", RecordingWarning, stacklevel=2)
             spare, clipped = False, (number, np.flatnonzero(cut))
         signals.append(at_one_kilohertz(channel[None], rate)[0])
     _check_apart(path, sound.channels, names, microphones)
@@ -126,7 +130,7 @@ def read_recording(
     if loudest > LOUDEST:
         warnings.warn(
             f"{path}: reaches {loudest:.3g} Pa, more than the {LOUDEST:g} Pa that microphones take; samples must be "
-            "pascals, of WAV files fractions of the full scale",
+            "pascals, or fractions of the full scale in a WAV file",
             RecordingWarning,
             stacklevel=2,
         )
@@ -156,10 +160,14 @@ def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple
             heard = [other for other, each in zip(microphones, seen, strict=True) if each[:dead].mean() >= CONTINUOUS]
             if heard:
                 how = what.format(dead * FRAME / SAMPLE_RATE)
-                said = f"{path}: channel {name} {how} channel {heard[0]}; all channels must be of one time"
+                apart = RecordingError(
+                    f"channel {name} {how} channel {heard[0]}; all channels must begin and end together",
+                    kind=Kind.UNSUITABLE,
+                    file=path,
+                )
                 if dead >= math.ceil(LATE * SAMPLE_RATE / FRAME) and not spare:
-                    raise RecordingError(said)
-                warnings.warn(said, RecordingWarning, stacklevel=3)
+                    raise apart
+                warnings.warn(str(apart), RecordingWarning, stacklevel=3)
 
 
 def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequence[str]:

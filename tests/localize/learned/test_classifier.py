@@ -5,9 +5,11 @@ from dataclasses import replace
 import pytest
 import torch
 from rc_line import rc_line
+from refusals import refused
 from torch import nn
 
 import localize
+from geometry import Kind
 from localize.learned.classifier import NETWORKS, NetworkShape, PatchConvolution, TouchClassifier, TouchNetwork
 from localize.learned.features import map_count
 
@@ -59,7 +61,7 @@ def test_the_papers_network_takes_the_maps_of_any_array(microphones, features):
 
 
 def test_a_stride_of_2_does_not_survive_the_papers_mergings():
-    with pytest.raises(ValueError, match="32 columns of a map cannot be cut into patches of 2 and halved 5 times"):
+    with refused(Kind.OUT_OF_RANGE, "network.patch", (2, 2)):
         replace(shape("paper"), patch=(2, 2))
 
 
@@ -115,21 +117,5 @@ def test_training_takes_gains_and_finger_stimuli():
 
 
 def test_sound_from_outside_needs_an_array_that_has_an_outside():
-    with pytest.raises(ValueError, match="ambient needs a library with a design"):
+    with refused(Kind.MISMATCH, "ambient"):
         localize.train(rc_line(4), localize.TrainingPlan(seconds_per_point=4, epochs=1, ambient=(30.0, 90.0)))
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"network": "big"}, "network = 'big' must be one of: patches, stride-2, paper"),
-        ({"features": "raw"}, "features = 'raw' must be one of"),
-        ({"stimuli": ()}, "must name at least one of"),
-        ({"stimuli": ("taps", "drums")}, "must name at least one of: multi-sines, taps, friction, pulse-wave"),
-        ({"ambient": (90.0, 30.0)}, "dB SPL must be lowest and highest level"),
-        ({"microphone_gain": 21.0}, "microphone_gain = 21.0 must be between 0 and 20"),
-    ],
-)
-def test_a_plan_that_asks_for_what_there_is_not_is_refused(change, message):
-    with pytest.raises(ValueError, match=message):
-        localize.TrainingPlan(**change)

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from refusals import refused
 from shared import solved
 
 import localize
-from geometry.ground.refusal import Refusal
+from geometry import Kind
 from localize.contacts import Contact, record
 from localize.recognition import PROFILES, SPEED, texture_force
 from localize.recognition.filter_bank import Ear
@@ -55,5 +56,5 @@ def test_windows_of_a_slide_are_at_the_usual_speed_about_its_points(speed: float
 
 
 def test_what_is_no_slide_needs_a_speed() -> None:
-    with pytest.raises(Refusal, match=r"`speed` must be given: what is heard from .* is no straight slide over three"):
+    with refused(Kind.MISSING, "speed"):
         windows_of_a_slide(0, 1, 12.0)

@@ -8,10 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from rc_line import rc_line
+from refusals import refused
 
 import localize
 from acoustic_fem.sound.sound_file import write_wav
-from geometry.ground.refusal import Refusal
+from geometry import Kind
 from localize.contacts import ContactRecorder
 from localize.recognition import LETTERS, Hand, LetterMaker, LineReader, letter_maps, written
 from localize.recognition.filter_bank import Ear
@@ -81,7 +82,7 @@ def test_a_picture_does_not_know_place_and_size() -> None:
 
 
 def test_letters_need_places() -> None:
-    with pytest.raises(Refusal, match="places"):
+    with refused(Kind.MISMATCH):
         LineReader(rc_line(3, np.arange(1.0, 501.0, 3.0)), 1e-3)
 
 

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from rc_line import rc_line
+from refusals import refused
 
-from geometry.ground.refusal import Refusal
+from geometry import Kind
 from localize.recognition.pen_path import FLOOR, SPEEDS, PenTracker
 
 PITCH = 18.0
@@ -80,5 +81,5 @@ def test_lines_of_any_length_are_judged(pen: PenTracker) -> None:
 
 
 def test_a_pen_needs_places() -> None:
-    with pytest.raises(Refusal, match="places"):
+    with refused(Kind.MISMATCH):
         PenTracker(rc_line(3, np.arange(1.0, 501.0, 3.0)))

@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from rc_line import rc_line
+from refusals import refused
 
 import localize
-from geometry.ground.refusal import Refusal
+from geometry import Kind
 from localize.contacts import pulse_times, pulse_wave
 from localize.recognition.pulse import PulseDecoder, waves_of
 from localize.recognition.takes import heard, prepared
@@ -58,7 +59,7 @@ def test_a_reader_names_point_and_rate() -> None:
     rate = 60 / np.diff(truth[(truth > 0.5) & (truth < 5.5)]).mean()
     assert abs(reading.rate - rate) < 3 * reading.rate_deviation + 1.0
     assert reading.waveform.shape == (6001,)
-    with pytest.raises(Refusal, match=r"signals last 2 s, must last at least 3 s"):
+    with refused(Kind.UNSUITABLE, "signals"):
         localize.PulseReader(ARRAY, 1e-3).read(signals[:, :2000])
 
 

@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 import torch
 from rc_line import rc_line
+from refusals import refused
 from scipy.signal import lfilter
 
 import acoustic_fem
 import geometry
+from geometry import Kind
 from localize import TouchGenerator
 from localize.signals import finger_stimuli, propagation, stimulus
 from localize.signals.array_response import response_of
@@ -90,7 +92,7 @@ def test_short_windows_are_exact_for_a_gain_and_far_off_for_an_array():
 
 
 def test_an_unknown_method_is_refused():
-    with pytest.raises(ValueError, match="method = 'wavelet' must be one of: exact, stft"):
+    with refused(Kind.OUT_OF_RANGE, "method", "wavelet"):
         TouchGenerator(rc_line(3), 0, "training", method="wavelet")
 
 
