@@ -113,7 +113,7 @@ def rows_of(name: str, sensors: int) -> list[str]:
             points = range(1, design.point_count + 1)
             manifests = {"new": made.touches, "aged": record_touches(aged, folder / "aged", points, session)}
             acoustic_fem.save(acoustic_fem.solve(design, np.arange(1.0, 501.0), "lumped"), folder / "design.nc")
-            studies.calibrate_sensor(made.calibration, folder / "made.nc")
+            studies.calibrate_sensor(made.calibration, folder / "made.nc", fidelity="lumped")
             for case in CASES:
                 counts = counted(manifests[case.session], folder / case.library, case.decoding, design.point_count)
                 found[case.name].append(counts)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from typing import Any, TypeAlias
@@ -22,9 +21,7 @@ from geometry.air.cells import Cell
 from geometry.air.straight_bores import StraightBore
 from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.ground.extras import NotInstalled, installed_version
-from geometry.ground.refusal import Refusal, said_by
-from geometry.schema.cavity_shapes import Box, Dome
-from geometry.schema.ports import CellPort
+from geometry.ground.refusal import Kind, Refusal, said_by
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
 DESIGN_BAND = (1.0, 500.0)
@@ -44,10 +41,6 @@ CELL_MODEL_VERSION = 15
 
 
 _MODELS, _PUMPED = ("heat", "viscous", "flow"), "pumped"
-
-
-#: Shapes of cavities by the word that tells them in the text of a task.
-_SHAPES: dict[str, type[Box | Dome]] = {shape.__name__: shape for shape in (Box, Dome)}
 
 
 #: Arrays and plain values of a solved cell, as the cache keeps them.
@@ -114,27 +107,6 @@ class CellTask:
         """Name under which the cell is kept in the cache."""
         about = {"model": CELL_MODEL_VERSION, "accuracy": DESIGN_ACCURACY, "gmsh": installed_version("gmsh")}
         return disk_cache.key_of({**_stated(asdict(self)), **about})
-
-    def as_json(self) -> str:
-        """The task as text, for another process."""
-        plain = asdict(self)
-        if self.cell.shape is not None:
-            plain["cell"]["shape"]["kind"] = type(self.cell.shape).__name__
-        return json.dumps(plain)
-
-    @classmethod
-    def from_json(cls, text: str) -> CellTask:
-        """The task from its text."""
-        plain = json.loads(text)
-        ports = tuple(CellPort(**port) for port in plain["cell"].pop("ports"))
-        sizes = plain["cell"].pop("shape")
-        shape = None if sizes is None else _SHAPES[sizes.pop("kind")](**sizes)
-        return cls(
-            cell=Cell(**plain["cell"], ports=ports, shape=shape),
-            medium=Medium(**plain["medium"]),
-            band=tuple(plain["band"]),
-            fidelity=plain["fidelity"],
-        )
 
 
 def _stated(description: dict[str, Any]) -> dict[str, Any]:
@@ -206,7 +178,8 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     except NotInstalled:
         raise  # no fault of this cell
     except (Refusal, Standard_Failure, MemoryError) as error:
-        raise CellError(f"{cell.label}: {said_by(error)}") from error
+        kind = error.kind if isinstance(error, Refusal) else Kind.NO_RESULT
+        raise CellError(f"cannot be solved: {said_by(error)}", kind=kind, field=cell.label) from error
     body = solved.body
     arrays = {"energies": body.energies}
     models = {}

@@ -27,7 +27,7 @@ from geometry.air.solid_checks import sound_solid
 from geometry.air.straight_bores import shortened
 from geometry.air.volume import MIRROR
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 if TYPE_CHECKING:
     import cadquery
@@ -147,10 +147,10 @@ def port_admittance(
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: four refinements do not reach the accuracy.
     """
-    grid = frequency_grid(np.atleast_1d(numbers("frequency", frequency)))
+    grid = frequency_grid(frequency if isinstance(frequency, str) else np.atleast_1d(numbers("frequency", frequency)))
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
     admittance = solved.body.nodal_admittance(grid)
-    return admittance[0] if np.ndim(frequency) == 0 else admittance
+    return admittance if isinstance(frequency, str) or np.ndim(frequency) else admittance[0]
 
 
 def solve_solid(
@@ -184,7 +184,7 @@ def solve_solid(
     physics = checked_physics(fidelity)
     ports = port_points(ports)
     if not isinstance(medium, Medium):
-        raise Refusal(f"medium must be a Medium, not a {type(medium).__name__}")
+        raise Refusal(f"must be a Medium, not a {type(medium).__name__}", kind=Kind.WRONG_TYPE, field="medium")
     shape = sound_solid(as_shape(solid))
     box = shape.BoundingBox()
     half = mirror_half(shape, ports) if MIRROR not in ports else None
@@ -309,7 +309,8 @@ def checked_physics(fidelity: str) -> Physics:
     for name in PHYSICS:
         if fidelity == name:
             return name
-    raise Refusal(f"fidelity = {fidelity!r} must be one of {', '.join(PHYSICS)} for a 3-D cell")
+    allowed = f"one of {', '.join(PHYSICS)} for a 3-D cell"
+    raise Refusal(kind=Kind.OUT_OF_RANGE, field="fidelity", value=fidelity, allowed=allowed)
 
 
 def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -> cadquery.Shape:
@@ -327,5 +328,5 @@ def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -
     shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
     if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
         held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
-        raise Refusal(f"solid must be one CadQuery shape, it holds {held}")
+        raise Refusal(f"must be one CadQuery shape, it holds {held}", kind=Kind.WRONG_TYPE, field="solid")
     return shapes[0]

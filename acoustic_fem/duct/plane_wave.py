@@ -26,7 +26,7 @@ from scipy.special import jve, zeta
 
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: A complex quantity over frequency: values that broadcast with the frequencies, or a function of Hz.
 Spectrum = ArrayLike | Callable[[NDArray[np.float64]], ArrayLike]
@@ -194,10 +194,17 @@ class UserLine(Line):
         try:
             values = np.broadcast_to(values, frequency.shape)
         except ValueError:
-            raise Refusal(f"{name} has shape {values.shape}, the frequencies have {frequency.shape}") from None
+            raise Refusal(
+                f"has shape {values.shape}, the frequencies have {frequency.shape}", kind=Kind.MISMATCH, field=name
+            ) from None
         bad = ~np.isfinite(values) | (values.real < 0) | (values == 0)
         if bad.any():
-            raise Refusal(f"{name} = {values[bad][0]:g} must be finite, not 0, and its real part not negative")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field=name,
+                value=complex(values[bad][0]),
+                allowed="finite, not 0, and its real part not negative",
+            )
         return values
 
 
@@ -219,7 +226,10 @@ class CompliantWall(Line):
         bad = ~(np.isfinite(values) & (values.real >= 0) & (values.imag <= 0))
         if bad.any():
             raise Refusal(
-                f"compliance = {values[bad][0]:g} m^2/Pa must be finite, with real part >= 0 and imaginary <= 0"
+                kind=Kind.OUT_OF_RANGE,
+                field="compliance",
+                value=complex(values[bad][0]),
+                allowed="finite, with real part >= 0 and imaginary <= 0, m^2/Pa",
             )
 
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
@@ -263,14 +273,15 @@ def tube_compliance(
     modulus = float(positive("youngs_modulus", youngs_modulus, "Pa"))
     nu, eta = in_range("poisson_ratio", poisson_ratio, 0.0, 0.5), in_range("loss_factor", loss_factor, 0.0, 2.0)
     if b <= a:
-        raise Refusal(f"outer_radius = {b:g} m must be above inner_radius = {a:g} m")
+        allowed = f"above inner_radius = {a:g} m"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="outer_radius", value=b, unit="m", allowed=allowed)
     wall = (b - a) * (b + a)
     if axial == "held":
         displacement = (1 + nu) * a * ((1 - 2 * nu) * a**2 + b**2) / wall
     elif axial == "free":
         displacement = a * ((b**2 + a**2) / wall + nu)
     else:
-        raise Refusal(f"axial = {axial!r} must be 'held' or 'free'")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="axial", value=axial, allowed=("held", "free"))
     return 2 * np.pi * a * displacement / (modulus * (1 + 1j * eta))
 
 
@@ -377,8 +388,8 @@ def _line_values(
     z, y = np.asarray(series, dtype=np.complex128), np.asarray(shunt, dtype=np.complex128)
     for name, values, bad in (("series", z, ~np.isfinite(z) | (z == 0)), ("shunt", y, ~np.isfinite(y))):
         if bad.any():
-            rule = "finite and not 0" if name == "series" else "finite"
-            raise Refusal(f"{name} = {values[bad].flat[0]:g} must be {rule}")
+            allowed = "finite and not 0" if name == "series" else "finite"
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=complex(values[bad].flat[0]), allowed=allowed)
     total, square = np.broadcast_arrays(z * length, (z * length) * (y * length))
     return total, square
 

@@ -21,9 +21,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from acoustic_fem.library.checksums import CHECKSUMS
 from acoustic_fem.library.netcdf_file import (
     ATTRIBUTES,
+    CHECKSUMS,
     LibraryError,
     dataset_of,
     library_in,
@@ -32,15 +32,16 @@ from acoustic_fem.library.netcdf_file import (
     with_checksums,
     write_netcdf,
 )
-from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
+from acoustic_fem.library.sealed_netcdf import read_netcdf
 from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import read_stored_design
+from geometry.design.design_file import read_completed
 from geometry.ground.array_files import read_npz
 from geometry.ground.csv_files import read_csv
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import MOST_NUMBERS, ordinary_file
+from geometry.ground.record import seal_file
 from geometry.ground.refusal import Refusal, counted
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import check_own_kind, whole_file
@@ -49,7 +50,7 @@ from geometry.layout.placement import point_places
 
 #: Formats of libraries, by the ending of their names: netCDF-4, SOFA, NPZ, CSV.
 FORMATS = (".nc", ".sofa", ".npz", ".csv")
-#: Texts that a file may hold; those without checksums are of older versions.
+#: Texts that a file holds.
 _TEXTS = (*ATTRIBUTES, CHECKSUMS)
 #: Dimension of a library -> letter of SOFA's: emitters, receivers, frequencies.
 _LETTERS = {"point": "E", "microphone": "R", "microphone_2": "R", "frequency": "N"}
@@ -177,7 +178,7 @@ def _design(attributes: dict[str, Any]) -> ArrayDesign:
     missing = [name for name in ATTRIBUTES if not isinstance(attributes.get(name), str)]
     if missing:
         raise Refusal(f"was not written by this program: it has no {missing[0]}")
-    return read_stored_design(attributes["design_toml"], "design_toml")
+    return read_completed(attributes["design_toml"], "design_toml")
 
 
 # -- SOFA -----------------------------------------------------------------------------------------------------------
@@ -213,7 +214,7 @@ def _write_sofa(library: Library, path: Path) -> None:
         sofa.add_attribute(f"GLOBAL_{_sofa_name(name)}", dataset.attrs[name])
     with whole_file(path) as beside:
         sofar.write_sofa(str(beside), sofa)
-        seal(beside)
+        seal_file(beside)
 
 
 def _places(design: ArrayDesign) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -23,7 +23,7 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell, CellCatalogue, CellUse
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import ComplexArray
 from geometry.layout.placement import Housings
 from geometry.schema.part_fields import Tube
@@ -153,11 +153,12 @@ def _at_place(use: CellUse, admittances: Mapping[Cell, ComplexArray], frequency:
     """Nodal admittance of a cell with its ports in the order of the place's tubes."""
     cell = use.cell
     if cell not in admittances:
-        raise Refusal(f"admittances lack the cell {cell.label}")
+        raise Refusal(f"lack the cell {cell.label}", kind=Kind.MISSING, field="admittances")
     nodal = np.asarray(admittances[cell])
     size = len(cell.ports) + 1
     if nodal.shape != (len(frequency), size, size):
-        raise Refusal(f"admittance of {cell.label} has shape {nodal.shape}, must be {(len(frequency), size, size)}")
+        problem = f"of {cell.label} has shape {nodal.shape}, must be {(len(frequency), size, size)}"
+        raise Refusal(problem, kind=Kind.MISMATCH, field="admittances")
     nodes = [*use.order, size - 1]
     return nodal[:, nodes][:, :, nodes]
 

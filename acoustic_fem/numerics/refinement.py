@@ -11,7 +11,7 @@ from typing import TypeVar
 import numpy as np
 
 from geometry.air.mesh import InvertedElementsError
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: What is solved on a mesh.
 Solution = TypeVar("Solution")
@@ -119,7 +119,7 @@ def refined(
             # The first mesh misleads: the next one is fine enough to be compared with a later one.
             wanted = min(wanted, solved[-2][0] / _COARSER)
         following = float(np.clip(wanted, finer / _NEXT_FINER[1], finer / _NEXT_FINER[0]))
-    raise ConvergenceError(f"after {_MOST_REFINEMENTS} refinements {failure}")
+    raise ConvergenceError(f"after {_MOST_REFINEMENTS} refinements {failure}", kind=Kind.NO_RESULT)
 
 
 def _shown_order(meshes: list[Refinement], least: float) -> float:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from geometry.assembly.part_list import Kind, PartSet, PlacedPart, build_parts
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
 from geometry.solids.membrane import build_membrane, membranes_of
@@ -50,7 +51,7 @@ class ArrayModel:
 
 
 def array_model(
-    array: ArrayDesign | ArrayModel, parts: PartSet | None = None, layout: ArrayLayout | None = None
+    array: DesignLike | ArrayModel, parts: PartSet | None = None, layout: ArrayLayout | None = None
 ) -> ArrayModel:
     """Put an array together from its printed and cast parts, its tubes and its microphones.
 
@@ -66,7 +67,7 @@ def array_model(
     """
     if isinstance(array, ArrayModel):
         return array
-    design = array
+    design = resolve_design(array)
     layout = lay_out(design) if layout is None else layout
     parts = build_parts(design, layout) if parts is None else parts
     shapes = {name: parts[name].val() for name in dict.fromkeys(part.part for part in parts.placed)}
@@ -84,14 +85,14 @@ def array_model(
     )
 
 
-def build_assembly(design: ArrayDesign, parts: PartSet | None = None) -> cq.Assembly:
+def build_assembly(design: DesignLike, parts: PartSet | None = None) -> cq.Assembly:
     """The array as a CadQuery assembly with a named component per point, microphone and tube.
 
     Copies of a part share its shape. Tubes that are drawn schematically are left out. To write it as STEP with the
     names of its parts, use :func:`geometry.formats.step_assembly.write_step`.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         parts: of :func:`geometry.build_parts`, where they exist already.
     """
     return assembly_of(array_model(design, parts))

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import write_design
+from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import (
@@ -124,11 +124,11 @@ class PlacedPart:
         return matrix
 
 
-def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartSet:
+def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSet:
     """Draw every distinct part of a design.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         layout: where its parts lie, where it is known already.
 
     Returns:
@@ -148,6 +148,7 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
     from geometry.solids.housing import build_board, build_housing
     from geometry.solids.shell import build_shell
 
+    design = resolve_design(design)
     layout = layout or lay_out(design)
     plan = _plan(design, layout)
     microphone, printing = design.microphone, design.printing

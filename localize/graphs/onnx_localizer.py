@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.record import is_sealed
 from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import parse_json
 from localize.graphs.description import (
@@ -17,7 +18,6 @@ from localize.graphs.description import (
     LocalizerError,
     check_format,
     described,
-    is_sealed,
 )
 from localize.graphs.foreign_graph import ForeignGraph
 from localize.graphs.graph_check import BATCH, INPUT, OUTPUTS, check_interface, doubt

@@ -27,12 +27,12 @@ from torch import Tensor, nn
 
 from acoustic_fem.library.provenance import versions
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.record import sealed
 from geometry.ground.whole_files import whole_file
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder
 from localize.decoders.likelihood import SCREEN_ERROR, SURE, TEMPERATURE, DecoderTables
 from localize.decoders.tolerant import TolerantDecoder
-from localize.graphs.description import sealed
 from localize.graphs.graph_check import INPUT, OUTPUTS
 from localize.graphs.onnx_localizer import FORMAT, KEY, VERSION, bare_graph
 from localize.learned.localizer import Localizer

@@ -8,7 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.design.design_file import read_stored_design
+from geometry.design.design_file import read_completed
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import PathLike
 
@@ -96,7 +96,7 @@ def design_difference(localizer: Array, library: Array) -> str | None:
     if not all(isinstance(text, str) for text in texts):
         return None
     try:
-        own, other = (read_stored_design(str(text), "design").completed().model_dump(mode="json") for text in texts)
+        own, other = (read_completed(str(text), "design").completed().model_dump(mode="json") for text in texts)
     except Refusal:  # of another version of the program
         return None
     for name, mine, theirs in _differences(own, other):

@@ -53,6 +53,7 @@ def rig(
     modulus: Annotated[
         float, typer.Option(metavar="FACTOR", help="Modulus of its membranes against the design's; 0.85 is softer.")
     ] = 1.0,
+    fidelity: Annotated[Fidelity, typer.Option(help="Of the sensor's transfer functions.")] = _FIDELITY,
 ) -> None:
     """Recordings of a virtual made sensor, to try everything before there is a real one.
 
@@ -68,7 +69,7 @@ def rig(
     """
     scatter = HiddenScatter(altitude=altitude, modulus=modulus)
     with display_on_stderr() as display:
-        made = record_rig(resolve_design(design), out, seed=seed, scatter=scatter, display=display)
+        made = record_rig(resolve_design(design), out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
         print(path)
     tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")

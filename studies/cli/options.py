@@ -109,10 +109,10 @@ def in_options(message: str) -> str:
 
 
 def frequency_option(text: str) -> Any:
-    """The grid FIRST:LAST:COUNT, (n_freq,) float64, Hz; ranges are checked where the grid is used."""
-    from acoustic_fem.quantities.checks import stated_grid
+    """The grid FIRST:LAST:COUNT, (n_freq,) float64, Hz."""
+    from acoustic_fem.quantities.checks import frequency_grid
 
     try:
-        return stated_grid(text)
+        return frequency_grid(text)
     except Refusal as error:
         raise typer.BadParameter(f"--frequencies: {error}") from None

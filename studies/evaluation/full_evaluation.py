@@ -199,7 +199,7 @@ def mis_made(
     scattered, air = ScatteredDesign(library.design), design_air(library.design)
 
     def made(share: float) -> NDArray[np.complex128]:
-        factors = scatter_factors(scattered, air, response.frequency, count, seed, share=share)
+        factors = scatter_factors(scattered, air, response.frequency, count, seed, fraction=share)
         return response.transfer_function * factors
 
     return [(f"{share:g} of the tolerances", share, made(share)) for share in shares]

@@ -11,7 +11,7 @@ from geometry.ground.refusal import Refusal
 from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep, with_base_metrics
 from studies.output.display import Display
 from studies.output.folders import check_new_file
-from studies.sweep.store import open_sweep
+from studies.sweep.store import is_sweep, open_sweep
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,8 +36,8 @@ def read_results(results: str | os.PathLike[str]) -> ResultTable:
         Refusal: it is neither, or holds no design that was computed.
     """
     place = Path(results)
-    if place.is_dir() and not (place / "zarr.json").exists():
-        from studies.findings.search_files import read_search
+    if place.is_dir() and not is_sweep(place):
+        from studies.findings.search_files import read_search  # loads what searches, which a sweep does without
 
         return table_of_search(*read_search(place))
     return table_of_sweep(open_sweep(place))

@@ -20,7 +20,7 @@ from studies.optimization.problem import Optimization
 from studies.optimization.search import OptimizationResult, pareto_front
 from studies.study.cases import by_kind
 from studies.study.metric_registry import METRICS
-from studies.sweep.store import Sweep
+from studies.sweep.store import Sweep, base_of
 
 Values = NDArray[np.float64]
 #: Steps of a range in the figures of effects and of pairs.
@@ -234,7 +234,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
     Raises:
         Refusal: no case is done, or nothing was computed.
     """
-    values, about = sweep.values, sweep.attributes[""]
+    values, about = sweep.values, sweep.attributes
     columns = {name: np.asarray(values[name], np.float64) for name in sweep.metrics}
     finite = np.all([np.isfinite(column) for column in columns.values()], axis=0)
     rows = np.flatnonzero(sweep.done & finite)
@@ -243,17 +243,14 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
     reasons = [(int(number), str(values["reason"][number])) for number in np.flatnonzero(sweep.failed)]
     reasons += [(int(number), "a metric is not finite") for number in np.flatnonzero(sweep.done & ~finite)]
     return ResultTable(
-        title=str(about["title"]),
-        description=str(about["description"]),
+        title=about["title"],
+        description=about["description"],
         source="sweep",
-        fidelity=str(about["fidelity"]),
+        fidelity=about["fidelity"],
         frequency=np.asarray(values["frequency"], np.float64),
-        open_base=sweep.open_base,
+        open_base=partial(base_of, sweep.records.path, about["base_design"]),
         number=rows.astype(np.int64),
-        parameters=tuple(
-            _parameter(name, values[name][rows], str(sweep.attributes[name].get("units", "")))
-            for name in sweep.parameters
-        ),
+        parameters=tuple(_parameter(name, values[name][rows], sweep.units(name)) for name in sweep.parameters),
         metrics=tuple(_metric(name, column[rows]) for name, column in columns.items()),
         failures=tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items()),
         waiting=int((~sweep.done & ~sweep.failed).sum()),

@@ -88,7 +88,7 @@ def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
     """
     if not journal_exists(out) or not all((out / name).is_file() for name in (_STUDY, _BASE, _BEST)):
         raise StudyError(
-            f"{out}: is neither the results of a sweep (a folder with a zarr.json) nor the folder of a finished search"
+            f"{out}: is neither the results of a sweep (a folder with records) nor the folder of a finished search"
         )
     text = read_text(out / _STUDY, "the study of a search", StudyError)
     problem = read_optimization(text, str(out / _STUDY), out, load_design(out / _BASE))

@@ -16,6 +16,7 @@ import numpy as np
 import acoustic_fem
 from acoustic_fem.atlas.cell_in_atlas import check_cell
 from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
+from acoustic_fem.atlas.fidelity_choice import QuickFidelity, quick_fidelity
 from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
 from acoustic_fem.quantities.local_air import design_air
 from geometry import build_parts, print_report
@@ -23,6 +24,7 @@ from geometry.air.cells import Cell, cell_catalogue
 from geometry.assembly.fit import misfits
 from geometry.assembly.model import array_model
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras, is_installed
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
@@ -95,8 +97,10 @@ class DesignCheck:
     validity: tuple[Validity, ...]
     """Assumptions of the models, each against its limit."""
     attenuation: tuple[tuple[float, float, int], ...]
-    """Frequency (Hz), then of the point that is heard worst: level at its second-loudest microphone (dB; a ratio needs
-    two) and number; at fidelity lumped."""
+    """Frequency (Hz), then of the point with the weakest response: level at its second-loudest microphone (dB; a ratio
+    needs two) and number."""
+    fidelity: QuickFidelity
+    """Fidelity of the attenuation: the atlas, or 3-D and why."""
     quality: DesignQuality | None = None
     """How good it is; None where that was not asked, there is nothing to tell apart, or nothing to judge it with."""
 
@@ -166,12 +170,13 @@ class DesignCheck:
                 {"frequency_hz": f, "second_microphone_db": level, "point": point}
                 for f, level, point in self.attenuation
             ],
+            "fidelity": self.fidelity.words,
             "quality": None if self.quality is None else self.quality.to_dict(),
         }
 
 
 def check_design(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str] | None = None,
     *,
     picture: str | os.PathLike[str] | None = None,
@@ -183,7 +188,7 @@ def check_design(
     Parts are left out where the extra ``cad`` is not installed, and how good it is without ``train``: findings say so.
 
     Args:
-        design: the design.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: a JSON file for all that was found; an earlier one is replaced.
         picture: a PNG file for the array in plan with how well each point is told from the others.
         quality: whether to predict how good it is: :func:`studies.run.design_quality`; with a picture in any case.
@@ -196,6 +201,7 @@ def check_design(
     path, drawn = None if out is None else Path(out), None if picture is None else Path(picture)
     check_new_file(path, ".json")
     check_new_file(drawn, ".png")
+    design = resolve_design(design)
     if drawn is not None:
         check_extras("what judges points", "train")
     judge = drawn is not None or (quality and is_installed("train"))
@@ -231,7 +237,8 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
     with steps("Attenuation"), warnings.catch_warnings():
         # the same limits are listed under validity
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
-        library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity="lumped")
+        fidelity = quick_fidelity(design, ATTENUATION_AT)
+        library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity.name)
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
     counts, in_the_way, printing = _drawn(design, layout, steps) if is_installed("cad") else ({}, (), None)
     return DesignCheck(
@@ -249,6 +256,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         printing=printing,
         validity=model_validity(design, library.medium, levels[-1][1]),
         attenuation=tuple(levels),
+        fidelity=fidelity,
     )
 
 

@@ -10,22 +10,22 @@ from numpy.typing import ArrayLike
 import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import FORMATS, load, write_library
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir
-from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import counted
 from studies.output.display import Display
 from studies.output.folders import check_new_library
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 
 def solve_library(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
-    fidelity: str = "navier-stokes",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
     air: LocalAir | None = None,
     display: Display | None = None,
@@ -33,7 +33,7 @@ def solve_library(
     """Library of a design, also in a file: transfer functions from every point to every microphone.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
         fidelity: see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
@@ -45,12 +45,12 @@ def solve_library(
     """
     path, show = Path(out), display or Display()
     check_new_library(path, (".nc",))
+    design = resolve_design(design)
     if fidelity not in CLOSED_FORMS:
         check_extras("what solves in 3-D", "fem")
         check_system_libraries()
     with show.stage("Cells") as report:
-        there = design if air is None else design.with_values(air.design_values)
-        library = acoustic_fem.solve(there, stated_frequencies(frequency), fidelity=fidelity, progress=report)
+        library = acoustic_fem.solve(design, frequency, fidelity, air, report)
         write_library(library, path)
     for line in cell_lines(library):
         show.note(line)

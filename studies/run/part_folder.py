@@ -13,6 +13,7 @@ from geometry.assembly.fit import misfits
 from geometry.assembly.model import ArrayModel, array_model
 from geometry.assembly.order_table import write_assembly_table
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import FORMATS, ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.layout.arrangement import lay_out
@@ -53,7 +54,7 @@ class MadeParts:
 
 
 def export_parts(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
     formats: Sequence[str] = FORMATS,
@@ -64,7 +65,7 @@ def export_parts(
     """Parts of a design, drawn, exported and judged, and the array put together, all of it or nothing.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: a folder, made if it does not exist. What it holds of an earlier call is replaced when all is made; files
             of others stay, but for those of the same name.
         formats: of the files of each part.
@@ -78,7 +79,7 @@ def export_parts(
         OSError: the folder cannot be written.
     """
     check_system_libraries()
-    folder = Path(out)
+    folder, design = Path(out), resolve_design(design)
     named = None if process is None or isinstance(process, PrintProcess) else process
     check_folder(folder, "parts", FILES, reads=(named,))
     rules = process_of(design.printing) if process is None else find_process(process)

@@ -10,16 +10,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import write_library
 from acoustic_fem.numerics.disk_cache import CacheWarning
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry import export, print_report
 from geometry.assembly.model import ArrayModel, array_model
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import write_design
+from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.formats.part_files import ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Refusal
@@ -38,7 +40,7 @@ from studies.output import response_figures as draw
 from studies.output.display import Display, Report
 from studies.output.figure_style import crop_picture
 from studies.output.folders import claim_folder, replaced_folder
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
@@ -64,12 +66,12 @@ SEED = 0
 
 
 def run_design(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
     display: Display | None = None,
-    fidelity: str = "navier-stokes",
-    frequency: NDArray[np.float64] | None = None,
+    fidelity: str = ONE_DESIGN,
+    frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
     training: TrainingPlan | None = None,
     allow_overlaps: bool = False,
 ) -> RunResult:
@@ -79,11 +81,11 @@ def run_design(
     that a run that is killed leaves no half of one; ``report.html`` and ``results.json`` come last.
 
     Args:
-        design: the design.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: a new or empty folder, or one that an earlier run made.
         display: shows what is being done.
         fidelity: of the library, see :func:`acoustic_fem.solve`.
-        frequency: (n_freq,) float64, Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
+        frequency: (n_freq,) Hz, covering 1 to 100 Hz, or FIRST:LAST:COUNT.
         training: how to train the localizer; by default :func:`training_plan`, with which the same design gives the
             same report whatever else the machine does. The localizer is judged with the noise it was trained with.
         allow_overlaps: go on also where parts are in each other's way; the report then says which.
@@ -93,7 +95,7 @@ def run_design(
             or decoded.
         OSError: the folder cannot be written.
     """
-    show = display or Display()
+    show, design = display or Display(), resolve_design(design)
     check_points(design)
     check_system_libraries()
     layout = lay_out(design)
@@ -101,7 +103,7 @@ def run_design(
         refuse_unbuildable(design, layout, ALL_THE_SAME)
     folder = claim_folder(out, write_design(design.completed()))
     training = training or training_plan(design.point_count)
-    grid = stated_frequencies(LIBRARY_FREQUENCIES if frequency is None else frequency)
+    grid = frequency_grid(frequency)
 
     with show.stage("Parts", of=_STAGES) as report:
         model, files, printing, figures = _make_parts(design, layout, folder, report)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from acoustic_fem.library.noise_floor import detection_limits
+from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
@@ -24,7 +25,7 @@ from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import number
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.output.frequencies import FREQUENCIES
 from studies.scatter.effects import quick_scattered_accuracy
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ class DesignQuality:
     cost: float
     """Cost of the materials of one array, molds left out, at assumed prices, USD."""
     fidelity: QuickFidelity
-    """Fidelity of the nominal sensor's transfer functions: the atlas, or lumped and why."""
+    """Fidelity of the nominal sensor's transfer functions: the atlas, or 3-D and why."""
     made_fidelity: QuickFidelity | None
     """That of the mis-made sensors; None without sensors."""
     per_point: NDArray[np.float64] = field(repr=False)
@@ -103,7 +104,7 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
     """
     if design.point_count < 2 or len(design.microphones) < 2:
         return None
-    grid = stated_frequencies(FREQUENCIES)
+    grid = frequency_grid(FREQUENCIES)
     fidelity = quick_fidelity(design, grid)
     library = acoustic_fem.solve(design, grid, fidelity=fidelity.name)
     apart = separability(library.transfer_function)
@@ -139,7 +140,7 @@ def _mis_made(design: ArrayDesign) -> tuple[NDArray[np.float64], QuickFidelity |
     count = math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2)
     count = max(_LEAST_SENSORS, min(SENSORS, count))
     try:
-        return quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=count)
+        return quick_scattered_accuracy(design, FREQUENCIES, sensors=count)
     except Refusal:
         return np.zeros(0), None
 

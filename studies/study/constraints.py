@@ -89,9 +89,7 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
         tree = ast.parse("".join(pieces).strip(), mode="eval").body
         _check(tree, len(names))
     except (SyntaxError, ValueError, RecursionError) as error:
-        why = (
-            error.args[0] if isinstance(error, ValueError) and not isinstance(error, SyntaxError) else "cannot be read"
-        )
+        why = error.problem if isinstance(error, Refusal) else "cannot be read"
         raise Refusal(
             f"constraint {text!r} {why}; it must be a condition such as 'tube.length > 20 * tube.inner_diameter'"
         ) from None

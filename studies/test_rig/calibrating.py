@@ -17,13 +17,15 @@ from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.calibration.manifest import read_manifest
 from acoustic_fem.calibration.measured_library import calibrate
 from acoustic_fem.calibration.model_updating import update
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.ground.refusal import Refusal
 from localize.signals import BAND
 from studies.output.display import Display
 from studies.output.folders import check_new_file
-from studies.output.frequencies import CALIBRATION_FREQUENCIES, stated_frequencies
+from studies.output.frequencies import CALIBRATION_FREQUENCIES
 from studies.test_rig.calibration_figures import draw_calibration
 from studies.test_rig.priors import fit_priors, model_deviation
 
@@ -58,7 +60,7 @@ def calibrate_sensor(
     recordings: str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
-    fidelity: str = "lumped",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = CALIBRATION_FREQUENCIES,
     tolerances: str | os.PathLike[str] | Sequence[Tolerance] | None = None,
     air: LocalAir | None = None,
@@ -88,7 +90,7 @@ def calibrate_sensor(
         raise Refusal(f"{path}: `out` must be a library, .nc; its figure goes beside it as .png")
     check_new_file(path, kept="a measured library")
     check_new_file(picture, kept="the figure of one")
-    grid, scatter, source = stated_frequencies(frequency), tolerances_of(tolerances), Path(recordings)
+    grid, scatter, source = frequency_grid(frequency), tolerances_of(tolerances), Path(recordings)
     manifest = read_manifest(source / MANIFEST if source.is_dir() else source)
     if air is not None:
         manifest = replace(manifest, design=manifest.design.with_values(air.design_values))

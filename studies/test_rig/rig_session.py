@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -13,11 +13,11 @@ import acoustic_fem
 from acoustic_fem.library.exchange import write_library
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.library.transfer_functions import described, measured_library
-from geometry import ArrayDesign
-from geometry.design.design_file import write_design
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
+from geometry.design.design_file import DesignLike, write_design
 from studies.output.display import Display
 from studies.output.folders import check_folder, make_folder, replaced_folder, write_json
-from studies.output.frequencies import stated_frequencies
 from studies.test_rig.calibrating import MANIFEST
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import RIG_MARK, HiddenScatter, Recorder, Rig
@@ -52,11 +52,11 @@ class RigSession:
 
 
 def record_rig(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
     seed: int = 0,
-    fidelity: Literal["lumped", "navier-stokes"] = "lumped",
+    fidelity: str = ONE_DESIGN,
     scatter: HiddenScatter | None = None,
     recorder: Recorder | None = None,
     session: TouchSession | None = None,
@@ -68,10 +68,10 @@ def record_rig(
     :class:`studies.Recorder`, and the touches, :class:`studies.TouchSession`. The same seed gives the same files.
 
     Args:
-        design: the nominal array.
+        design: the nominal array: a design, the path of its file, or the name of a prototype.
         out: a new or empty folder, or one of an earlier session.
         seed: of the hidden parameters and of all recordings.
-        fidelity: ``lumped``, or ``navier-stokes`` for what 3-D cells change.
+        fidelity: of the transfer functions of the nominal design, see :func:`acoustic_fem.solve`.
         scatter: how far the hidden parameters lie from nominal.
         recorder: how recordings are made; by default 30 s for each point of the calibration.
         session: what is recorded of touches; by default two takes of 6 s of each part.
@@ -84,6 +84,7 @@ def record_rig(
     folder, show = Path(out), display or Display()
     check_folder(folder, "rig", RIG_MARK)
     rig = Rig(design, seed, scatter, fidelity)
+    design = rig.design
     recorder = recorder or Recorder(seconds=SECONDS)
     session = session or TouchSession(TAKES, TAKE_SECONDS)
     make_folder(folder, "rig", RIG_MARK)
@@ -122,8 +123,8 @@ def _write_truth(rig: Rig, folder: Path, recorder: Recorder, session: TouchSessi
     """The library of the sensor as it is, and the file of all that is hidden."""
     settings = {"scatter": asdict(rig.scatter), "recorder": asdict(recorder), "session": asdict(session)}
     made = {**versions(rig.seed, ("numpy", "scipy")), "fidelity": rig.fidelity}
-    grid = stated_frequencies(TRUE_FREQUENCIES)
-    nominal = acoustic_fem.solve(rig.design, grid, "lumped")
+    grid = frequency_grid(TRUE_FREQUENCIES)
+    nominal = acoustic_fem.solve(rig.design, grid, rig.fidelity)
     h = rig.transfer_function(grid)
     about = {"seed": rig.seed, "rig": settings, "model": described(nominal)}
     library = measured_library(rig.design, nominal, h, np.zeros(h.shape), ("numpy", "scipy"), about)

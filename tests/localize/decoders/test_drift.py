@@ -23,7 +23,9 @@ NOISE = 1e-3
 
 @cache
 def transfer_function(modulus: float = 1.0) -> np.ndarray:
-    return Rig(solved("array-2x6", GRID).design, 6, HiddenScatter(modulus=modulus)).transfer_function(GRID)
+    return Rig(
+        solved("array-2x6", GRID).design, 6, HiddenScatter(modulus=modulus), fidelity="lumped"
+    ).transfer_function(GRID)
 
 
 @cache
@@ -78,7 +80,8 @@ def test_touches_one_by_one_are_those_of_a_batch() -> None:
 def test_without_a_microphone_the_drift_that_was_heard_is_known_and_followed_on() -> None:
     nominal = solved("glove", GRID)
     before, after = (
-        Rig(nominal.design, 6, HiddenScatter(modulus=modulus)).transfer_function(GRID) for modulus in (1.0, 0.8)
+        Rig(nominal.design, 6, HiddenScatter(modulus=modulus), fidelity="lumped").transfer_function(GRID)
+        for modulus in (1.0, 0.8)
     )
     library = measured_library(nominal.design, nominal, before, 0.01 * np.abs(before), ("numpy",), {})
     aged = replace(response_of(library), transfer_function=after)

@@ -16,7 +16,7 @@ from safetensors.torch import save_file
 
 import localize
 from geometry import Kind
-from localize.graphs.description import sealed
+from geometry.ground.record import sealed
 from localize.learned import epochs
 from localize.learned.classifier import NetworkShape, TouchClassifier
 from localize.learned.features import map_count

@@ -214,7 +214,7 @@ def test_the_likeliest_order_of_channels_is_that_they_were_recorded_in() -> None
 def test_three_channels_in_turn_are_put_back() -> None:
     design = geometry.prototype("glove")
     library = acoustic_fem.solve(design, GRID, "lumped")
-    h = Rig(design, 3).transfer_function(GRID)
+    h = Rig(design, 3, fidelity="lumped").transfer_function(GRID)
     response = replace(response_of(library), transfer_function=h)
     frames, _ = touches(response, 60)
     order = likeliest_order(MarginalLikelihood(GRID, frames[:, [2, 0, 1]], 0.01), h, response.microphones)
@@ -277,7 +277,7 @@ def test_a_third_of_a_line_is_refused() -> None:
          "microphone_tube.inner_diameter": 0.6, "microphone_tube.outer_diameter": 1.1}
     )  # fmt: skip
     library = acoustic_fem.solve(design, GRID, "lumped")
-    h = Rig(design, 11, HiddenScatter(batch=0.0, modulus=0.85)).transfer_function(GRID)
+    h = Rig(design, 11, HiddenScatter(batch=0.0, modulus=0.85), fidelity="lumped").transfer_function(GRID)
     response = replace(response_of(library), transfer_function=h)
     frames, points = touches(response, 360)
     found = self_calibrate(library, frames[points < 12], NOISE)

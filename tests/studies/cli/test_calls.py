@@ -21,12 +21,12 @@ import acoustic_fem
 import geometry
 import localize
 import studies
+from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import counted
 from localize.signals.array_response import response_of
 from studies.cli.options import in_options
 from studies.cli.verbs import VERBS, verb_named
-from studies.output.frequencies import stated_frequencies
 
 ROOT = Path(__file__).parents[3]
 #: Verb -> what it calls, where it finds it.
@@ -213,7 +213,7 @@ def test_a_verb_without_options_has_the_defaults_of_its_call(
         if parameter.name == "out" and default is None:
             continue  # which a verb may need
         if parameter.name == "frequency" and verb != "run":
-            assert np.array_equal(value, stated_frequencies(default))
+            assert np.array_equal(value, frequency_grid(default))
         else:
             assert (default if value is None else value) == default or list(value) == list(default), parameter.name
 

@@ -1,4 +1,4 @@
-"""What a page touches and hears: simulated touches and slides, and microphones at a sound card."""
+"""Touches of a page: simulated ones, and live input from the microphones of a sound card."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from shutil import rmtree
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.refusal import Kind
 from studies.studio.messages import MessageError, is_number, packed_signals, place_of, text_of
-from studies.studio.stage import Job, Say, outcome
+from studies.studio.stage import Job, Post, outcome
 from studies.studio.workplace import Workplace
 
 #: Touches that wait to be computed at once.
@@ -19,27 +20,26 @@ _MOST_TOUCHES = 8
 _MOST_DEVICES = 10_000
 
 
-class Hearing:
-    """Touches of a session, and what it listens to.
+class TouchInput:
+    """Touches of a session, and its live input.
 
     Args:
         workplace: where they are computed.
-        say: tells the page a message, or bytes.
+        post: sends a message to the page: a table, or bytes.
     """
 
-    def __init__(self, workplace: Workplace, say: Any) -> None:
+    def __init__(self, workplace: Workplace, post: Post) -> None:
         self._workplace = workplace
-        self._say: Say = say
-        self._send_bytes = say
+        self._post = post
         self._count = 0
         self._tasks: set[asyncio.Task[None]] = set()
         self._live: Job | None = None
         self._listening: asyncio.Task[None] | None = None
-        #: Folder of the recognizer that tells kinds of touches and letters, where one was handed in.
+        #: Folder of the uploaded recognizer of kinds and letters; None for none.
         self.recognizer: str | None = None
 
     async def touch(self, design: ArrayDesign, revision: int, message: Mapping[str, Any]) -> None:
-        """Touch a point, slide from one place to another, or write a letter; the page is told what was heard.
+        """Touch a point, slide or write a letter; the page gets the signals and what is decoded of them.
 
         Raises:
             MessageError: none of these.
@@ -52,16 +52,16 @@ class Hearing:
         else:
             point = message.get("point")
             if not isinstance(point, int) or isinstance(point, bool):
-                raise MessageError("point must be a whole number")
+                raise MessageError(kind=Kind.WRONG_TYPE, field="point", allowed="a whole number")
             what = (point, kind)
         if len(self._tasks) >= _MOST_TOUCHES:
-            await self._say({"type": "error", "message": f"{_MOST_TOUCHES} touches are being computed: wait for one"})
+            await self._post({"type": "error", "message": f"{_MOST_TOUCHES} touches are being computed: wait for one"})
             return
         self._count += 1
         self._begin(self._touched(Job("touch", revision, design, (*what, self._count)), kind))
 
     async def listen(self, design: ArrayDesign, revision: int, message: Mapping[str, Any]) -> None:
-        """Listen to a sound card until the page says stop.
+        """Listen to a sound card until the page asks to stop.
 
         Raises:
             MessageError: no such message.
@@ -70,32 +70,32 @@ class Hearing:
         if not is_number(full_scale) or not (
             device is None or (isinstance(device, int) and device in range(_MOST_DEVICES))
         ):
-            raise MessageError("device must be a whole number or null, full_scale a number")
+            raise MessageError("device must be a whole number or null, full_scale a number", kind=Kind.WRONG_TYPE)
         self.stop()
         self._live = Job("live", revision, design, (device, float(full_scale)))
         self._listening = self._begin(self._listened(self._live, self._listening))
 
     async def cards(self, design: ArrayDesign, revision: int) -> None:
-        """Tell the page the sound cards of the machine that the studio runs on."""
-        found = await outcome(Job("live", revision, design), self._workplace.sound_cards(), self._say)
+        """Send the page the sound cards of the machine that the studio runs on."""
+        found = await outcome(Job("live", revision, design), self._workplace.sound_cards(), self._post)
         if found is not None:
-            await self._say({"type": "cards", "cards": found})
+            await self._post({"type": "cards", "cards": found})
 
     def stop(self) -> None:
-        """Listen no more."""
+        """End the live input."""
         if self._live is not None:
             self._workplace.stop_apart("live", self._live)
             self._live = None
 
     async def end(self, why: str) -> None:
-        """Listen no more, and tell the page why, where it listens."""
+        """End the live input, if there is any, with a message about why."""
         if self._live is not None:
             revision = self._live.revision
             self.stop()
-            await self._say({"type": "failed", "stage": "live", "revision": revision, "message": why})
+            await self._post({"type": "failed", "stage": "live", "revision": revision, "message": why})
 
     def take_recognizer(self, folder: str) -> None:
-        """Tell kinds of touches by the recognizer in a folder, which goes when another one comes."""
+        """Use the recognizer in a folder, which is removed when another one comes."""
         self.forget()
         self.recognizer = folder
 
@@ -112,11 +112,11 @@ class Hearing:
         return task
 
     async def _touched(self, job: Job, kind: str) -> None:
-        found = await outcome(job, self._workplace.touch(job.design, kind, job.options, self.recognizer), self._say)
+        found = await outcome(job, self._workplace.touch(job.design, kind, job.options, self.recognizer), self._post)
         if found is not None:
             point = None if kind in ("slide", "letter") else job.options[0]
             header = {"stage": "touch", "revision": job.revision, "touched": point, "kind": kind}
-            await self._send_bytes(packed_signals(header, found))
+            await self._post(packed_signals(header, found))
 
     async def _listened(self, job: Job, before: asyncio.Task[None] | None) -> None:
         if before is not None:  # a sound card is given back before it is taken again
@@ -125,15 +125,15 @@ class Hearing:
             return
         loop = asyncio.get_running_loop()
 
-        async def say(message: dict[str, Any]) -> None:
-            if self._live is job:  # of what was stopped the page knows
-                await self._say(message)
+        async def post(message: dict[str, Any] | bytes) -> None:
+            if self._live is job:  # the page knows of what was stopped
+                await self._post(message)
 
-        def tell(line: str) -> None:
+        def notify(line: str) -> None:
             event = {"type": "heard", "revision": job.revision, "event": json.loads(line)}
-            asyncio.run_coroutine_threadsafe(say(event), loop)
+            asyncio.run_coroutine_threadsafe(post(event), loop)
 
-        if await outcome(job, self._workplace.live(job, tell), say) is not None:
-            await say({"type": "failed", "stage": "live", "revision": job.revision, "message": "ended"})
+        if await outcome(job, self._workplace.live(job, notify), post) is not None:
+            await post({"type": "failed", "stage": "live", "revision": job.revision, "message": "ended"})
         if self._live is job:
             self._live = None

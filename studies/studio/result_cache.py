@@ -1,4 +1,4 @@
-"""Results that were computed once, a bounded number of them: the one used longest ago goes first."""
+"""A bounded number of results that were computed once: the one used longest ago goes first."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from typing import Generic, TypeVar
 _Value = TypeVar("_Value")
 
 
-class Kept(Generic[_Value]):
+class ResultCache(Generic[_Value]):
     """Results by key, safe to use from several threads.
 
     Args:
-        most: how many are kept.
+        most: largest number of results.
     """
 
     def __init__(self, most: int) -> None:
@@ -26,7 +26,7 @@ class Kept(Generic[_Value]):
         return len(self._values)
 
     def get(self, key: Hashable) -> _Value | None:
-        """The result of a key; None where it is not kept."""
+        """The result of a key; None if it is not there."""
         with self._lock:
             if key in self._values:
                 self._values.move_to_end(key)

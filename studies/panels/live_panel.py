@@ -1,21 +1,19 @@
-"""An array heard live: the microphones' signals and what the decoder says of them, while they come."""
+"""Live input of an array: the microphones' signals and what the decoder makes of them, as they come."""
 
 from __future__ import annotations
 
 import json
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from geometry.design.array_design import ArrayDesign
-from studies.listening.live import LiveInput, listen
-from studies.panels.touching import listening_to
+from localize.live.listener import Heard
+from localize.live.sound_device import input_devices
+from studies.listening.live import LiveInput, LiveSession, listen
+from studies.panels.touching import decoder_of
 
-if TYPE_CHECKING:
-    from localize.live.listener import Heard
-    from studies.listening.live import LiveSession
-
-#: Digits of the pressures that are told.
+#: Significant digits of the pressures that are sent.
 _DIGITS = 4
 
 
@@ -25,8 +23,6 @@ def sound_cards() -> list[dict[str, Any]]:
     Raises:
         Refusal: what a sound card needs is not installed, with what to install.
     """
-    from localize.live.sound_device import input_devices
-
     return [
         {
             "number": each.number,
@@ -38,12 +34,12 @@ def sound_cards() -> list[dict[str, Any]]:
     ]
 
 
-def hear_live(
+def listen_live(
     design: ArrayDesign,
     device: int | None,
     full_scale: float,
     replay: str | os.PathLike[str] | None,
-    tell: Callable[[str], None],
+    notify: Callable[[str], None],
 ) -> dict[str, Any]:
     """Listen to an array until the source ends, as ``acoustic-fem live`` does with its quick library.
 
@@ -52,11 +48,11 @@ def hear_live(
         device: number of the sound card; by default that of the system.
         full_scale: pressure at full scale of it, Pa.
         replay: a WAV file to play in real time in place of a sound card.
-        tell: called with a line of JSON for every event: what :func:`studies.listen` writes, and beside each decision
+        notify: called with a line of JSON for every event: what :func:`studies.listen` writes, and beside each decision
             ``samples``: those of each microphone since the decision before, Pa at 1 kHz.
 
     Returns:
-        ``seconds`` that were heard, ``touches`` and ``samples_lost``.
+        ``seconds`` of input, ``touches`` and ``samples_lost``.
 
     Raises:
         Refusal: no such sound card, or a design that cannot be decoded.
@@ -72,8 +68,8 @@ def hear_live(
             event["samples"] = [[float(f"{value:.{_DIGITS}g}") for value in each] for each in newest]
             event["microphones"] = list(session.microphones)
             before = event["time"]
-        tell(json.dumps(event, separators=(",", ":")))
+        notify(json.dumps(event, separators=(",", ":")))
 
     given = LiveInput(device=device, replay=replay, full_scale=full_scale)
-    found = listen(listening_to(design).library, given, hear=hear)
+    found = listen(decoder_of(design).library, given, hear=hear)
     return {"seconds": found.seconds, "touches": found.touches, "samples_lost": found.samples_lost}

@@ -1,4 +1,4 @@
-"""What takes a CAD kernel or reads a file of somebody else's: to be computed in a process apart from the page's."""
+"""The array in 3-D, its checks, and uploaded designs: work for a process of its own, because of the CAD kernel."""
 
 from __future__ import annotations
 
@@ -7,10 +7,15 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from geometry.assembly.model import array_model
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
+from geometry.layout.overlaps import schematic_notes
+from geometry.layout.size import array_size
+from geometry.pictures.viewer import write_gltf
 from studies.output.display import Display
 from studies.panels.form import stated_values
+from studies.run.check import check_design
 
 
 def read_upload(text: str, name: str) -> dict[str, Any]:
@@ -41,11 +46,6 @@ def model_of_array(design: ArrayDesign) -> dict[str, Any]:
     Raises:
         Refusal: a part cannot be built.
     """
-    from geometry.assembly.model import array_model
-    from geometry.layout.overlaps import schematic_notes
-    from geometry.layout.size import array_size
-    from geometry.pictures.viewer import write_gltf
-
     model = array_model(design)
     with TemporaryDirectory() as folder:
         content = write_gltf(model, Path(folder) / "array.glb").read_bytes()
@@ -60,12 +60,12 @@ def model_of_array(design: ArrayDesign) -> dict[str, Any]:
     }
 
 
-def check_figures(design: ArrayDesign, tell: Callable[[str], None] = lambda line: None) -> dict[str, Any]:
+def check_figures(design: ArrayDesign, notify: Callable[[str], None] = lambda line: None) -> dict[str, Any]:
     """What ``acoustic-fem check`` finds: print findings, overlaps, assumptions of the models against their limits.
 
     Args:
         design: the array.
-        tell: called with what is being done.
+        notify: called with what is being done.
 
     Returns:
         As :meth:`studies.run.check.DesignCheck.to_dict` without the quality, and its ``verdict``.
@@ -73,23 +73,21 @@ def check_figures(design: ArrayDesign, tell: Callable[[str], None] = lambda line
     Raises:
         Refusal: as :func:`studies.check_design`.
     """
-    from studies.run.check import check_design
-
-    found = check_design(design, quality=False, display=Told(tell))  # the points' panel has it
+    found = check_design(design, quality=False, display=CallbackDisplay(notify))  # the points' panel has it
     return {**found.to_dict(), "verdict": found.verdict}
 
 
-class Told(Display):
-    """Display that tells every line to a function.
+class CallbackDisplay(Display):
+    """Display that hands every line to a function.
 
     Args:
-        tell: called with each line.
+        notify: called with each line.
     """
 
-    def __init__(self, tell: Callable[[str], None]) -> None:
+    def __init__(self, notify: Callable[[str], None]) -> None:
         super().__init__()
-        self._tell = tell
+        self._notify = notify
 
     def note(self, text: str) -> None:
-        """Tell a line."""
-        self._tell(text)
+        """Hand on a line."""
+        self._notify(text)
