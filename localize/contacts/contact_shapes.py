@@ -291,9 +291,7 @@ def _way(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]:
     for value in speeds.flat:
         in_range("speed", value, *SPEEDS, "mm/s")
     if lengths.sum() <= 0:
-        raise Refusal(
-            "has no length", kind=Kind.UNSUITABLE, field="path", remedy="press a contact that stands still"
-        )
+        raise Refusal("has no length", kind=Kind.UNSUITABLE, field="path", remedy="press a contact that stands still")
     kept = np.concatenate([[True], lengths > 0])
     at = np.concatenate([[0.0], np.cumsum(lengths / speeds)])[kept]
     lasts = float(at[-1])

@@ -15,13 +15,6 @@ from torch import Tensor, nn
 from localize.learned.checkpoint import Checkpoint, Progress
 from localize.learned.classifier import MapClassifier
 
-WARM_UP = 20
-"""Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
-SETTLING = 0.25
-"""Share of a time limit after which the speed of training is judged."""
-SAVE_EVERY = 60.0
-"""Time between checkpoints within an epoch, s; there is one at the end of every epoch too."""
-
 
 @dataclass(frozen=True)
 class TrainingProgress:
@@ -63,6 +56,18 @@ class Schedule(Protocol):
     @property
     def time_limit(self) -> float | None:
         """Time limit, s, or None."""
+
+    @property
+    def warm_up_steps(self) -> int:
+        """Number of steps over which the learning rate rises."""
+
+    @property
+    def settling_fraction(self) -> float:
+        """Fraction of a time limit after which the speed of training is estimated."""
+
+    @property
+    def checkpoint_interval(self) -> float:
+        """Time between checkpoints within an epoch, s."""
 
     @property
     def bfloat16(self) -> bool:
@@ -125,13 +130,18 @@ def run_epochs(
         steps = at.step
     while at.step < steps:
         classifier.train()
-        rate = plan.learning_rate * min(1.0, (at.step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * at.turned))
+        rate = (
+            plan.learning_rate
+            * min(1.0, (at.step + 1) / plan.warm_up_steps)
+            * 0.5
+            * (1 + math.cos(math.pi * at.turned))
+        )
         for group in optimizer.param_groups:
             group["lr"] = rate
         at.losses.append(_step(classifier, optimizer, lesson, plan, at.step))
         at.step += 1
         if plan.time_limit is not None:
-            steps = _affordable(at.step, perf_counter() - started, plan.time_limit, planned)
+            steps = _affordable(at.step, perf_counter() - started, plan.time_limit, planned, plan.settling_fraction)
         # What is left of the cosine is spread evenly over the steps that are left.
         at.turned += (1 - at.turned) / (max(steps - at.step, 0) + 1)
         ended = at.step % lesson.steps_per_epoch == 0 or at.step >= steps
@@ -144,7 +154,7 @@ def run_epochs(
             curve.append(TrainingProgress(epoch, epochs, float(np.mean(at.losses)), accuracy, seconds, judged))
             at.curve.append(list(astuple(curve[-1])))
             at.losses = []
-        if checkpoint and (ended or perf_counter() - saved > SAVE_EVERY):
+        if checkpoint and (ended or perf_counter() - saved > plan.checkpoint_interval):
             at.seconds = perf_counter() - started
             checkpoint.save(classifier, optimizer, at)
             saved = perf_counter()
@@ -175,9 +185,9 @@ def _step(
     return float(loss.item())
 
 
-def _affordable(step: int, seconds: float, limit: float, planned: int) -> int:
+def _affordable(step: int, seconds: float, limit: float, planned: int, settling: float) -> int:
     """How many of the planned steps there may be in all, judged by those done so far."""
     # The first ones are slow and say little; a plan that fits easily is then never touched, and repeats exactly.
-    if seconds < SETTLING * limit:
+    if seconds < settling * limit:
         return planned
     return min(planned, step + max(0, math.floor((limit - seconds) * step / seconds)))

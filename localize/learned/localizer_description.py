@@ -13,8 +13,8 @@ from pydantic import ConfigDict, Field, create_model, model_validator
 from torch import Tensor
 
 from geometry.ground.file_checks import library_reads, read_bytes
-from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.record import is_sealed, sealed, sha256
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import whole_file, write_text
 from localize.graphs.description import (
@@ -69,7 +69,7 @@ def _plan_model() -> type[_Plan]:
     """Schema of the fields of a plan, whose ranges it checks itself."""
     later = {"FeatureChoice": FeatureChoice, "NoiseChoice": NoiseChoice}
     kinds = get_type_hints(TrainingPlan, localns=later)
-    fields: dict[str, Any] = {each.name: (kinds[each.name], ...) for each in dataclasses.fields(TrainingPlan)}
+    fields: dict[str, Any] = {each.name: (kinds[each.name], each.default) for each in dataclasses.fields(TrainingPlan)}
     return create_model("Plan", __base__=_Plan, **fields)
 
 

@@ -26,8 +26,8 @@ import torch
 from torch import Tensor, nn
 
 from acoustic_fem.library.provenance import versions
-from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.record import sealed
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import whole_file
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder

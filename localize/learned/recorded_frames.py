@@ -14,6 +14,7 @@ from torch import Tensor
 
 from geometry.ground.refusal import Kind
 from localize.evaluation.accuracy import Locator
+from localize.learned.training_plan import TrainingPlan
 from localize.live.events import Decision
 from localize.live.front_end import AS_IT_COMES, Listening
 from localize.live.stream import TouchStream
@@ -31,9 +32,6 @@ from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import choice, random_words, uniform
 from localize.signals.stimulus import SAMPLE_RATE, Device
-
-JUDGED = 64
-"""Number of frames of a held-out recording that are judged, evenly spread; all, where there are no more."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +65,7 @@ class RecordedFrames:
         noise_rms: Pa rms of a microphone, by which a stream tells silence.
         seed: of the split and of the order in which frames are drawn.
         device: where frames shall be.
+        judged_frames: largest number of frames of a held-out recording that are judged, evenly spread.
 
     Raises:
         TouchManifestError: as :func:`localize.recordings.touch_manifest.read_touch_manifest`; a recording without a
@@ -82,6 +81,7 @@ class RecordedFrames:
         noise_rms: float,
         seed: int,
         device: Device = "cpu",
+        judged_frames: int = TrainingPlan.judged_frames,
     ) -> None:
         found = read_touch_manifest(manifest, response.point_count)
         self.recordings = found.recordings
@@ -113,7 +113,7 @@ class RecordedFrames:
         self._frames = [torch.from_numpy(first + begin) for first, begin in zip(touched, begins, strict=True)]
         frames = self._frames
         self._tabulate(device)
-        judged = [_spread(frames[k]) for k, held in enumerate(self.held_out) if held]
+        judged = [_spread(frames[k], judged_frames) for k, held in enumerate(self.held_out) if held]
         self._judged = torch.cat(judged).to(device)
         own = [each for each, held in zip(self.recordings, self.held_out, strict=True) if held]
         counts = torch.tensor([len(first) for first in judged])
@@ -245,7 +245,7 @@ def touched_frames(
     return np.array(ends, np.int64) - FRAME
 
 
-def _spread(frames: Tensor) -> Tensor:
-    """At most :data:`JUDGED` of them, evenly spread."""
-    count = min(JUDGED, len(frames))
+def _spread(frames: Tensor, most: int) -> Tensor:
+    """At most so many of them, evenly spread."""
+    count = min(most, len(frames))
     return frames[torch.linspace(0, len(frames) - 1, count).round().long()]

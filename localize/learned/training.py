@@ -23,7 +23,7 @@ from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run
 from localize.learned.features import map_count
 from localize.learned.localizer import Localizer
 from localize.learned.recorded_frames import RecordedFrames
-from localize.learned.training_plan import TrainingPlan
+from localize.learned.training_plan import TrainingPlan, identity_of
 from localize.signals.array_response import ArrayResponse, TransferFunctionSource, response_of, warn_of_uncovered
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseSpectrum
@@ -33,11 +33,6 @@ from localize.signals.threads import one_thread
 from localize.signals.touch_generator import SHARD, TouchGenerator, TouchSignals
 
 __all__ = ["TrainingPlan", "soft_labels", "train"]
-
-NORMALISATION_TOUCHES = 20
-"""Number of touches per point from which the normalisation of the maps is taken."""
-RUN = 16
-"""Number of consecutive touches that stay together where the touches of an epoch change their order."""
 
 
 def train(
@@ -88,7 +83,11 @@ def train(
     touches = _touches(response, plan, "training", source, seen, device)
     noise = touches.microphone_noise
     noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-    recorded = None if recordings is None else RecordedFrames(recordings, response, noise_rms, plan.seed, device)
+    recorded = (
+        None
+        if recordings is None
+        else RecordedFrames(recordings, response, noise_rms, plan.seed, device, plan.judged_frames)
+    )
     # The global state of torch's generator is left as it was found.
     with torch.random.fork_rng(devices=[]), one_thread():
         torch.manual_seed(plan.seed)
@@ -98,8 +97,8 @@ def train(
         if shape.features == "rooms" and sound is not None:
             classifier.features.take_out(whole_frame_covariance(response, noise, sound[1]))
         batches = _Batches(touches, recorded, plan, _steps_per_epoch(plan, response))
-        classifier.fit_normalisation(batches.first(NORMALISATION_TOUCHES * response.point_count))
-        identity = {**training_identity(asdict(plan), touches), **(recorded.identity() if recorded else {})}
+        classifier.fit_normalisation(batches.first(plan.normalisation_touches * response.point_count))
+        identity = {**training_identity(identity_of(plan), touches), **(recorded.identity() if recorded else {})}
         kept = None if checkpoint is None else Checkpoint(checkpoint, identity)
         target = torch.from_numpy(labels_of(response, plan)).float().to(device)
         curve, touch_count = run_epochs(
@@ -221,7 +220,7 @@ class _Batches:
         begin, count = first * size, steps * size
         runs = [(epoch * self._steps * size + begin, count)]
         if not self.plan.new_touches:
-            run = math.gcd(size, RUN)
+            run = math.gcd(size, self.plan.run_length)
             order = _order(self.plan.seed, epoch, self._steps * size // run)
             runs = [(int(k) * run, run) for k in order[begin // run : (begin + count) // run]]
         made = [self.touches.samples(*run) for run in runs]

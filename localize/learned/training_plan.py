@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from geometry.ground.refusal import Kind, Refusal
@@ -18,12 +18,14 @@ PLANS = ("usual", "paper")
 """Names of the plans of :meth:`TrainingPlan.of`."""
 
 #: Fields that every plan of a training has, and their ranges.
-WHOLE = {"epochs": (1, 10_000), "batch": (2, 65_536), "seed": (0, 2**63 - 1)}
+WHOLE = {"epochs": (1, 10_000), "batch": (2, 65_536), "seed": (0, 2**63 - 1), "warm_up_steps": (1, 1_000_000)}
 REAL = {
     "learning_rate": (1e-8, 1.0),
     "weight_decay": (0.0, 1.0),
     "microphone_noise": (0.0, 100.0),
     "time_limit": (1e-3, 1e9),
+    "settling_fraction": (0.0, 1.0),
+    "checkpoint_interval": (0.0, 1e9),
 }
 
 
@@ -56,6 +58,11 @@ def check_ranges(
             raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=f"between {low:g} and {high:g}")
     if field["network"] not in NETWORKS:
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="network", value=field["network"], allowed=NETWORKS)
+
+
+def identity_of(plan: Any) -> dict[str, Any]:
+    """Fields of a plan, a frozen data class, that its training's result depends on."""
+    return {name: value for name, value in asdict(plan).items() if name != "checkpoint_interval"}
 
 
 @dataclass(frozen=True)
@@ -120,13 +127,32 @@ class TrainingPlan:
     """Whether the network computes in bfloat16 while it is trained: the paper's is a third faster where the
     processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
 
+    warm_up_steps: int = 20
+    """Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
+    settling_fraction: float = 0.25
+    """Fraction of a time limit after which the speed of training is estimated: the first steps are slow."""
+    checkpoint_interval: float = 60.0
+    """Time between checkpoints within an epoch, s; there is one at the end of every epoch too."""
+    normalisation_touches: int = 20
+    """Number of touches per point that the maps are normalised by."""
+    run_length: int = 16
+    """Number of consecutive touches that stay together where the touches of all epochs are those of the first: making
+    them singly takes longer."""
+    judged_frames: int = 64
+    """Largest number of frames of a held-out recording that are judged, evenly spread."""
+
     def __post_init__(self) -> None:
         from localize.learned.features import map_count
         from localize.signals.finger_stimuli import STIMULI
 
         check_ranges(
             vars(self),
-            whole={"seconds_per_point": (1, 1_000_000)},
+            whole={
+                "seconds_per_point": (1, 1_000_000),
+                "normalisation_touches": (1, 10_000),
+                "run_length": (1, 65_536),
+                "judged_frames": (1, 1_000_000),
+            },
             real={
                 "held_out_fraction": (1e-6, 10.0),
                 "label_sigma": (0.0, 100.0),

@@ -30,25 +30,15 @@ from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
 from localize.decoders.likelihood import POWERS, TEMPERATURE
 from localize.live.front_end import high_pass_sections
+from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.signals.array_response import interpolation
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.signals.threads import one_thread
 
 Complex = NDArray[np.complex128]
 
-STEP = 1.0
-"""Step of the integral over frequency, Hz: covariances then repeat after 1 s, four frames."""
-COARSE = 2
-"""Number of steps of the integral that the information takes as one."""
-NEAR = 25.0
-"""Distance to the best point of a frame, nats, beyond which points add nothing to it."""
-HELD = 1e-2
-"""Share of the noise that an eigenvector holds at least, at the loudest touch, to count in the information."""
-UNMOVED = 1e-4
-"""Share of the noise that a touch of power 1 must reach in a direction for it to count, where H = 1."""
 FLAT = (0.0,)
 """Slopes of touches that fill the band evenly."""
-_NEWTON_STEPS = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +83,7 @@ class MarginalLikelihood:
         noise: Pa rms over 0 to 500 Hz, white, above 0.
         slopes: of the amplitude of touches over frequency, as exponents of the frequency, one or more.
         high_pass: corner of the high-pass that the frames have passed, Hz; None for none.
+        options: of the calibration.
     """
 
     def __init__(
@@ -102,12 +93,13 @@ class MarginalLikelihood:
         noise: float,
         slopes: Sequence[float] = FLAT,
         high_pass: float | None = None,
+        options: RecalibrationOptions = RecalibrationOptions(),
     ) -> None:
-        self.noise = noise
-        fine = np.arange(BAND[0], min(float(frequency[-1]), SAMPLE_RATE / 2) + 1e-9, STEP)
+        self.noise, self.options = noise, options
+        fine = np.arange(BAND[0], min(float(frequency[-1]), SAMPLE_RATE / 2) + 1e-9, options.frequency_step)
         turn, gain = sampled_waves(fine)
         whiten = whitening(noise)
-        amplitude = np.sqrt(source_density(fine) * STEP) * gain * passed(fine, high_pass)
+        amplitude = np.sqrt(source_density(fine) * options.frequency_step) * gain * passed(fine, high_pass)
         by_slope = np.stack([amplitude * fine**slope for slope in slopes])
         waves = by_slope[..., None] * (turn @ whiten.T)
         white = frames @ (whiten @ low_pass()).T
@@ -117,7 +109,7 @@ class MarginalLikelihood:
         # directions that no touch moves hold noise alone, whatever the sensor
         flat = waves.reshape(-1, waves.shape[2])
         _, size, basis = np.linalg.svd(np.concatenate([flat.real, flat.imag]), full_matrices=False)
-        basis = basis[size**2 > UNMOVED]
+        basis = basis[size**2 > options.moved_fraction]
         self._waves = waves @ basis.T
         self._x = (white @ basis.T).reshape(len(frames), -1)
         self._even, self._odd = interpolation(frequency, fine)
@@ -177,8 +169,9 @@ class MarginalLikelihood:
             (count, count) float64, nats per square of that unit.
         """
         total = np.zeros((len(jacobian), len(jacobian)))
+        every = self.options.information_steps
         found = self._score(self._eigen(h))
-        eigen = self._eigen(h, COARSE)
+        eigen = self._eigen(h, every)
         energy = (self._x**2).sum(1)
         for table, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
             chosen = (found.table == table) & (found.weight > 0)
@@ -188,13 +181,13 @@ class MarginalLikelihood:
             kind, point = divmod(table, len(h))
             # with a wrong sensor the likeliest power may be thousands of times that which is in the frame
             power = np.minimum(found.power[chosen], energy[found.frame[chosen]] / values.sum())[:, None]
-            held = power.max() * values > HELD
+            held = power.max() * values > self.options.held_fraction
             if not held.any():
                 continue
             # single precision halves the time, and what comes of it only steers and weighs
             along = (b @ vectors[:, held]).astype(np.float32)
             change = along.T @ (
-                self._sources(jacobian[:, point], kind, COARSE).astype(np.float32) @ vectors.astype(np.float32)
+                self._sources(jacobian[:, point], kind, every).astype(np.float32) @ vectors.astype(np.float32)
             )
             # of each touch: g / (1 + g value), of S^-1 along the eigenvectors; C is diagonal along them too
             inverse = power / (1 + power * values)
@@ -236,9 +229,9 @@ class MarginalLikelihood:
         tried = -(energy @ (1 / (1 + gain)) + np.log1p(gain).sum(1)[:, None]).transpose(1, 0, 2)
         start = tried.argmax(-1)
         rough = np.take_along_axis(tried, start[..., None], -1)[..., 0] / (2 * TEMPERATURE)
-        frame, table = np.nonzero(rough > rough.max(1, keepdims=True) - NEAR)
+        frame, table = np.nonzero(rough > rough.max(1, keepdims=True) - self.options.near_points)
         level, near, held = np.log(POWERS[start[frame, table]]), energy[table, frame], eigen.values[table]
-        for _ in range(_NEWTON_STEPS):
+        for _ in range(self.options.power_steps):
             share = np.exp(level)[:, None] * held
             share /= 1 + share
             first = ((near * (1 - share) - 1) * share).sum(1)

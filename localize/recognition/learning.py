@@ -21,6 +21,7 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import Checkpoint
 from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape
 from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
+from localize.learned.training_plan import identity_of
 from localize.recognition.handwriting import VARIANTS, WRITTEN, LetterMaker, LineReader
 from localize.recognition.letter_classifier import LETTERS, Hand
 from localize.recognition.power_maps import MAPS
@@ -225,7 +226,7 @@ def _identity(takes: Takes, plan: RecognitionPlan, response: ArrayResponse) -> d
     digest = hashlib.sha256(response.transfer_function.tobytes() + response.frequency.tobytes())
     own = hashlib.sha256(_numbers(takes.maps).tobytes() + _numbers(takes.kind).tobytes())
     return {
-        **{f"plan.{name}": json.dumps(value) for name, value in asdict(plan).items()},
+        **{f"plan.{name}": json.dumps(value) for name, value in identity_of(plan).items()},
         **takes.identity,
         "labels": ", ".join(takes.labels),
         "takes": own.hexdigest()[:16],

@@ -41,6 +41,12 @@ class RecognitionPlan:
     """Name of the network's shape, one of :data:`localize.learned.classifier.NETWORKS`."""
     bfloat16: bool = False
     """Whether the network computes in bfloat16 while it is trained."""
+    warm_up_steps: int = 20
+    """Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
+    settling_fraction: float = 0.25
+    """Fraction of a time limit after which the speed of training is estimated: the first steps are slow."""
+    checkpoint_interval: float = 60.0
+    """Time between checkpoints within an epoch, s; there is one at the end of every epoch too."""
 
     @classmethod
     def of(cls, subject: str) -> RecognitionPlan:

@@ -18,13 +18,7 @@ from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force
 from localize.signals.array_response import ArrayResponse
 from localize.signals.stimulus import BAND
-
-STEP = 0.1
-"""Least distance of two places of a grid, in pitches: at 0.2 half as many taps of a wide finger are named right."""
-ALIKE = 1e-3
-"""Difference of the ratios of shares up to which footprints are one."""
-TOP = 150.0
-"""Frequency up to which footprints are told apart, Hz: above it the decoders' low-pass leaves nothing."""
+from localize.tracking.tracking_options import FootprintOptions
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,26 +67,31 @@ def shares_at(response: ArrayResponse, radius: float, place: Array) -> Array:
     return covered_force(still, response)[:-1]
 
 
-def footprints_over(response: ArrayResponse, radius: float, most: int) -> Footprints:
+def footprints_over(
+    response: ArrayResponse, radius: float, most: int, options: FootprintOptions = FootprintOptions()
+) -> Footprints:
     """Footprints all over an array, as finely as their number allows.
 
     Args:
         response: of a library with a design.
         radius: of the contact, mm.
         most: number of footprints at most, unless the points are more.
+        options: of the grid.
 
     Raises:
         Refusal: bare transfer functions, or a radius out of range.
     """
-    step = STEP * _checked(response)
+    step = options.grid_step * _checked(response)
     while True:
-        found = _footprints(response, radius, step)
+        found = _footprints(response, radius, step, options.alike)
         if len(found.share) <= max(most, response.point_count) or step >= pitch_of(response):
             return found
         step *= 1.25
 
 
-def footprint_response(response: ArrayResponse, share: Array, top: float = TOP) -> ArrayResponse:
+def footprint_response(
+    response: ArrayResponse, share: Array, top: float = FootprintOptions.top_frequency
+) -> ArrayResponse:
     """Footprints in place of the points of an array: pressure at the microphones over that which their force makes in
     a cavity of the mean point.
 
@@ -142,7 +141,7 @@ def _checked(response: ArrayResponse) -> float:
     return pitch_of(response)
 
 
-def _footprints(response: ArrayResponse, radius: float, step: float) -> Footprints:
+def _footprints(response: ArrayResponse, radius: float, step: float, alike: float) -> Footprints:
     assert response.position is not None
     assert response.membrane_radius is not None
     # A finger beyond the outermost points by more than half a pitch is not on the array.
@@ -159,5 +158,5 @@ def _footprints(response: ArrayResponse, radius: float, step: float) -> Footprin
     share = shares_at(response, radius, place)
     covered = share.sum(1) > 0
     share = share[covered] / np.linalg.norm(share[covered], axis=1, keepdims=True)
-    _, first, footprint = np.unique(np.round(share / ALIKE), axis=0, return_index=True, return_inverse=True)
+    _, first, footprint = np.unique(np.round(share / alike), axis=0, return_index=True, return_inverse=True)
     return Footprints(place[covered], node[covered], footprint.reshape(-1), share[first], step)

@@ -23,8 +23,9 @@ from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 from localize.tracking.footprints import footprint_response, footprints_over, pitch_of
-from localize.tracking.place_likelihood import LOWEST, PlaceLikelihood
+from localize.tracking.place_likelihood import PlaceLikelihood
 from localize.tracking.place_search import found_place
+from localize.tracking.tracking_options import PositionOptions
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -97,7 +98,9 @@ class PositionDecoder(BayesDecoder):
         return self._covariances(self.footprints.share)
 
     def _covariances(self, share: Array) -> Array:
-        return touch_covariances(footprint_response(self._response, share), np.eye(SAMPLES), lowest=LOWEST)
+        return touch_covariances(
+            footprint_response(self._response, share), np.eye(SAMPLES), lowest=PositionOptions.lowest_frequency
+        )
 
     def log_likelihood(self, frames: Array) -> Array:
         """Log-likelihood that each point is the nearest, all places of the grid equally likely beforehand.

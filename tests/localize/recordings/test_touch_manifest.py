@@ -1,6 +1,7 @@
 """Recorded touches: split by recording, refused by name, drawn the same whatever was drawn before."""
 
 import hashlib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,9 +14,8 @@ from refusals import refused
 import localize
 from acoustic_fem.sound.sound_file import write_wav
 from geometry import Kind
-from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError
-from localize.learned.recorded_frames import JUDGED, RecordedFrames
+from localize.learned.recorded_frames import RecordedFrames
 from localize.live import AS_IT_COMES
 from localize.recordings.touch_manifest import PARTS, read_touch_manifest, split
 
@@ -114,7 +114,7 @@ def test_frames_are_those_that_a_stream_hears_of_the_recordings_of_their_side(ar
     assert sum(sides[False][key][1] == "taps" for key in keys) == pytest.approx(2000, abs=150)
     judged = {frame.numpy().tobytes() for frame in frames.judged_frames}
     assert judged <= sides[True].keys()
-    assert len(judged) == sum(min(JUDGED, entry["frames"]) for entry in frames.to_dict()["held_out"])
+    assert len(judged) == sum(min(64, entry["frames"]) for entry in frames.to_dict()["held_out"])
 
 
 @settings(max_examples=20)
@@ -189,7 +189,6 @@ class Stop(Exception):
 @pytest.mark.parametrize("step", [2, 7])
 def test_a_training_with_recordings_goes_on_bit_for_bit(array, manifest, tmp_path, monkeypatch, step) -> None:
     whole = localize.train(array, PLAN, recordings=manifest)
-    monkeypatch.setattr(epochs, "SAVE_EVERY", 0.0)
     drawn = RecordedFrames.samples
 
     def failing(self, start, count):
@@ -201,7 +200,7 @@ def test_a_training_with_recordings_goes_on_bit_for_bit(array, manifest, tmp_pat
     with monkeypatch.context() as patch:
         patch.setattr(RecordedFrames, "samples", failing)
         with pytest.raises(Stop):
-            localize.train(array, PLAN, checkpoint=path, recordings=manifest)
+            localize.train(array, replace(PLAN, checkpoint_interval=0.0), checkpoint=path, recordings=manifest)
     again = localize.train(array, PLAN, checkpoint=path, recordings=manifest)
     assert same(weights(whole), weights(again))
     for name in ("loss", "held_out_accuracy", "recorded_accuracy", "held_out_recordings", "recordings"):
