@@ -15,11 +15,9 @@ from localize.evaluation.accuracy import Locator
 from localize.live.front_end import HIGH_PASS, HighPass
 from localize.recognition.handwriting import WRITTEN, LineReader
 from localize.recognition.power_maps import WINDOW
+from localize.recognition.recognition_options import CutOptions
 from localize.recognition.recognizer import Recognizer
 from localize.recognition.recorded_takes import (
-    APART,
-    HOP,
-    LETTERS_APART,
     Stretch,
     cut,
     heard_frames,
@@ -56,11 +54,17 @@ class Ear:
         recognizer: for it.
         noise: of the microphones, above which something is heard; by default that of the training. Waveforms are made
             by the filters of the training in any case.
+        options: how touches are cut out of a recording.
     """
 
     def __init__(
-        self, library: Library | ArrayResponse, recognizer: Recognizer, noise: NoiseChoice | None = None
+        self,
+        library: Library | ArrayResponse,
+        recognizer: Recognizer,
+        noise: NoiseChoice | None = None,
+        options: CutOptions = CutOptions(),
     ) -> None:
+        self._cuts = options
         self._response = response = response_of(library)
         self._noise: NoiseChoice = recognizer.plan["microphone_noise"] if noise is None else noise
         level = response.noise(self._noise)
@@ -87,13 +91,15 @@ class Ear:
         found = []
         slides = self._recognizer.at_usual_speed and speed is None
         frames = heard_frames(signals, self._recognizer.microphones, self._rms)
-        for each in stretches(frames, LETTERS_APART if slides else APART):
+        for each in stretches(frames, self._cuts.letters_apart if slides else self._cuts.apart):
             if slides:
                 touched, windows = self._passing(locator, signals, each)
             else:
                 touched = self._named(locator, signals, each) if point is None else point
                 waveform, stretched = stretched_waveform(self._reconstructor, signals, touched, speed)
-                windows = cut(waveform, Stretch(round(each.begin * stretched), round(each.end * stretched)))
+                windows = cut(
+                    waveform, Stretch(round(each.begin * stretched), round(each.end * stretched)), options=self._cuts
+                )
             if not len(windows):
                 continue
             # windows of one touch overlap, and are hardly independent: their mean is what is told
@@ -105,7 +111,7 @@ class Ear:
         """Letters of a recording, each with the point at which it begins."""
         reader = LineReader(self._response, self._noise)
         frames = heard_frames(signals, self._recognizer.microphones, self._rms)
-        maps, found = written_maps(reader, signals, frames)
+        maps, found = written_maps(reader, signals, frames, options=self._cuts)
         if not found:
             return ()
         told = self._recognizer.of_maps(maps)
@@ -131,7 +137,9 @@ class Ear:
             # A contact that comes down or is lifted is a step.
             first, last = (round(stretched * edge) for edge in (each.begin + FRAME, each.end - FRAME))
             middle = round(stretched * (begin + SAMPLE_RATE * time)) - WINDOW // 2
-            starts = np.clip([middle - HOP, middle, middle + HOP], first, max(first, last - WINDOW))
+            starts = np.clip(
+                [middle - self._cuts.hop, middle, middle + self._cuts.hop], first, max(first, last - WINDOW)
+            )
             windows = sliding_window_view(waveform, WINDOW)[np.unique(starts[starts <= len(waveform) - WINDOW])]
             found.append(windows[np.isfinite(windows).all(1)])
         return int(slide.point[len(slide.point) // 2]), np.concatenate(found)

@@ -22,25 +22,19 @@ from localize.learned.checkpoint import Checkpoint
 from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape
 from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
 from localize.learned.training_plan import identity_of
-from localize.recognition.handwriting import VARIANTS, WRITTEN, LetterMaker, LineReader
+from localize.recognition.handwriting import WRITTEN, LetterMaker, LineReader
 from localize.recognition.letter_classifier import LETTERS, Hand
 from localize.recognition.power_maps import MAPS
 from localize.recognition.recognition_plan import RecognitionPlan
 from localize.recognition.recognizer import Recognizer
 from localize.recognition.recorded_takes import recorded_takes
-from localize.recognition.takes import PASSING, SUBJECTS, TakeMaker
+from localize.recognition.takes import SUBJECTS, TakeMaker
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.threads import one_thread
 
-HELD_OUT = 0.25
-"""Number of simulated takes that are held out, as a share of those that are trained on: 4 to 1."""
 RECORDED = "labels"
 """Subject of a recognizer that was trained on recordings, whose labels are the user's."""
-SPEEDS = (25.0, 120.0)
-"""Slowest and fastest speed at which simulated letters are written to train on, mm/s."""
-LEAST_NOISE = 1e-5
-"""Noise that waveforms are made with at least, Pa rms: a filter for no noise at all amplifies what is there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,19 +127,19 @@ def _takes(
     if recordings is not None:
         noise = response.noise(plan.microphone_noise)
         rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-        found = recorded_takes(recordings, response, reader or reconstructor, rms, plan.seed)
+        found = recorded_takes(recordings, response, reader or reconstructor, rms, plan)
         identity = {f"recording {name}": said for name, said in found.files.items()}
         own = (found.maps, found.kind, found.held_out_maps, found.held_out_kind)
         return Takes(found.labels, *own, identity), found.at_usual_speed
     kinds = LETTERS if reader else SUBJECTS[subject].labels
-    held = max(1, round(HELD_OUT * plan.takes)) * len(kinds)
+    held = max(1, round(plan.held_out_fraction * plan.takes)) * len(kinds)
     if reader:
-        written = LetterMaker((reader,), (response,), plan.seed, plan.microphone_noise, Hand(speed=SPEEDS))
-        seen = written.maps("training", plan.takes * len(kinds), making, VARIANTS)
+        written = LetterMaker((reader,), (response,), plan.seed, plan.microphone_noise, Hand(speed=plan.letter_speeds))
+        seen = written.maps("training", plan.takes * len(kinds), making, plan.letter_variants)
         return Takes(kinds, *seen, *written.maps("held-out", held), {}), False
     slides = SUBJECTS[subject].speeds is not None
     # Over bare transfer functions nothing can pass, and no speed is told.
-    passing = PASSING if slides and response.membrane_radius is not None else 0.0
+    passing = plan.passing if slides and response.membrane_radius is not None else 0.0
     maker = TakeMaker(subject, reconstructor, (response,), plan.seed, plan.microphone_noise, passing=passing)
     seen = maker.maps("training", plan.takes * len(kinds), making)
     return Takes(kinds, *seen, *maker.maps("held-out", held), {}), slides
@@ -154,7 +148,7 @@ def _takes(
 def reconstructor_of(response: ArrayResponse, plan: RecognitionPlan) -> Reconstructor:
     """Filters that waveforms are made by, for the noise of a plan."""
     noise = plan.microphone_noise
-    return Reconstructor(response, noise if isinstance(noise, str) else max(noise, LEAST_NOISE))
+    return Reconstructor(response, noise if isinstance(noise, str) else max(noise, plan.least_noise))
 
 
 def learn(

@@ -16,8 +16,10 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.learned.recorded_frames import touched_frames
 from localize.live.front_end import Listening
-from localize.recognition.handwriting import VARIANTS, LineReader, letter_maps
+from localize.recognition.handwriting import LineReader, letter_maps
 from localize.recognition.power_maps import MAPS, WINDOW, maps_of
+from localize.recognition.recognition_options import CutOptions
+from localize.recognition.recognition_plan import RecognitionPlan
 from localize.recognition.takes import at_usual_speed, prepared
 from localize.recognition.textures import SPEED
 from localize.recordings.recording import read_recording
@@ -30,20 +32,6 @@ from localize.recordings.touch_manifest import (
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
-
-APART = 0.4
-"""Silence from which two touches are two, s: the taps of a double tap lie closer."""
-LETTERS_APART = 1.5
-"""Silence from which two letters are two, s: a pen is lifted for less between the strokes of one, and over the shells
-between the points nothing is heard."""
-BEFORE = (0.05, 0.2, 0.35, 0.5)
-"""Times before a short touch at which windows begin to train on, s; one is named by the second."""
-AROUND = 150
-"""Samples around a stretch that belong to its touch: a stream hears with a high-pass."""
-WITHIN = (0.01, 0.99)
-"""Shares of a touch's energy between which its windows lie."""
-HOP = WINDOW // 4
-"""Samples from window to window of a long touch."""
 
 
 def heard_frames(signals: Array, microphones: tuple[str, ...], noise_rms: float) -> NDArray[np.int64]:
@@ -70,7 +58,7 @@ class Stretch:
     """Sample behind the last one."""
 
 
-def stretches(frames: NDArray[np.int64], apart: float = APART) -> list[Stretch]:
+def stretches(frames: NDArray[np.int64], apart: float = CutOptions.apart) -> list[Stretch]:
     """Stretches in which something is heard.
 
     Args:
@@ -87,30 +75,34 @@ def stretches(frames: NDArray[np.int64], apart: float = APART) -> list[Stretch]:
     return [Stretch(min(each.begin, each.end), max(each.begin, each.end)) for each in found]
 
 
-def cut(waveform: Array, stretch: Stretch, before: tuple[float, ...] = BEFORE[1:2]) -> Array:
+def cut(
+    waveform: Array, stretch: Stretch, before: tuple[float, ...] | None = None, options: CutOptions = CutOptions()
+) -> Array:
     """Windows of a touch: of what holds all but two percent of its energy.
 
     Args:
         waveform: (n_sample,) float64 of the whole recording, NaN where there is none.
         stretch: of the touch.
-        before: where windows of a short touch begin, s before it.
+        before: where windows of a short touch begin, s before it; by default as touches are classified.
+        options: how touches are cut.
 
     Returns:
         (n, 1024) float64; a short touch has one for each value of ``before``, a long one as many as fit.
     """
+    before = options.before[1:2] if before is None else before
     known = np.flatnonzero(np.isfinite(waveform))
     if len(known) < WINDOW:
         return np.zeros((0, WINDOW))
     least, most = int(known[0]), int(known[-1]) + 1 - WINDOW
-    begin, end = max(stretch.begin - AROUND, least), min(stretch.end + AROUND, most + WINDOW)
+    begin, end = max(stretch.begin - options.around, least), min(stretch.end + options.around, most + WINDOW)
     if end <= begin:
         return np.zeros((0, WINDOW))
     energy = np.cumsum(waveform[begin:end] ** 2)
-    first, last = begin + np.searchsorted(energy, np.array(WITHIN) * energy[-1])
+    first, last = begin + np.searchsorted(energy, np.array(options.within) * energy[-1])
     starts = [first - round(time * SAMPLE_RATE) for time in before]
     if last - first > WINDOW - before[0] * SAMPLE_RATE:
-        begins = first - round(BEFORE[1] * SAMPLE_RATE)
-        starts = list(range(begins, max(begins, last - WINDOW) + 1, HOP))
+        begins = first - round(options.before[1] * SAMPLE_RATE)
+        starts = list(range(begins, max(begins, last - WINDOW) + 1, options.hop))
     places = np.unique(np.clip(starts, least, most))
     return waveform[places[:, None] + np.arange(WINDOW)]
 
@@ -121,7 +113,8 @@ def windows_of(
     frames: NDArray[np.int64],
     point: int,
     speed: float | None,
-    before: tuple[float, ...] = BEFORE[1:2],
+    before: tuple[float, ...] | None = None,
+    options: CutOptions = CutOptions(),
 ) -> Array:
     """Windows of all touches of a recording, in the order of time.
 
@@ -132,17 +125,24 @@ def windows_of(
         point: that is touched, from 0.
         speed: of what slides, mm/s, which brings it to 12 mm/s.
         before: as of :func:`cut`.
+        options: how touches are cut.
 
     Returns:
         (n, 1024) float64, Pa.
     """
     waveform, stretched = stretched_waveform(reconstructor, signals, point, speed)
-    found = [Stretch(round(each.begin * stretched), round(each.end * stretched)) for each in stretches(frames)]
-    return np.concatenate([np.zeros((0, WINDOW)), *(cut(waveform, each, before) for each in found)])
+    found = [
+        Stretch(round(each.begin * stretched), round(each.end * stretched)) for each in stretches(frames, options.apart)
+    ]
+    return np.concatenate([np.zeros((0, WINDOW)), *(cut(waveform, each, before, options) for each in found)])
 
 
 def written_maps(
-    reader: LineReader, signals: Array, frames: NDArray[np.int64], variants: int = 0
+    reader: LineReader,
+    signals: Array,
+    frames: NDArray[np.int64],
+    variants: int = 0,
+    options: CutOptions = CutOptions(),
 ) -> tuple[Tensor, list[Stretch]]:
     """Maps of all letters of a recording, in the order of time.
 
@@ -151,17 +151,20 @@ def written_maps(
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
         frames: (n,) int64, first samples of the frames with a touch.
         variants: pictures of each letter, each a little different; 0 for one as it is.
+        options: how letters are cut.
 
     Returns:
         (n, 2, 64, 32) float32, and where each letter lies.
     """
     maps, found = [], []
-    for each in stretches(frames, LETTERS_APART):
+    for each in stretches(frames, options.letters_apart):
         begin = max(0, min(each.begin, signals.shape[1] - FRAME))
         line = reader.line(signals[:, begin : max(each.end, begin + FRAME)])
         if len(line):
             random = np.random.default_rng(begin)
-            maps += [letter_maps(line, random) for _ in range(variants)] if variants else [letter_maps(line)]
+            width = reader.options.pen_width
+            drawn = [random] * variants or [None]
+            maps += [letter_maps(line, each_random, width) for each_random in drawn]
             found.append(each)
     return torch.stack(maps) if maps else torch.zeros(0, MAPS, FREQUENCIES, COLUMNS), found
 
@@ -213,7 +216,8 @@ def recorded_takes(
     response: ArrayResponse,
     through: Reconstructor | LineReader,
     noise_rms: float,
-    seed: int,
+    plan: RecognitionPlan,
+    options: CutOptions = CutOptions(),
 ) -> RecordedTakes:
     """Windows of recorded kinds of touch; a fifth of the recordings of each kind is held out.
 
@@ -222,7 +226,8 @@ def recorded_takes(
         response: the array.
         through: filters of its library; or the reader, of letters.
         noise_rms: Pa rms of a microphone, by which silence is told.
-        seed: of the split.
+        plan: of the training, whose seed the split depends on.
+        options: how touches are cut.
 
     Raises:
         TouchManifestError: as :func:`localize.recordings.touch_manifest.read_labelled_manifest`; some recordings with a
@@ -242,17 +247,17 @@ def recorded_takes(
             kind=Kind.CONFLICT,
             file=found.path,
         )
-    held = split([(0, each.label, each.file) for each in found.recordings], seed, labels)
+    held = split([(0, each.label, each.file) for each in found.recordings], plan.seed, labels)
     signals, touched, parts = [], [], []
     for each, judged in zip(found.recordings, held, strict=True):  # what is judged is cut as what is to be told
         full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
         heard = read_recording(each.path, response.microphones, full_scale).signals
         frames = heard_frames(heard, response.microphones, noise_rms)
         if isinstance(through, LineReader):
-            own = written_maps(through, heard, frames, 0 if judged else VARIANTS)[0]
+            own = written_maps(through, heard, frames, 0 if judged else plan.letter_variants, options)[0]
         else:
-            before = BEFORE[1:2] if judged else BEFORE
-            own = maps_of(windows_of(through, heard, frames, each.point - 1, each.speed, before))
+            before = options.before[1:2] if judged else options.before
+            own = maps_of(windows_of(through, heard, frames, each.point - 1, each.speed, before, options))
         if not len(own):
             sought = "letter" if isinstance(through, LineReader) else f"window of {WINDOW} samples"
             raise TouchManifestError(f"has no {sought} with a touch in it", kind=Kind.UNSUITABLE, file=each.path)

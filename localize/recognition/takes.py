@@ -19,6 +19,7 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.live.front_end import HighPass
 from localize.recognition.event_kinds import EVENTS, event_pressure
 from localize.recognition.power_maps import WINDOW, maps_of
+from localize.recognition.recognition_options import TakeOptions
 from localize.recognition.textures import PROFILES, SPEED, passing_pressure, texture_pressure
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import MAINS
@@ -30,24 +31,8 @@ from localize.signals.threads import one_thread
 
 LEAD = FRAME
 """Samples before a window that the filter of the waveform needs."""
-CORNER = 1.0
-"""Corner of the high-pass of all signals that waveforms are made of, Hz."""
-LOWEST = (0.2, 0.5)
-"""Frequencies between which what is heard is faded out, Hz."""
-HUM = (3e-5, 5e-3)
-"""Lowest and highest amplitude of the mains in simulated takes, Pa."""
-DRIFT = (1e-3, 2e-2)
-"""Lowest and highest amplitude of the wander of the zero in simulated takes, Pa."""
 SLOWEST, FASTEST = 0.75 * SPEED, 1.7 * SPEED
 """Lowest and highest speed of textures that are trained on, mm/s."""
-OFF_MIDDLE = 100.0
-"""Samples by which a window of what passes a point is off the time at which it is nearest, at most."""
-PASSING = 1 / 3
-"""Share of the textures that are trained on in which the contact passes the point."""
-_EASE = 2000
-"""Samples before and behind a take in which its pressure comes and goes."""
-_TOP = 0.8
-"""Share of the band of a response above which what is heard is faded out."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +70,12 @@ SUBJECTS: Mapping[str, Subject] = {
 
 
 def heard(
-    response: ArrayResponse, point: int, pressure: Array, noise: NoiseChoice, random: np.random.Generator
+    response: ArrayResponse,
+    point: int,
+    pressure: Array,
+    noise: NoiseChoice,
+    random: np.random.Generator,
+    options: TakeOptions = TakeOptions(),
 ) -> Array:
     """What the microphones of a sensor record of a pressure in one cavity.
 
@@ -95,41 +85,45 @@ def heard(
         pressure: (n_sample,) float64, Pa at 1 kHz.
         noise: of the microphones.
         random: draws the noise.
+        options: of the recorder.
 
     Returns:
         (n_microphone, n_sample) float64, Pa, as :func:`prepared`, hum and drift of a recorder included.
     """
-    ease = np.hanning(2 * _EASE)[:_EASE]
+    ease = np.hanning(2 * options.ease)[: options.ease]
     whole = np.concatenate([pressure[0] * ease, pressure, pressure[-1] * ease[::-1]])
     total = scipy.fft.next_fast_len(len(whole), real=True)
-    inside, response_inside = _faded_response(response, total)
+    inside, response_inside = _faded_response(response, total, options)
     spectrum = np.zeros((len(response.microphones), total // 2 + 1), np.complex128)
     spectrum[:, inside] = response_inside[point] * scipy.fft.rfft(whole, total)[inside]
-    signals = scipy.fft.irfft(spectrum, total)[:, _EASE : _EASE + len(pressure)]
-    signals += _noise_of(response, noise, len(pressure), random) + _of_recorder(len(pressure), len(signals), random)
-    return prepared(signals)
+    signals = scipy.fft.irfft(spectrum, total)[:, options.ease : options.ease + len(pressure)]
+    signals += _noise_of(response, noise, len(pressure), random) + _of_recorder(
+        len(pressure), len(signals), random, options
+    )
+    return prepared(signals, options)
 
 
-def prepared(signals: Array) -> Array:
+def prepared(signals: Array, options: TakeOptions = TakeOptions()) -> Array:
     """Signals of which waveforms are made, simulated and recorded alike: without what lies below 1 Hz.
 
     Args:
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz, at least a frame.
+        options: of the takes.
 
     Returns:
         Same shape, float64, Pa.
     """
-    return HighPass(len(signals), CORNER).begin(signals)
+    return HighPass(len(signals), options.corner).begin(signals)
 
 
-def _of_recorder(count: int, channels: int, random: np.random.Generator) -> Array:
+def _of_recorder(count: int, channels: int, random: np.random.Generator, options: TakeOptions) -> Array:
     """(n_microphone, count) Pa: mains with their third harmonic, and a slow wander of each channel's zero."""
     time = np.arange(count) / SAMPLE_RATE
     mains = MAINS[int(random.integers(2))] + random.uniform(-0.1, 0.1)
     phase = random.uniform(0, 2 * np.pi, 2)
     hum = np.sin(2 * np.pi * mains * time + phase[0]) + np.sin(6 * np.pi * mains * time + phase[1]) / 3
     wander = np.sin(2 * np.pi * random.uniform(0.05, 0.5, (channels, 1)) * time + random.uniform(0, 6.3, (channels, 1)))
-    return np.asarray(_drawn(HUM, random) * hum + _drawn(DRIFT, random) * wander)
+    return np.asarray(_drawn(options.hum, random) * hum + _drawn(options.drift, random) * wander)
 
 
 def _drawn(of: tuple[float, float], random: np.random.Generator) -> float:
@@ -137,14 +131,16 @@ def _drawn(of: tuple[float, float], random: np.random.Generator) -> float:
 
 
 @functools.lru_cache(maxsize=16)
-def _faded_response(response: ArrayResponse, total: int) -> tuple[NDArray[np.bool_], NDArray[np.complex128]]:
+def _faded_response(
+    response: ArrayResponse, total: int, options: TakeOptions
+) -> tuple[NDArray[np.bool_], NDArray[np.complex128]]:
     """Which lines of a real transform of that length are heard, and the transfer functions there."""
     line = scipy.fft.rfftfreq(total, 1 / SAMPLE_RATE)
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
-    inside = (line > LOWEST[0]) & (line < top)
+    inside = (line > options.fade_in[0]) & (line < top)
     grid = line[inside]
-    fade = np.clip((grid - LOWEST[0]) / (LOWEST[1] - LOWEST[0]), 0, 1) * np.clip(
-        (top - grid) / (top * (1 - _TOP)), 0, 1
+    fade = np.clip((grid - options.fade_in[0]) / (options.fade_in[1] - options.fade_in[0]), 0, 1) * np.clip(
+        (top - grid) / (top * (1 - options.top_fraction)), 0, 1
     )
     return inside, response.at(grid) * fade
 
@@ -221,6 +217,9 @@ class TakeMaker:
     passing: float = 0.0
     """Share of the takes of what slides in which it passes the point, and does not stay on its membrane."""
 
+    options: TakeOptions = TakeOptions()
+    """Numbers of the recorder and of the contacts."""
+
     def __post_init__(self) -> None:
         if self.passing and any(each.membrane_radius is None for each in self.sensors):
             raise Refusal(
@@ -245,10 +244,11 @@ class TakeMaker:
         pressure = subject.make(kind, speed, random, self.blunter)
         if chance is not None and chance.random() < self.passing:
             assert sensor.membrane_radius is not None  # checked when the maker was made
-            middle = len(pressure) - WINDOW / 2 * SPEED / speed + chance.uniform(-OFF_MIDDLE, OFF_MIDDLE)
+            off = self.options.off_middle
+            middle = len(pressure) - WINDOW / 2 * SPEED / speed + chance.uniform(-off, off)
             radius = float(sensor.membrane_radius[point])
             pressure = passing_pressure(PROFILES[kind], len(pressure), speed, chance, radius, middle)
-        return heard(sensor, point, pressure, self.noise, random), kind, point, speed
+        return heard(sensor, point, pressure, self.noise, random, self.options), kind, point, speed
 
     def waveform(self, purpose: Purpose, number: int) -> tuple[Array, int]:
         """Window that one take is told by, (1024,) float64 Pa, and its kind, from 0."""

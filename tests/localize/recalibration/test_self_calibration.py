@@ -20,10 +20,13 @@ from geometry import Kind
 from localize.decoders.likelihood import NOISE_SHARE
 from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, passed
 from localize.recalibration.parameter_search import value_and_slope
+from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.recalibration.rejections import gaps, likeliest_order, numbers
-from localize.recalibration.self_calibration import SLOPES, SelfCalibrationError, self_calibrate
+from localize.recalibration.self_calibration import SelfCalibrationError, self_calibrate
 from localize.signals.array_response import response_of
 from studies.test_rig.virtual_rig import HiddenScatter, Rig
+
+SLOPES = RecalibrationOptions().slopes
 
 
 def top1(library: Library, response: localize.ArrayResponse) -> float:
