@@ -97,9 +97,7 @@ class Ear:
             else:
                 touched = self._named(locator, signals, each) if point is None else point
                 waveform, stretched = stretched_waveform(self._reconstructor, signals, touched, speed)
-                windows = cut(
-                    waveform, Stretch(round(each.begin * stretched), round(each.end * stretched)), options=self._cuts
-                )
+                windows = cut(waveform, each.stretched(stretched), options=self._cuts)
             if not len(windows):
                 continue
             # windows of one touch overlap, and are hardly independent: their mean is what is told

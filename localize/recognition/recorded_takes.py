@@ -57,6 +57,10 @@ class Stretch:
     end: int
     """Sample behind the last one."""
 
+    def stretched(self, factor: float) -> Stretch:
+        """The stretch where time runs by this factor more slowly."""
+        return Stretch(round(self.begin * factor), round(self.end * factor))
+
 
 def stretches(frames: NDArray[np.int64], apart: float = CutOptions.apart) -> list[Stretch]:
     """Stretches in which something is heard.
@@ -131,9 +135,7 @@ def windows_of(
         (n, 1024) float64, Pa.
     """
     waveform, stretched = stretched_waveform(reconstructor, signals, point, speed)
-    found = [
-        Stretch(round(each.begin * stretched), round(each.end * stretched)) for each in stretches(frames, options.apart)
-    ]
+    found = [each.stretched(stretched) for each in stretches(frames, options.apart)]
     return np.concatenate([np.zeros((0, WINDOW)), *(cut(waveform, each, before, options) for each in found)])
 
 
@@ -163,7 +165,7 @@ def written_maps(
         if len(line):
             random = np.random.default_rng(begin)
             width = reader.options.pen_width
-            drawn = [random] * variants or [None]
+            drawn: list[np.random.Generator | None] = [random] * variants or [None]
             maps += [letter_maps(line, each_random, width) for each_random in drawn]
             found.append(each)
     return torch.stack(maps) if maps else torch.zeros(0, MAPS, FREQUENCIES, COLUMNS), found
