@@ -34,7 +34,7 @@ COLUMNS = (
     ("distance_smallest_low", "distance, 1 to 20 Hz", ".3f"),
     ("distance_smallest", "1 to 100 Hz", ".3f"),
     ("predicted_top1", "top-1, quiet (%)", ".1f"),
-    ("predicted_top1_loud", "0.05 Pa (%)", ".1f"),
+    ("predicted_top1_white_noise", "0.05 Pa (%)", ".1f"),
     ("sensitivity_force", "sensitivity (Pa/N)", ".3g"),
 )
 #: A rank correlation beyond this is called a rise or a fall.
@@ -126,7 +126,7 @@ def verdict(rule: Rule, curves: dict[str, Curve]) -> str:
         ("distance_smallest_low", "distance below 20 Hz"),
         ("distance_smallest", "up to 100 Hz"),
         ("predicted_top1", "accuracy in quiet"),
-        ("predicted_top1_loud", "accuracy in noise"),
+        ("predicted_top1_white_noise", "accuracy in noise"),
     ):
         told = {title: rule.grows * curve.trend(metric) for title, curve in curves.items()}
         if all(value > TREND for value in told.values()):
@@ -170,7 +170,7 @@ def draw(rule: Rule, curves: dict[str, Curve], path: Path) -> None:
             (distance, "distance_smallest_low", "-", 1),
             (distance, "distance_smallest", "--", 1),
             (accuracy, "predicted_top1", "-", 100),
-            (accuracy, "predicted_top1_loud", "--", 100),
+            (accuracy, "predicted_top1_white_noise", "--", 100),
             (sensitivity, "sensitivity_force", "-", 1),
         ):
             axes.plot(curve.values, scale * curve.metrics[metric], style, color=colour, marker="o", markersize=3)

@@ -26,7 +26,7 @@ FIGURES = (
     ("ild_smallest", "smallest level difference, dB", 1.0),
     ("ipd_smallest", "smallest phase difference, degrees", 1.0),
     ("predicted_top1", "predicted top-1, the microphone's own noise, %", 100.0),
-    ("predicted_top1_loud", "predicted top-1, loud room (0.05 Pa), %", 100.0),
+    ("predicted_top1_white_noise", "predicted top-1, 0.05 Pa of white noise, %", 100.0),
     ("sensitivity_force", "sensitivity, kPa/N", 1e-3),
     ("noise_equivalent_force", "noise-equivalent force, nN", 1e9),
     ("volume", "volume of all parts, mm³", 1.0),

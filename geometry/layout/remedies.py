@@ -18,13 +18,13 @@ _GROWTH, _STEPS = 1.1, 14
 _WALLS = (0.95, 0.8, 0.6, 0.4)
 
 
-def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: str = "") -> None:
+def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: tuple[str, ...] = ()) -> None:
     """Refuse a design that cannot be built as it is laid out, and say what would mend it.
 
     Args:
         design: the array.
         layout: where its parts lie, where it is known already.
-        unless: what else there is to say, such as how it is drawn all the same.
+        unless: pieces of a text on what else can be done, such as how the design is drawn all the same.
 
     Raises:
         OverlapError: see :func:`geometry.layout.overlaps.overlaps`.
@@ -32,7 +32,8 @@ def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, u
     try:
         refuse_overlaps(design, layout)
     except OverlapError as error:
-        remedy = "; ".join(filter(None, (mend_of(design), unless)))
+        mend = mend_of(design)
+        remedy = (mend, "; ", *unless) if mend and unless else (mend, *unless)
         raise OverlapError.of(error, others=error.others, remedy=remedy) from None
 
 

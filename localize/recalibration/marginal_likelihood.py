@@ -28,7 +28,6 @@ from scipy.special import logsumexp
 
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
-from localize.decoders.likelihood import POWERS, TEMPERATURE
 from localize.live.front_end import high_pass_sections
 from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.signals.array_response import interpolation
@@ -96,6 +95,7 @@ class MarginalLikelihood:
         options: RecalibrationOptions = RecalibrationOptions(),
     ) -> None:
         self.noise, self.options = noise, options
+        self._temperature, self._powers = options.decoder.temperature, options.decoder.tried_powers
         fine = np.arange(BAND[0], min(float(frequency[-1]), SAMPLE_RATE / 2) + 1e-9, options.frequency_step)
         turn, gain = sampled_waves(fine)
         whiten = whitening(noise)
@@ -135,7 +135,7 @@ class MarginalLikelihood:
         """
         eigen = self._eigen(h)
         found = self._score(eigen)
-        weight = found.weight / TEMPERATURE
+        weight = found.weight / self._temperature
         slope = np.zeros(h.shape, np.complex128)
         for table, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
             chosen = found.table == table
@@ -200,7 +200,7 @@ class MarginalLikelihood:
             rest = (change * seen)[..., ~held].reshape(len(jacobian), -1)
             total += 0.5 * (both @ both.T) + rest @ rest.T
             total -= 2 * (with_louder * (weight / (louder**2).sum(1))) @ with_louder.T
-        return total / TEMPERATURE
+        return total / self._temperature
 
     def _sources(self, h: Complex, kind: int, every: int = 1) -> Array:
         """B of (..., n_microphone, n_freq) transfer functions and one of the slopes, (..., 2 n_step, size)."""
@@ -225,12 +225,12 @@ class MarginalLikelihood:
     def _score(self, eigen: _Eigen) -> _Score:
         along = self._x @ eigen.vectors
         energy = along**2
-        gain = eigen.values[..., None] * POWERS
+        gain = eigen.values[..., None] * self._powers
         tried = -(energy @ (1 / (1 + gain)) + np.log1p(gain).sum(1)[:, None]).transpose(1, 0, 2)
         start = tried.argmax(-1)
-        rough = np.take_along_axis(tried, start[..., None], -1)[..., 0] / (2 * TEMPERATURE)
+        rough = np.take_along_axis(tried, start[..., None], -1)[..., 0] / (2 * self._temperature)
         frame, table = np.nonzero(rough > rough.max(1, keepdims=True) - self.options.near_points)
-        level, near, held = np.log(POWERS[start[frame, table]]), energy[table, frame], eigen.values[table]
+        level, near, held = np.log(self._powers[start[frame, table]]), energy[table, frame], eigen.values[table]
         for _ in range(self.options.power_steps):
             share = np.exp(level)[:, None] * held
             share /= 1 + share
@@ -238,10 +238,10 @@ class MarginalLikelihood:
             second = ((near * (1 - 2 * share) - 1) * share * (1 - share)).sum(1)
             # steps stay within the spacing of the powers tried, and where the curve bends upwards they only climb
             step = np.where(second < 0, -first / np.minimum(second, -1e-12), np.sign(first))
-            level = np.clip(level + np.clip(step, -1, 1), np.log(POWERS[0]), np.log(POWERS[-1]))
+            level = np.clip(level + np.clip(step, -1, 1), np.log(self._powers[0]), np.log(self._powers[-1]))
         gain = np.exp(level)[:, None] * held
         fine = np.full(rough.shape, -np.inf)
-        fine[frame, table] = -(near / (1 + gain) + np.log1p(gain)).sum(1) / (2 * TEMPERATURE)
+        fine[frame, table] = -(near / (1 + gain) + np.log1p(gain)).sum(1) / (2 * self._temperature)
         value = logsumexp(fine, axis=1)
         share = np.exp(fine - value[:, None])
         by_point = share.reshape(len(share), len(self._waves), -1).sum(1)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from localize.decoders.options import DecoderOptions
+
 
 @dataclass(frozen=True)
 class RecalibrationOptions:
@@ -92,6 +94,9 @@ class RecalibrationOptions:
     and one at each end, where a shift of all points by one place begins."""
     untouched_fraction: float = 1 / 4
     """Fraction of the points of a line that may be without a touch."""
+
+    decoder: DecoderOptions = DecoderOptions()
+    """Options of the likelihood of a frame: the powers that are tried, and the temperature."""
 
     @property
     def levels(self) -> tuple[float, float]:

@@ -22,7 +22,7 @@ from acoustic_fem.library.transfer_functions import Library, described, measured
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
-from localize.live.front_end import Listening
+from localize.live.options import StreamOptions
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
 from localize.recalibration.parameter_search import ascend, distinct, search
 from localize.recalibration.recalibration_options import RecalibrationOptions
@@ -133,7 +133,7 @@ def self_calibrate(
             unit="Pa",
             allowed="between 1e-9 and 10 Pa",
         )
-    Listening(high_pass)
+    StreamOptions(high_pass)
     response = response_of(library)
     heard = _usable(np.asarray(frames, np.float64), response, microphone_noise, options)
     _check_channels(heard, response.microphones, options.one_signal)
@@ -293,7 +293,7 @@ def _calibrated(
         gain_error=float(difference.std(ddof=1) / np.sqrt(len(held_out))),
         rival=min((found[0].value - one.value for one in found[1:]), default=np.inf),
         rival_held_out=min((float((best.frames - one.frames).sum()) for one in rivals), default=np.inf),
-        explained=float((test.p_value(held_out, named) >= options.false_alarm).mean()),
+        explained=float((test.p_value(held_out, named + 1) >= options.false_alarm).mean()),
         agreement=float((unseen.evidence(responses(u)).share.argmax(1) == named).mean()),
         order=order,
         touches=np.bincount(whole.evidence(responses(u)).share.argmax(1), minlength=response.point_count),

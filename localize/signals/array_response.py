@@ -22,6 +22,7 @@ from acoustic_fem.network.microphone import vent_ratio
 from geometry.design.design_file import write_design
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.arrangement import place_housings
+from localize.signals.locator import ArrayFacts
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
@@ -122,6 +123,11 @@ class ArrayResponse:
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self.transfer_function)
+
+    @property
+    def array(self) -> ArrayFacts:
+        """Facts of the array, as a localizer for it keeps them."""
+        return ArrayFacts(self.name, self.microphones, self.line, self.place, self.provenance)
 
     @property
     def force_response(self) -> NDArray[np.complex128] | None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias, get_args
 
-from acoustic_fem.quantities.checks import in_range
+from acoustic_fem.quantities.checks import in_range, one_of
 from geometry.air.wound_tube import Winding, closest_pitch
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 
 End: TypeAlias = Literal["microphone", "closed"]
 
@@ -41,27 +41,29 @@ class BendingRig:
         in_range("bore", self.bore, 0.05, 5.0, "mm")
         in_range("diameter", self.diameter, 0.1, 1000.0, "mm")
         if not self.bore < self.diameter:
-            raise Refusal(f"bore = {self.bore:g} mm must be below diameter, the cylinder's {self.diameter:g} mm")
+            raise _conflict("bore", self.bore, f"below the diameter of the cylinder, {self.diameter:g} mm")
         if not self.bore < self.outside < self.diameter:
-            raise Refusal(
-                f"outside = {self.outside:g} mm must be above bore ({self.bore:g} mm) and below diameter "
-                f"({self.diameter:g} mm)"
-            )
+            between = f"above the bore, {self.bore:g} mm, and below the diameter of the cylinder, {self.diameter:g} mm"
+            raise _conflict("outside", self.outside, between)
         if not 1 <= len(self.angles) <= MOST_ANGLES:
-            raise Refusal(f"angles holds {counted(len(self.angles), 'value')}; it must hold 1 to {MOST_ANGLES}")
+            problem = f"has {counted(len(self.angles), 'value')}; it must have 1 to {MOST_ANGLES}"
+            raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="angles")
         for angle in self.angles:
             in_range("angles", angle, 0.0, LARGEST_ANGLE, "degrees")
         if len(set(self.angles)) < len(self.angles):
-            raise Refusal(f"angles = {', '.join(f'{angle:g}' for angle in self.angles)} must differ")
+            raise Refusal(kind=Kind.CONFLICT, field="angles", value=self.angles, allowed="different from each other")
         in_range("length", self.length, 1.0, 10000.0, "mm")
         angle = max(self.angles)
         arc = self.winding(angle).arc_length
         if self.length < arc:
-            raise Refusal(f"length = {self.length:g} mm must be at least the arc of {angle:g} degrees, {arc:.4g} mm")
-        if self.end not in get_args(End):
-            raise Refusal(f"end = {self.end!r} must be one of {', '.join(get_args(End))}")
+            raise _conflict("length", self.length, f"at least the arc of {angle:g} degrees, {arc:.4g} mm")
+        one_of("end", self.end, get_args(End))
 
     def winding(self, angle: float) -> Winding:
         """Centre line of the part that is wound by an angle, degrees."""
         flat = angle <= LARGEST_FLAT_ANGLE
         return Winding(self.diameter, angle, 0.0 if flat else closest_pitch(self.diameter, self.outside))
+
+
+def _conflict(field: str, value: float, allowed: str) -> Refusal:
+    return Refusal(kind=Kind.CONFLICT, field=field, value=value, unit="mm", allowed=allowed)

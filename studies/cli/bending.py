@@ -12,7 +12,7 @@ from acoustic_fem.quantities.fidelity import Fidelity
 from studies.bending.bending_rig import BendingRig
 from studies.bending.bending_run import bending_study
 from studies.bending.solution import Bending
-from studies.cli.options import Frequencies, defaults_of, display_on_stderr, frequency_option, named
+from studies.cli.options import Frequencies, defaults_of, display_on_stderr
 from studies.cli.terminal_tables import show, table_of
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
@@ -55,12 +55,9 @@ def bend(
 
     Example: [bold]acoustic-fem bend --out bending --angles 0,90,180,270,360[/bold]
     """
-    grid = frequency_option(frequencies)
-    wound = _angles(angles)
-    names = ("bore", "length", "diameter", "outside", "angles", "end", "fidelity")
-    with named(frequency="--frequencies", **{name: f"--{name}" for name in names}), display_on_stderr() as display:
-        rig = BendingRig(bore, length, diameter, outside, wound, end.value)
-        study = bending_study(out, rig, fidelity=fidelity, frequency=grid, display=display)
+    rig = BendingRig(bore, length, diameter, outside, _angles(angles), end.value)
+    with display_on_stderr() as display:
+        study = bending_study(out, rig, fidelity=fidelity, frequency=frequencies, display=display)
     _show_bending(study.result)
     for file in study.files:
         print(file)

@@ -9,12 +9,10 @@ import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
 from acoustic_fem.quantities.local_air import LocalAir
-from geometry import resolve_design
 from geometry.ground.refusal import counted
 from localize.recalibration.rejections import numbers
 from localize.signals.stimulus import BAND
 from studies.cli.options import (
-    AIR_OPTIONS,
     Altitude,
     Design,
     Frequencies,
@@ -25,8 +23,7 @@ from studies.cli.options import (
     Tolerances,
     defaults_of,
     display_on_stderr,
-    frequency_option,
-    named,
+    noise_choice,
 )
 from studies.cli.terminal_tables import show, show_library, table_of, tell
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
@@ -69,7 +66,7 @@ def rig(
     """
     scatter = HiddenScatter(altitude=altitude, modulus=modulus)
     with display_on_stderr() as display:
-        made = record_rig(resolve_design(design), out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
+        made = record_rig(design, out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
         print(path)
     tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")
@@ -107,11 +104,10 @@ def calibrate(
 
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
-    grid = frequency_option(frequencies)
-    with named(frequency="--frequencies", **AIR_OPTIONS), display_on_stderr() as display:
-        air = LocalAir(pressure, altitude, temperature)
+    air = LocalAir(pressure, altitude, temperature)
+    with display_on_stderr() as display:
         found = calibrate_sensor(
-            recordings, out, fidelity=fidelity, frequency=grid, tolerances=tolerances, air=air, display=display
+            recordings, out, fidelity=fidelity, frequency=frequencies, tolerances=tolerances, air=air, display=display
         )
     calibration = found.calibration
     if calibration.findings:
@@ -201,11 +197,10 @@ def recalibrate(
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
-    options = {"full_scale": "--full-scale", "microphone_noise": "--noise", **AIR_OPTIONS}
-    with named(**options), display_on_stderr() as display:
-        air = LocalAir(pressure, altitude, temperature)
+    air, level = LocalAir(pressure, altitude, temperature), noise_choice(noise)
+    with display_on_stderr() as display:
         found = recalibrate_sensor(
-            library, recordings, out, full_scale=full_scale, noise=noise, seed=seed, air=air, display=display
+            library, recordings, out, full_scale=full_scale, microphone_noise=level, seed=seed, air=air, display=display
         ).found
     print(
         f"{out}: from {counted(found.frames, 'frame')} with touches; {found.gain:.2f} +- {found.gain_error:.2f} nats "

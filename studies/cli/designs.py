@@ -11,9 +11,7 @@ from acoustic_fem.quantities.fidelity import Fidelity
 from acoustic_fem.quantities.local_air import LocalAir
 from geometry import resolve_design
 from geometry.formats.part_files import FORMATS
-from geometry.ground.refusal import Refusal
 from studies.cli.options import (
-    AIR_OPTIONS,
     Altitude,
     Design,
     Frequencies,
@@ -21,8 +19,6 @@ from studies.cli.options import (
     Temperature,
     defaults_of,
     display_on_stderr,
-    frequency_option,
-    named,
 )
 from studies.cli.terminal_tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
 from studies.output.frequencies import LIBRARY_FREQUENCIES
@@ -30,7 +26,7 @@ from studies.run.check import check_design
 from studies.run.findings import verdict
 from studies.run.library_files import solve_library
 from studies.run.part_folder import export_parts
-from studies.run.pipeline import check_points, run_design
+from studies.run.pipeline import run_design
 from studies.run.wiring import wiring_table
 from studies.studio.serving import serve_studio
 
@@ -73,14 +69,14 @@ def check(
     out: Annotated[Path | None, typer.Option(help="Write the findings here as JSON too.", show_default=False)] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(help="Draw the array here, PNG: how well each point is told.", show_default=False),
+        typer.Option(help="Draw the array here, PNG: the predicted accuracy of each point.", show_default=False),
     ] = None,
 ) -> None:
     """Validate a design and say how good it is: counts, wiring, layout, printing, validity of the models.
 
-    What keeps it from being made comes first, then how often a touched point is named, nominal and mis-made; exit code
-    1 where the design is not valid, parts are in each other's way, or a print rule fails. Takes seconds, half a minute
-    for 200 points: parts are drawn and measured, nothing is solved in 3-D.
+    Problems that keep it from being made come first, then the predicted top-1 accuracy, of the nominal sensor and with
+    manufacturing scatter. Exit code 1 if the design is not valid, parts are in each other's way, or a print rule fails.
+    Takes seconds, half a minute for 200 points, because parts are drawn and measured, but nothing is solved in 3-D.
 
     Example: [bold]acoustic-fem check mine.toml[/bold]
     """
@@ -90,12 +86,12 @@ def check(
     if design is None:
         raise typer.BadParameter("give a DESIGN, or --fields")
     with display_on_stderr() as display:
-        found = check_design(resolve_design(design), out, picture=picture, display=display)
+        found = check_design(design, out, picture=picture, display=display)
     show_check(found)
     if picture is not None:
         print(picture)
-    if found.objection is not None:
-        raise Refusal(found.objection)
+    if found.error is not None:
+        raise found.error
 
 
 def wiring(
@@ -150,12 +146,9 @@ def solve(
 
     Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped[/bold]
     """
-    grid = frequency_option(frequencies)
-    with display_on_stderr() as display, named(frequency="--frequencies", **AIR_OPTIONS):
-        air = LocalAir(pressure, altitude, temperature)
-        library = solve_library(
-            resolve_design(design), out, fidelity=fidelity, frequency=grid, air=air, display=display
-        )
+    air = LocalAir(pressure, altitude, temperature)
+    with display_on_stderr() as display:
+        library = solve_library(design, out, fidelity=fidelity, frequency=frequencies, air=air, display=display)
     show_library(out, library)
 
 
@@ -188,12 +181,7 @@ def parts(
             raise typer.BadParameter(f"--format: {word!r} must be of {', '.join(FORMATS)}, with commas")
     with display_on_stderr() as display:
         made = export_parts(
-            resolve_design(design),
-            out,
-            formats=formats,
-            process=process,
-            allow_overlaps=allow_overlaps,
-            display=display,
+            design, out, formats=formats, process=process, allow_overlaps=allow_overlaps, display=display
         )
     show_parts(made)
     show_findings(made.printing)
@@ -215,9 +203,7 @@ def run(
 
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """
-    resolved = resolve_design(design)
-    check_points(resolved, design)  # which names the file
     with display_on_stderr() as display:
-        result = run_design(resolved, out, allow_overlaps=allow_overlaps, display=display)
+        result = run_design(design, out, allow_overlaps=allow_overlaps, display=display)
     print(verdict(result))
     print(f"{out / 'report.html'}")

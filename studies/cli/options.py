@@ -8,12 +8,15 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
 from geometry.ground.refusal import Refusal
 from studies.output.display import Display
+
+if TYPE_CHECKING:
+    from localize.signals.noise_model import NoiseChoice
 
 Answer = TypeVar("Answer", str, int, float)
 
@@ -64,6 +67,11 @@ Temperature = Annotated[
 AIR_OPTIONS = {"pressure": "--pressure", "altitude": "--altitude", "temperature_c": "--temperature"}
 
 
+def noise_choice(given: float | None) -> NoiseChoice:
+    """Noise of the microphones by an option that may be left out: then the noise of the design's microphone."""
+    return "design" if given is None else given
+
+
 def display_on_stderr() -> Display:
     """Progress for the user; what a verb finds goes to stdout."""
     return Display(sys.stderr)
@@ -106,13 +114,3 @@ def named(**options: str) -> Iterator[None]:
 def in_options(message: str) -> str:
     """Call the arguments that a refusal names in backticks by their options."""
     return re.sub(r"`([a-z_]+)`", lambda name: "--" + name[1].replace("_", "-"), message)
-
-
-def frequency_option(text: str) -> Any:
-    """The grid FIRST:LAST:COUNT, (n_freq,) float64, Hz."""
-    from acoustic_fem.quantities.checks import frequency_grid
-
-    try:
-        return frequency_grid(text)
-    except Refusal as error:
-        raise typer.BadParameter(f"--frequencies: {error}") from None

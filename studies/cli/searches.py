@@ -7,7 +7,6 @@ from typing import Annotated
 
 import typer
 
-from geometry import resolve_design
 from geometry.ground.refusal import counted
 from studies.cli.options import (
     Design,
@@ -19,8 +18,7 @@ from studies.cli.options import (
     check_workers,
     defaults_of,
     display_on_stderr,
-    frequency_option,
-    named,
+    noise_choice,
 )
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.findings.searching import optimize as search
@@ -29,7 +27,6 @@ from studies.optimization.search import Candidate
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
 from studies.scatter.effects import ACCURACIES
-from studies.scatter.perturbed_library import MOST_SENSORS
 from studies.scatter.tolerance_run import ToleranceStudy, tolerance_study
 
 #: Rows of the front that are printed.
@@ -40,16 +37,16 @@ _SCATTER = defaults_of(tolerance_study)
 def tolerance(
     design: Design,
     out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
-    samples: Annotated[int, typer.Option(help="Sensors made with scatter.")] = _SCATTER["samples"],
-    base: Annotated[int, typer.Option(help="Of the Sobol indices: ten times as many sensors; 0 for none.")] = _SCATTER[
-        "base"
-    ],
+    samples: Annotated[int, typer.Option(help="Sensors with manufacturing scatter.")] = _SCATTER["samples"],
+    base: Annotated[
+        int, typer.Option(help="Base samples of the Sobol indices: ten times as many sensors; 0 for none.")
+    ] = _SCATTER["base_samples"],
     library: Annotated[
         int, typer.Option(help="Sensors to store in OUT/library.zarr, for training; 0 for none.", show_default=True)
-    ] = _SCATTER["library"],
+    ] = _SCATTER["library_size"],
     tolerances: Tolerances = None,
     noise: Noise = None,
-    seed: Annotated[int, typer.Option(help="Of all draws.")] = _SCATTER["seed"],
+    seed: Annotated[int, typer.Option(help="Seed of all draws.")] = _SCATTER["seed"],
     frequencies: Frequencies = FREQUENCIES,
 ) -> None:
     """What manufacturing scatter does: spread of transfer functions and accuracy, and which tolerance matters most.
@@ -59,23 +56,17 @@ def tolerance(
 
     Example: [bold]acoustic-fem tolerance array-2x6 --out scatter --library 2000[/bold]
     """
-    grid = frequency_option(frequencies)
-    if seed < 0:
-        raise typer.BadParameter(f"--seed: {seed} must be 0 or above")
-    if not 0 <= library <= MOST_SENSORS:
-        raise typer.BadParameter(f"--library: {library} must be from 0 to {MOST_SENSORS}")
-    options = {name: f"--{name}" for name in ("samples", "base", "noise")}
-    with named(frequency="--frequencies", count="--library", **options), display_on_stderr() as display:
+    with display_on_stderr() as display:
         study = tolerance_study(
-            resolve_design(design),
+            design,
             out,
             samples=samples,
-            base=base,
-            library=library,
+            base_samples=base,
+            library_size=library,
             tolerances=tolerances,
-            noise=noise,
+            microphone_noise=noise_choice(noise),
             seed=seed,
-            frequency=grid,
+            frequency=frequencies,
             display=display,
         )
     _show_scatter(study)
@@ -96,8 +87,8 @@ def _show_scatter(study: ToleranceStudy) -> None:
         of_accuracy = {index.quantity: index for index in result.sobol["nominal"]}
         for index in result.sobol["deviation"]:
             other = of_accuracy[index.quantity]
-            shares = (index.total, index.error, other.total, other.error)
-            table.add_row(index.quantity.replace("_", " "), *(number(share, 2) for share in shares))
+            values = (index.total, index.error, other.total, other.error)
+            table.add_row(index.quantity.replace("_", " "), *(number(value, 2) for value in values))
         show(table)
     tell(f"{study.design.name} as designed: {number(100 * result.nominal_accuracy, 1)} %; noise: {result.noise}")
     tell(f"fidelity {result.fidelity.words}")

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry.ground.refusal import counted
+from geometry.ground.refusal import Kind, counted
 from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.findings.reporting import BestDesigns, best_designs, save_best_design, sweep_report
 from studies.output.display import duration, number
-from studies.study.file import load_study
 
 if TYPE_CHECKING:
     from studies.sweep.plan import Plan
@@ -62,20 +61,21 @@ def sweep(
     if out is None and not dry_run:
         raise typer.BadParameter("--out is missing: the store to write, such as results.zarr")
     check_workers(workers, scheduler)
-    given = load_study(study)
     if dry_run:
+        from studies.study.file import load_study
         from studies.sweep.plan import plan_sweep
 
+        given = load_study(study)
         _print_plan(plan_sweep(given, workers), given.fidelity)
         return
     from studies.sweep.run import SweepError, run_sweep
 
     assert out is not None
     with display_on_stderr() as display:
-        summary = run_sweep(given, out, workers=workers, scheduler=scheduler, display=display)
+        summary = run_sweep(study, out, workers=workers, scheduler=scheduler, display=display)
     _print_summary(summary, out)
     if summary.objection is not None:
-        raise SweepError(f"{out}: {summary.objection}")
+        raise SweepError(summary.objection, kind=Kind.NO_RESULT, file=out)
 
 
 def report(
@@ -120,8 +120,6 @@ def best(
     if (design is None) != (out is None):
         missing = "--out is missing: its design file, such as design-17.toml" if out is None else "DESIGN is missing"
         raise typer.BadParameter(f"{missing}; DESIGN must be a number that the list shows, 0 or more, or neither given")
-    if count < 1:
-        raise typer.BadParameter(f"--count {count} must be at least 1")
     if design is None or out is None:
         _show_best(best_designs(results, by, count))
         return

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from geometry import save_design
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal, counted
 from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep, with_base_metrics
 from studies.output.display import Display
 from studies.output.folders import check_new_file
@@ -83,7 +83,7 @@ def best_designs(results: str | os.PathLike[str], by: str | None = None, count: 
         Refusal: as :func:`read_results`, no such metric, or a count below 1.
     """
     if count < 1:
-        raise Refusal(f"count = {count} must be at least 1")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="count", value=count, allowed="at least 1")
     table = read_results(results)
     metric = table.metric(by) if by else table.leading
     return BestDesigns(table, metric, tuple(table.best(metric.name, count)))
@@ -107,9 +107,12 @@ def save_best_design(results: str | os.PathLike[str], design: str | int, out: st
     table = read_results(results)
     rows = {table.label(row): row for row in range(len(table.number))}
     if str(design) not in rows:
+        numbers = f"from {table.number.min()} to {table.number.max()}"
         raise Refusal(
-            f"{results}: design {design} must be one of the {len(rows)} that were computed, from {table.number.min()} "
-            f"to {table.number.max()}"
+            f"must be one of the {counted(len(rows), 'number')} that {results} has, {numbers}",
+            kind=Kind.UNKNOWN,
+            field="design",
+            value=str(design),
         )
     save_design(design_of(table, rows[str(design)]), path)
     return path

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry import ArrayDesign
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.declared_fields import DesignField, field_named
 from studies.optimization.problem import Optimization
 from studies.optimization.search import OptimizationResult, pareto_front
@@ -110,7 +110,8 @@ class ResultTable:
         for column in self.metrics:
             if column.name == name:
                 return column
-        raise Refusal(f"metric {name!r} must be one of: {', '.join(column.name for column in self.metrics)}")
+        allowed = tuple(column.name for column in self.metrics)
+        raise Refusal(kind=Kind.UNKNOWN, field="by", value=name, allowed=allowed)
 
     @property
     def leading(self) -> Column:
@@ -239,7 +240,8 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
     finite = np.all([np.isfinite(column) for column in columns.values()], axis=0)
     rows = np.flatnonzero(sweep.done & finite)
     if not len(rows):
-        raise Refusal(f"{about['title']}: none of {counted(len(values['case']), 'case')} is done")
+        problem = f"has no case that is done, of {len(values['case'])}"
+        raise Refusal(problem, kind=Kind.NO_RESULT, file=sweep.records.path)
     reasons = [(int(number), str(values["reason"][number])) for number in np.flatnonzero(sweep.failed)]
     reasons += [(int(number), "a metric is not finite") for number in np.flatnonzero(sweep.done & ~finite)]
     return ResultTable(
@@ -266,7 +268,8 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
     """
     kept = [each for each in result.candidates if each.feasible]
     if not kept:
-        raise Refusal(f"{problem.study.name}: none of {counted(len(result.candidates), 'design')} keeps the limits")
+        words = f"has no design among {len(result.candidates)} that keeps the limits"
+        raise Refusal(words, kind=Kind.NO_RESULT, file=problem.study.name)
     broken = len(result.candidates) - len(kept)
     limits = "; ".join(str(limit) for limit in problem.limits)
     failures = [*result.refused, *([(f"not {limits}", broken)] if broken else [])]

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from geometry import ArrayDesign, build_parts, load_design, print_report, save_design
+from geometry.ground.refusal import Kind
 from geometry.ground.text_files import read_text
 from geometry.ground.whole_files import write_text
 from geometry.printing.printability import PrintReport
@@ -87,9 +88,8 @@ def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
         StudyError: the folder is not that of a finished search.
     """
     if not journal_exists(out) or not all((out / name).is_file() for name in (_STUDY, _BASE, _BEST)):
-        raise StudyError(
-            f"{out}: is neither the results of a sweep (a folder with records) nor the folder of a finished search"
-        )
+        problem = "is neither the results of a sweep (a folder with records) nor the folder of a finished search"
+        raise StudyError(problem, kind=Kind.UNSUITABLE, file=out)
     text = read_text(out / _STUDY, "the study of a search", StudyError)
     problem = read_optimization(text, str(out / _STUDY), out, load_design(out / _BASE))
     return problem, found_so_far(problem, out)

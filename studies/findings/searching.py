@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 
 from geometry.ground.missing_packages import check_system_libraries
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import PathLike
 from geometry.ground.whole_files import writing
 from studies.findings.search_files import save_search, unprintable_designs
 from studies.optimization.journal import JOURNAL, seal
@@ -31,8 +31,8 @@ class Search:
 
 
 def optimize(
-    study: str | os.PathLike[str] | Optimization,
-    out: str | os.PathLike[str],
+    study: Optimization | PathLike,
+    out: PathLike,
     *,
     workers: int | None = None,
     scheduler: str | None = None,
@@ -61,14 +61,18 @@ def optimize(
         with show.stage("Search", of=2) as report:
             result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)
         if not result.front:
+            limits = "; ".join(map(str, problem.limits)) or "none"
             raise Refusal(
-                f"{problem.study.name}: none of {counted(problem.trials, 'design')} keeps the limits "
-                f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
+                f"has no design among {problem.trials} that keeps the limits ({limits})",
+                kind=Kind.NO_RESULT,
+                file=problem.study.name,
+                remedy="widen the ranges of the parameters, or loosen the limits",
             )
         with show.stage("Parts", of=2) as report:
             failed = unprintable_designs(problem, result, report)
-            seal(folder, failed)  # whoever reads the search later must not take them back
+            seal(folder, failed)  # so that they stay out when the search is read later
             result = without(problem, result, failed)
         if not result.front:
-            raise Refusal(f"{problem.study.name}: of no design of the front do the drawn parts pass the print rules")
+            problem_words = "has no design on its front whose drawn parts pass the print rules"
+            raise Refusal(problem_words, kind=Kind.NO_RESULT, file=problem.study.name)
         return Search(problem, result, tuple(save_search(problem, result, folder)))

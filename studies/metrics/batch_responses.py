@@ -4,21 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Medium
 from geometry import ArrayDesign
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.typed import ComplexArray
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.batch.parameters import ArrayParameters
     from acoustic_fem.membrane.disc import KnownDiscs
 
-Complex = NDArray[np.complex128]
 _T = TypeVar("_T")
 
 
@@ -31,19 +31,19 @@ class Responses:
 
     frequency: NDArray[np.float64]
     """Frequencies, ascending; (n_freq,) float64, Hz."""
-    transfer_function: Complex
+    transfer_function: ComplexArray
     """Pressure at a microphone over pressure in the touched cavity; (n_design, n_point, n_microphone, n_freq)
     complex128, Pa/Pa."""
     designs: Sequence[ArrayDesign] | None = None
     """Designs, one for each of the first axis."""
     medium: Sequence[Medium] | None = None
     """Air of each design."""
-    source_response: Complex | None = None
+    source_response: ComplexArray | None = None
     """Pressure at a microphone per volume velocity injected at a point; (n_design, n_point, n_microphone, n_freq)
     complex128, Pa s/m^3."""
-    point_impedance: Complex | None = None
+    point_impedance: ComplexArray | None = None
     """Pressure in a cavity per volume velocity injected there; (n_design, n_point, n_freq) complex128, Pa s/m^3."""
-    microphone_impedance: Complex | None = None
+    microphone_impedance: ComplexArray | None = None
     """Pressure at a microphone per volume velocity injected at a microphone; (n_design, n_microphone, n_microphone,
     n_freq) complex128, Pa s/m^3."""
     discs: KnownDiscs | None = None
@@ -54,10 +54,7 @@ class Responses:
     def __post_init__(self) -> None:
         h = self.transfer_function
         if h.ndim != 4 or h.shape[3] != len(self.frequency):
-            raise Refusal(
-                f"transfer_function has shape {h.shape}; it must be (n_design, n_point, n_microphone, "
-                f"{len(self.frequency)})"
-            )
+            raise shape_error("transfer_function", h, f"(n_design, n_point, n_microphone, {len(self.frequency)})")
         designs, points, microphones, count = h.shape
         for name, shape in (
             ("source_response", h.shape),
@@ -66,14 +63,12 @@ class Responses:
         ):
             values = getattr(self, name)
             if values is not None and values.shape != shape:
-                raise Refusal(f"{name} has shape {values.shape}; it must be {shape}")
+                raise shape_error(name, values, str(shape))
         for name in ("designs", "medium"):
             given = getattr(self, name)
             if given is not None and len(given) != designs:
-                raise Refusal(
-                    f"{name} has {counted(len(given), 'entry')}; it must have one for each of "
-                    f"{counted(designs, 'design')}"
-                )
+                problem = f"has {counted(len(given), 'entry')} for {counted(designs, 'design')}"
+                raise Refusal(problem, kind=Kind.MISMATCH, field=name, remedy="give one for each design")
 
     @property
     def design_count(self) -> int:
@@ -98,11 +93,16 @@ class Responses:
         )
 
 
-def known(values: _T | None) -> _T:
-    """What :attr:`studies.study.metric_registry.Metric.needs` has made sure of."""
+def shape_error(name: str, values: NDArray[Any], wanted: str) -> Refusal:
+    """The error of an array of another shape than is wanted."""
+    return Refusal(f"has shape {values.shape}; it must be {wanted}", kind=Kind.WRONG_TYPE, field=name)
+
+
+def required(values: _T | None) -> _T:
+    """The values, which :attr:`studies.study.metric_registry.Metric.needs` has made sure of."""
     assert values is not None
     return values
 
 
-def _one(values: NDArray[np.complex128]) -> Complex:
+def _one(values: ComplexArray) -> ComplexArray:
     return np.asarray(values, np.complex128)[None]

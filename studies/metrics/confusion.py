@@ -28,9 +28,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Refusal
-from geometry.ground.typed import Array
-from studies.metrics.filtered_touches import BAND, Listener, ear_of, noise_of_filters, standard_noise
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
+from localize.signals.stimulus import BAND
+from studies.metrics.batch_responses import shape_error
+from studies.metrics.filtered_touches import Listener, ear_of, noise_of_filters, standard_noise
 
 if TYPE_CHECKING:
     from localize.signals.noise_model import NoiseSpectrum
@@ -39,8 +41,6 @@ POWERS = 10.0 ** np.arange(-4.0, 2.1)
 """Values of g that are tried."""
 _MEMORY = 5_000_000
 """Bytes of simulated frames and what they score at once: what the processor keeps near."""
-
-Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,13 +140,11 @@ def predict_confusions(
     return tuple(found)
 
 
-def _assumed(assumed: ArrayLike, h: Complex) -> Complex:
+def _assumed(assumed: ArrayLike, h: ComplexArray) -> ComplexArray:
     """Transfer functions that the listener goes by, those of each sensor of shape ``h``."""
     known = np.asarray(assumed, np.complex128)
     if known.ndim != 4 or known.shape[1:] != h.shape[1:] or not len(known) or not np.all(np.isfinite(known)):
-        raise Refusal(
-            f"assumed has shape {known.shape}; it must be (n, {', '.join(map(str, h.shape[1:]))}), all finite"
-        )
+        raise shape_error("assumed", known, f"(n, {', '.join(map(str, h.shape[1:]))}), all finite")
     return known
 
 
@@ -171,7 +169,7 @@ class _Room:
         self._scores = np.empty((self.points, len(POWERS), points, touches))
         self._noise: dict[int, tuple[int, bytes, Array]] = {}
 
-    def frames_of(self, h: Complex) -> Array:
+    def frames_of(self, h: ComplexArray) -> Array:
         """Where the frames of transfer functions (n_design, n_point, n_microphone, n_freq) go, contiguous."""
         shape = *h.shape[:2], *self._frames.shape[2:]
         return self._frames.reshape(-1)[: math.prod(shape)].reshape(shape)
@@ -234,7 +232,7 @@ def _pairs(microphones: int) -> list[tuple[int, int]]:
     return [(a, b) for a in range(microphones) for b in range(microphones)]
 
 
-def _weights(covariance: Complex, noise: Array) -> Array:
+def _weights(covariance: ComplexArray, noise: Array) -> Array:
     """Weights of the products in N^-1 - (N + g C)^-1 for all g, and at last -log det (I + g C / N) over the filters.
 
     Args:
@@ -310,19 +308,19 @@ def _true(values: NDArray[np.bool_]) -> NDArray[np.int64]:
     return np.asarray(np.bitwise_count(np.packbits(values, axis=-1)).sum(axis=-1, dtype=np.int64))
 
 
-def _check(h: Complex, grid: Array, touches: int) -> None:
+def _check(h: ComplexArray, grid: Array, touches: int) -> None:
     if h.ndim != 4 or h.shape[3] != len(grid) or not len(h):
-        raise Refusal(
-            f"transfer_function has shape {h.shape}; it must be (n_design, n_point, n_microphone, {len(grid)})"
-        )
+        raise shape_error("transfer_function", h, f"(n_design, n_point, n_microphone, {len(grid)})")
     for name, count in (("points", h.shape[1]), ("microphones", h.shape[2])):
         if count < 2:
-            raise Refusal(f"predicted confusion: {name} = {count} must be at least 2")
+            problem = f"has {count} {name}; at least 2 are needed to predict confusions"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="transfer_function")
     check_grid(grid)
     if not np.all(np.isfinite(h)):
-        raise Refusal("transfer_function must be finite")
+        raise Refusal(kind=Kind.UNSUITABLE, field="transfer_function", allowed="finite")
     if isinstance(touches, bool) or not 1 <= touches <= 100_000:
-        raise Refusal(f"touches = {touches} must be a whole number from 1 to 100000")
+        allowed = "a whole number from 1 to 100000"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="touches", value=touches, allowed=allowed)
 
 
 def check_grid(grid: Array) -> None:
@@ -335,9 +333,11 @@ def check_grid(grid: Array) -> None:
         Refusal: fewer than 4 ascending values, or less than 1 to 100 Hz.
     """
     if len(grid) < 4 or grid[0] <= 0 or np.any(np.diff(grid) <= 0):
-        raise Refusal("frequency must hold at least 4 ascending values above 0 Hz")
+        raise Refusal("must hold at least 4 ascending values above 0 Hz", kind=Kind.UNSUITABLE, field="frequency")
     if grid[0] > BAND[0] + 1e-6 or grid[-1] < BAND[1] - 1e-6:
         raise Refusal(
-            f"frequency runs from {grid[0]:g} to {grid[-1]:g} Hz; predicted confusion needs {BAND[0]:g} to "
-            f"{BAND[1]:g} Hz, the band of the touches"
+            f"runs from {grid[0]:g} to {grid[-1]:g} Hz; predicting confusions needs {BAND[0]:g} to {BAND[1]:g} Hz, the "
+            "band of the touches",
+            kind=Kind.UNSUITABLE,
+            field="frequency",
         )

@@ -12,11 +12,12 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from geometry.ground.refusal import Refusal
-from geometry.ground.typed import Array
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 from localize.signals import stimulus
+from localize.signals.stimulus import BAND
 
 if TYPE_CHECKING:
     from localize.signals.noise_model import NoiseSpectrum
@@ -25,8 +26,6 @@ FRAME = 250
 """Length of a frame, samples, as the localizer takes them."""
 SAMPLE_RATE = 1000.0
 """Sample rate of the signals, Hz."""
-BAND = (1.0, 100.0)
-"""Band of the touches and of the source that the decoder assumes, Hz."""
 SOURCE_RMS = 0.25
 """Level of the assumed touch at g = 1, Pa rms."""
 NOISE_LINES = 500
@@ -36,7 +35,6 @@ _ROUNDING = 1e-13
 
 #: Who decides: the trained network, or the decoder that needs no training.
 Listener = Literal["network", "model"]
-Complex = NDArray[np.complex128]
 
 
 def noise_of_filters(noise: float | NoiseSpectrum | ArrayLike, designs: int, listener: Listener) -> Array:
@@ -58,11 +56,10 @@ def noise_of_filters(noise: float | NoiseSpectrum | ArrayLike, designs: int, lis
         power = np.full(NOISE_LINES, power * abs(float(power)) / NOISE_LINES)
     power = np.atleast_2d(power)
     if power.shape[1] != NOISE_LINES or len(power) not in (1, designs):
-        raise Refusal(
-            f"noise has shape {power.shape}; it must be one value, ({NOISE_LINES},) or ({designs}, {NOISE_LINES})"
-        )
+        problem = f"has shape {power.shape}; it must be one value, ({NOISE_LINES},) or ({designs}, {NOISE_LINES})"
+        raise Refusal(problem, kind=Kind.WRONG_TYPE, field="noise")
     if not np.all(np.isfinite(power)) or np.any(power < 0) or np.any(power.sum(axis=1) <= 0):
-        raise Refusal("noise must be finite and above 0")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="noise", allowed="finite and above 0")
     return np.asarray(power @ _passed_noise(listener))
 
 
@@ -106,7 +103,7 @@ class Ear:
         at_once, mirrored = density * np.abs(forth) ** 2, density * np.abs(back) ** 2
         self._weight = at_once + mirrored, at_once - mirrored
 
-    def frames(self, h: Complex, out: Array | None = None) -> Array:
+    def frames(self, h: ComplexArray, out: Array | None = None) -> Array:
         """Frames of the touches behind the filters, real and imaginary parts.
 
         (n_design, n_point, n_microphone, 2, n_filter, n_touch); written to the contiguous ``out`` where it is given.
@@ -121,7 +118,7 @@ class Ear:
         np.matmul(numbers, self._matrix[:, : 2 * kept], out=rows)
         return out
 
-    def covariance(self, h: Complex) -> Complex:
+    def covariance(self, h: ComplexArray) -> ComplexArray:
         """C of every point at g = 1: (n_design, n_point, n_microphone, n_microphone, n_filter)."""
         real, imaginary = self._to_source
         at_real, at_imaginary = h.real @ real.T, h.imag @ imaginary.T
@@ -158,10 +155,10 @@ def standard_noise(points: int, microphones: int, listener: Listener, touches: i
 
 
 @lru_cache(maxsize=2)
-def filters_of(listener: Listener) -> Complex:
+def filters_of(listener: Listener) -> ComplexArray:
     """(n_filter, FRAME) complex128."""
     if listener not in get_args(Listener):
-        raise Refusal(f"listener = {listener!r} must be one of: {', '.join(get_args(Listener))}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="listener", value=listener, allowed=get_args(Listener))
     if listener == "model":
         time = np.arange(FRAME)
         taper = math.sqrt(2) * np.sin(np.pi * (time + 0.5) / FRAME)
@@ -170,7 +167,7 @@ def filters_of(listener: Listener) -> Complex:
     return _wavelets()
 
 
-def _wavelets() -> Complex:
+def _wavelets() -> ComplexArray:
     """The wavelets of the features at the end of a frame, continued by its last sample."""
     from localize.learned.features import BANDWIDTH, CONTINUATION, GRID, TAIL
 
@@ -191,7 +188,7 @@ def _wavelets() -> Complex:
     return np.array(rows)
 
 
-def filtered(frequency: Array, listener: Listener) -> tuple[Complex, Complex]:
+def filtered(frequency: Array, listener: Listener) -> tuple[ComplexArray, ComplexArray]:
     """What the filters make of exp(j w t) and of its conjugate: (n, n_filter) each."""
     wave = np.exp(2j * np.pi * frequency[:, None] * np.arange(FRAME) / SAMPLE_RATE)
     filters = filters_of(listener).T

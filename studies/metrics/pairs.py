@@ -16,16 +16,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
+from localize.signals.stimulus import BAND
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from acoustic_fem import Library
 
-#: Band of the paper's sensors and of the localizer's features, Hz.
-BAND = (1.0, 100.0)
 #: dB per neper.
 DECIBEL = 20 / math.log(10)
 
@@ -43,12 +42,13 @@ def microphone_ratios(transfer_function: xr.DataArray) -> NDArray[np.complex128]
     return np.stack([h[:, a] / h[:, b] for a, b in combinations(range(h.shape[1]), 2)], axis=1)
 
 
-def check_band(frequency: Array, band: tuple[float, float]) -> None:
+def check_band(frequency: Array, band: tuple[float, float], metric: str) -> None:
     """Refuse a grid from which no mean over a band can be taken.
 
     Args:
         frequency: (n_freq,) float64, Hz, ascending.
         band: lowest and highest frequency, Hz.
+        metric: name of the metric that needs the mean.
 
     Raises:
         Refusal: it begins above the band, ends below it, or has a step in it wider than half of it.
@@ -58,8 +58,10 @@ def check_band(frequency: Array, band: tuple[float, float]) -> None:
     step = float(np.diff(np.concatenate([[low], over, [high]])).max())
     if frequency[0] > low + 1e-6 or frequency[-1] < high - 1e-6 or step > (high - low) / 2 + 1e-6:
         raise Refusal(
-            f"frequencies from {low:g} to {high:g} Hz in steps of at most {(high - low) / 2:g} Hz; the grid of "
-            f"{len(frequency)} runs from {frequency[0]:g} to {frequency[-1]:g} Hz"
+            f"has {counted(len(frequency), 'value')} from {frequency[0]:g} to {frequency[-1]:g} Hz; metric {metric} "
+            f"needs {low:g} to {high:g} Hz in steps of at most {(high - low) / 2:g} Hz",
+            kind=Kind.UNSUITABLE,
+            field="frequency",
         )
 
 
@@ -145,11 +147,13 @@ def disagreement(
     """
     for name in ("point", "microphone", "frequency"):
         if not np.array_equal(transfer_function[name].values, reference[name].values):
-            raise Refusal(f"disagreement: the two have different {name} coordinates")
+            problem = f"has other coordinates {name} than transfer_function"
+            raise Refusal(problem, kind=Kind.MISMATCH, field="reference")
     frequency = reference["frequency"].values
     inside = (frequency >= band[0] - 1e-9) & (frequency <= band[1] + 1e-9)
     if not inside.any():
-        raise Refusal(f"disagreement: no frequency between {band[0]:g} and {band[1]:g} Hz")
+        problem = f"has no frequency between {band[0]:g} and {band[1]:g} Hz"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="reference")
     ratio = (_values(transfer_function) / _values(reference))[..., inside]
 
     def largest(values: Array) -> tuple[float, tuple[int, str, float]]:
@@ -169,12 +173,13 @@ def _values(transfer_function: xr.DataArray) -> NDArray[np.complex128]:
 def _at(array: xr.DataArray, frequency: float) -> NDArray[np.complex128]:
     grid = np.asarray(array["frequency"].values, np.float64)
     if not grid[0] - 1e-9 <= frequency <= grid[-1] + 1e-9:
-        raise Refusal(f"frequency = {frequency:g} Hz must be between {grid[0]:g} and {grid[-1]:g} Hz")
+        allowed = f"between {grid[0]:g} and {grid[-1]:g} Hz"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="frequency", value=frequency, unit="Hz", allowed=allowed)
     values = _values(array)
     upper = min(int(np.searchsorted(grid, frequency)), len(grid) - 1)
     lower = max(upper - 1, 0)
-    share = 0.0 if upper == lower else (frequency - grid[lower]) / (grid[upper] - grid[lower])
-    return np.asarray((1 - share) * values[..., lower] + share * values[..., upper], np.complex128)
+    fraction = 0.0 if upper == lower else (frequency - grid[lower]) / (grid[upper] - grid[lower])
+    return np.asarray((1 - fraction) * values[..., lower] + fraction * values[..., upper], np.complex128)
 
 
 def trapezoidal_weights(frequency: Array) -> Array:

@@ -35,7 +35,7 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import value_of
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.schema.array_fields import Air
 from geometry.schema.field_errors import DesignError
@@ -150,7 +150,8 @@ def _logarithms(topology: Topology, parameters: ArrayParameters, air: Medium, no
     """
     count = topology.point_count
     if count < 2:
-        raise Refusal(f"lines.0.points = {count} must be at least 2: of one point nothing is confused")
+        allowed = "at least 2, because one point alone is never confused"
+        raise Refusal(kind=Kind.UNSUITABLE, field="lines.0.points", value=count, allowed=allowed)
     xp = parameters.namespace
     parts, designed = _parts(parameters, air)
     step = max(1, _CHUNK // ((4 * count + 3) * count * len(FREQUENCIES)))

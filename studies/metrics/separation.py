@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import Responses
-from studies.metrics.pairs import BAND, DECIBEL, trapezoidal_weights
+from studies.metrics.pairs import DECIBEL, trapezoidal_weights
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -54,7 +55,8 @@ def pair_distances(responses: Responses, band: tuple[float, float] = BAND) -> Pa
         (f"frequencies between {band[0]:g} and {band[1]:g} Hz", int(inside.sum())),
     ):
         if count < 2:
-            raise Refusal(f"separability: {name} = {count} must be at least 2")
+            problem = f"has {count} {name}; at least 2 are needed to compare points"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="transfer_function")
     pairs = list(combinations(range(microphones), 2))
     weight = trapezoidal_weights(responses.frequency[inside]) / len(pairs)
     h = responses.transfer_function[..., inside]

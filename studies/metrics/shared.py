@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.ground.typed import Array
+from geometry.ground.typed import Array, ComplexArray
 from geometry.layout.size import array_size
 from localize.signals.noise_model import microphone_noise
-from studies.metrics.batch_responses import Complex, Responses, known
+from studies.metrics.batch_responses import Responses, required
 from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
 from studies.metrics.separation import PairDistances, pair_distances
@@ -35,7 +35,7 @@ class SharedFigures:
         self._levels = tuple(dict.fromkeys(levels))
         self._distances: dict[tuple[float, float], PairDistances] = {}
         self._confusion: dict[float | None, PredictedConfusion] = {}
-        self._touches: dict[str, Complex] = {}
+        self._touches: dict[str, ComplexArray] = {}
 
     def distances(self, band: tuple[float, float]) -> PairDistances:
         """Distances of all pairs of points over a band, Hz."""
@@ -57,7 +57,7 @@ class SharedFigures:
             self._confusion |= zip(levels, found, strict=True)
         return self._confusion[level]
 
-    def touch_response(self, touch: str) -> Complex:
+    def touch_response(self, touch: str) -> ComplexArray:
         """Pressures at the microphones per touch, (n_design, n_point, n_microphone, n_freq) complex128, Pa per unit.
 
         Args:
@@ -74,20 +74,20 @@ class SharedFigures:
     @cached_property
     def sizes(self) -> Array:
         """Length, width and height of each design, (n_design, 3) float64, mm: length is the longer side."""
-        sizes = [array_size(design) for design in known(self.responses.designs)]
+        sizes = [array_size(design) for design in required(self.responses.designs)]
         return np.array([(max(x, y), min(x, y), z) for x, y, z in sizes])
 
     @cached_property
     def volumes(self) -> list[Volumes]:
         """Volumes of the parts of each design, as :func:`studies.metrics.build.volumes_of`."""
-        return [volumes_of(design) for design in known(self.responses.designs)]
+        return [volumes_of(design) for design in required(self.responses.designs)]
 
 
 def _design_noise(responses: Responses) -> Array:
     """Mean squares per hertz of the microphones' noise, (n_design, 500) float64, Pa^2."""
     found: dict[tuple[object, ...], Array] = {}
     rows = []
-    for design, medium in zip(known(responses.designs), known(responses.medium), strict=True):
+    for design, medium in zip(required(responses.designs), required(responses.medium), strict=True):
         key = (design.microphone, medium)
         if key not in found:
             found[key] = microphone_noise(design.microphone, medium).power

@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
-from geometry.ground.typed import Array
-from studies.metrics.batch_responses import Complex, Responses, known
-from studies.metrics.pairs import BAND, trapezoidal_weights
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
+from localize.signals.stimulus import BAND
+from studies.metrics.batch_responses import Responses, required
+from studies.metrics.pairs import trapezoidal_weights
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
@@ -24,7 +25,7 @@ NEEDS = frozenset({"designs", "source_response", "point_impedance"})
 NOISE_NEEDS = NEEDS | {"microphone_impedance", "medium"}
 
 
-def touch_response(responses: Responses, touch: str, vacuum: DiscResponse | None = None) -> Complex:
+def touch_response(responses: Responses, touch: str, vacuum: DiscResponse | None = None) -> ComplexArray:
     """Pressure at the microphones per touch, as :meth:`acoustic_fem.Library.touch_response` for each design.
 
     Args:
@@ -38,11 +39,11 @@ def touch_response(responses: Responses, touch: str, vacuum: DiscResponse | None
     from acoustic_fem.library.touch_pressure import injected_flow
 
     vacuum = vacuum or in_vacuo(responses)
-    injected = injected_flow(touch, responses.frequency, vacuum, known(responses.point_impedance))
-    return np.asarray(known(responses.source_response) * injected[:, :, None])
+    injected = injected_flow(touch, responses.frequency, vacuum, required(responses.point_impedance))
+    return np.asarray(required(responses.source_response) * injected[:, :, None])
 
 
-def smallest_sensitivity(responses: Responses, response: Complex) -> Array:
+def smallest_sensitivity(responses: Responses, response: ComplexArray) -> Array:
     """Rms over the band of a response at the loudest microphone, of the point where that is least.
 
     Args:
@@ -57,7 +58,7 @@ def smallest_sensitivity(responses: Responses, response: Complex) -> Array:
     return np.asarray(np.sqrt(power.max(axis=2).min(axis=1)))
 
 
-def noise_equivalent_force(responses: Responses, response: Complex) -> Array:
+def noise_equivalent_force(responses: Responses, response: ComplexArray) -> Array:
     """Rms force of flat spectrum over the band with a ratio of signal to noise of 1, at the worst point; (n_design,)
     float64, N.
 
@@ -73,9 +74,9 @@ def noise_equivalent_force(responses: Responses, response: Complex) -> Array:
 
     inside, _ = _band(responses)
     frequency = responses.frequency[inside]
-    mutual = np.moveaxis(known(responses.microphone_impedance)[..., inside], -1, 1)
-    temperature = np.array([gas_temperature(medium) for medium in known(responses.medium)])
-    own = np.stack([noise_density(design.microphone, frequency) for design in known(responses.designs)])
+    mutual = np.moveaxis(required(responses.microphone_impedance)[..., inside], -1, 1)
+    temperature = np.array([gas_temperature(medium) for medium in required(responses.medium)])
+    own = np.stack([noise_density(design.microphone, frequency) for design in required(responses.designs)])
     signal = np.moveaxis(response[..., inside], (3, 2), (1, 2))  # (design, freq, microphone, point)
     density = combined_snr(signal, port_noise(mutual, temperature[:, None], own))
     width = frequency[-1] - frequency[0]
@@ -83,7 +84,7 @@ def noise_equivalent_force(responses: Responses, response: Complex) -> Array:
     return np.asarray((width / np.trapezoid(density, frequency, axis=-1)).max(axis=1) ** 0.5 * np.sqrt(width))
 
 
-def bandwidth(responses: Responses, response: Complex) -> Array:
+def bandwidth(responses: Responses, response: ComplexArray) -> Array:
     """Width of the range in which a point's response to force is within 3 dB of its maximum; (n_design,) float64, Hz.
 
     At the point's loudest microphone; the narrowest of all points. Between the frequencies of the grid levels are
@@ -134,7 +135,7 @@ def in_vacuo(responses: Responses) -> DiscResponse:
         return found[key]
 
     rows: dict[Hashable, DiscResponse] = {}
-    designs = known(responses.designs)
+    designs = required(responses.designs)
     keys = [(tuple(key_of(each.of_kind(kind)) for kind in each.kinds), each.kind_of_point) for each in designs]
     for key, design in zip(keys, designs, strict=True):
         if key not in rows:
@@ -143,7 +144,7 @@ def in_vacuo(responses: Responses) -> DiscResponse:
                            for each in fields(DiscResponse)})  # fmt: skip
 
 
-def _squared(values: Complex) -> Array:
+def _squared(values: ComplexArray) -> Array:
     """|z|^2, of the shape of the values; the root of it is slow."""
     return np.asarray(values.real**2 + values.imag**2)
 
@@ -153,5 +154,6 @@ def _band(responses: Responses) -> tuple[NDArray[np.bool_], Array]:
     grid = responses.frequency
     inside = (grid >= BAND[0] - 1e-9) & (grid <= BAND[1] + 1e-9)
     if inside.sum() < 2:
-        raise Refusal(f"{inside.sum()} frequencies between {BAND[0]:g} and {BAND[1]:g} Hz; at least 2 are needed")
+        problem = f"has {inside.sum()} values between {BAND[0]:g} and {BAND[1]:g} Hz; at least 2 are needed"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="frequency")
     return inside, trapezoidal_weights(grid[inside])

@@ -11,12 +11,12 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from geometry import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_toml, read_text
 from geometry.schema.field_errors import model_of
 from studies.optimization.printable import Demand, PrintDemand
 from studies.study.cases import check_base
-from studies.study.file import FileSection, study_of
+from studies.study.file import FileSection, error_of_file, study_of
 from studies.study.metric_registry import METRICS, Metric, metrics_named
 from studies.study.study import Parameter, Study, StudyError
 
@@ -50,7 +50,7 @@ class Limit:
     """Largest value allowed; None for none."""
 
     def excess(self, value: float) -> float:
-        """Distance of a value beyond the bound, as a share of it; zero or below where it is kept."""
+        """Distance of a value beyond the bound, as a fraction of it; zero or below where it is kept."""
         scale = abs(self.least if self.least is not None else self.most or 0.0) or 1.0
         below = -float("inf") if self.least is None else (self.least - value) / scale
         above = -float("inf") if self.most is None else (value - self.most) / scale
@@ -146,36 +146,37 @@ def read_optimization(
     given = parse_toml(text, source, StudyError)
     wanted = given.pop("optimize", None)
     if wanted is None:
-        raise StudyError(
-            f"{source}: [optimize] is missing: it says what is wanted, such as "
-            '[[optimize.objectives]] with metric = "distance_smallest"'
-        )
+        allowed = 'a table that says what is wanted, such as [[optimize.objectives]] with metric = "distance_smallest"'
+        raise StudyError(kind=Kind.MISSING, file=source, field="optimize", allowed=allowed)
     # the optimiser proposes the cases
     study = study_of({**given, "sampling": "random", "cases": 1}, text, source, folder, base)
     file = model_of(OptimizeFields, wanted, source, "study", StudyError, table="optimize")
     try:
         return _checked(file, study, text)
     except Refusal as error:
-        raise StudyError(f"{source}: {error}") from None
+        raise error_of_file(error, source) from None
 
 
 def _checked(file: OptimizeFields, study: Study, text: str) -> Optimization:
     objectives = []
-    for wanted in file.objectives:
-        (metric,) = metrics_named([wanted.metric])
+    for number, wanted in enumerate(file.objectives):
+        metric = _metric(wanted.metric, f"optimize.objectives.{number}.metric")
+        if metric.name in (each.metric.name for each in objectives):
+            problem = "is an objective already"
+            field = f"optimize.objectives.{number}.metric"
+            raise Refusal(problem, kind=Kind.CONFLICT, field=field, value=metric.name, remedy="name different metrics")
         better: Any = wanted.better or metric.better
         objectives.append(Objective(metric, better))
-    names = [objective.metric.name for objective in objectives]
-    if len(set(names)) < len(names):
-        raise Refusal(f"optimize.objectives: {', '.join(names)} must be different metrics")
     limits = []
     for number, bound in enumerate(file.limits):
+        field = f"optimize.limits.{number}"
         if bound.least is None and bound.most is None:
-            raise Refusal(f"optimize.limits.{number}: give least, most, or both for {bound.metric!r}")
+            problem = f"has no bound for {bound.metric}"
+            raise Refusal(problem, kind=Kind.MISSING, field=field, remedy="give least, most, or both")
         if bound.least is not None and bound.most is not None and bound.least > bound.most:
-            raise Refusal(f"optimize.limits.{number}: least = {bound.least:g} must be at most most = {bound.most:g}")
-        (metric,) = metrics_named([bound.metric])
-        limits.append(Limit(metric, bound.least, bound.most))
+            allowed = f"at most most = {bound.most:g}"
+            raise Refusal(kind=Kind.CONFLICT, field=f"{field}.least", value=bound.least, allowed=allowed)
+        limits.append(Limit(_metric(bound.metric, f"{field}.metric"), bound.least, bound.most))
     for metric in (*(objective.metric for objective in objectives), *(limit.metric for limit in limits)):
         metric.check_grid(study.frequency)
     check_base(study)
@@ -187,6 +188,13 @@ def _checked(file: OptimizeFields, study: Study, text: str) -> Optimization:
     if method == "gradient":
         _check_slopes(objectives, study)
     return Optimization(study, text, tuple(objectives), tuple(limits), file.trials, file.batch, method, rules)
+
+
+def _metric(name: str, field: str) -> Metric:
+    try:
+        return metrics_named([name])[0]
+    except Refusal as error:
+        raise Refusal.of(error, field=field) from None
 
 
 def searched_range(parameter: Parameter, rules: PrintDemand) -> tuple[float, float]:
@@ -201,8 +209,10 @@ def searched_range(parameter: Parameter, rules: PrintDemand) -> tuple[float, flo
         return low, high
     if high < least:
         raise Refusal(
-            f"parameters.{parameter.name} ends at {high:g} mm; it must reach {least:g} mm, the smallest that the "
-            f"process and optimize.printable = {rules.demand!r} allow"
+            f"ends at {high:g} mm; it must reach {least:g} mm, the smallest that the process and optimize.printable = "
+            f"{rules.demand!r} allow",
+            kind=Kind.OUT_OF_RANGE,
+            field=f"parameters.{parameter.name}",
         )
     return max(low, least), high
 
@@ -215,15 +225,12 @@ def _check_slopes(objectives: Sequence[Objective], study: Study) -> None:
     """
     if len(objectives) != 1 or objectives[0].metric.slopes is None:
         having = ", ".join(metric.name for metric in METRICS.values() if metric.slopes is not None)
-        raise Refusal(
-            f"optimize.method = 'gradient' needs one objective that has slopes, {having}; not "
-            f"{', '.join(each.metric.name for each in objectives)}"
-        )
+        given = ", ".join(each.metric.name for each in objectives)
+        problem = f"needs one objective that has slopes, {having}; the objectives are {given}"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="optimize.method", value="gradient")
     for axis in study.axes:
         first = axis[0]
         free = not first.values and not first.whole and not first.step and min(first.low, first.high) > 0
         if len(axis) != 1 or not free:
-            raise Refusal(
-                f"parameters.{first.name} must be a range above 0 of its own, without steps, for "
-                "optimize.method = 'gradient'"
-            )
+            allowed = "a range above 0 of its own, without steps, for optimize.method = 'gradient'"
+            raise Refusal(kind=Kind.CONFLICT, field=f"parameters.{first.name}", allowed=allowed)

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
-from geometry.ground.refusal import counted
+from geometry.ground.refusal import Kind, counted
 from studies.optimization.descent import Descent
 from studies.optimization.journal import opened, read_only, read_seal, seal
 from studies.optimization.problem import Optimization, searched_range
@@ -286,10 +286,10 @@ def _at(parameter: Parameter, place: NDArray[np.float64]) -> float | int:
 
 def _had(parameter: Parameter, value: float, low: float) -> float:
     """The nearest size that can be had and is not below what can be printed."""
-    size = float(parameter.had(np.array([value]))[0])
+    size = float(parameter.to_stock_size(np.array([value]))[0])
     if size >= low:
         return size
-    return float(parameter.had(np.array([size + parameter.step]))[0]) if parameter.step else low
+    return float(parameter.to_stock_size(np.array([size + parameter.step]))[0]) if parameter.step else low
 
 
 def _result(search: optuna.Study, problem: Optimization) -> OptimizationResult:
@@ -321,7 +321,8 @@ def _base(problem: Optimization) -> Candidate:
     with open_workers(1, None) as team:
         table, (reason,) = design_metrics([{}], problem.study, problem.metrics, team)
     if reason:
-        raise StudyError(f"{problem.study.base.name}: cannot be computed: {reason}")
+        problem_words = f"cannot be computed: {reason}"
+        raise StudyError(problem_words, kind=Kind.NO_RESULT, file=problem.study.base.name)
     figures = {metric.name: float(value) for metric, value in zip(problem.metrics, table[0], strict=True)}
     return Candidate(-1, {}, figures, _keeps(problem, figures))
 

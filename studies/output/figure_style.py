@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.ground.whole_files import whole_file
-from studies.metrics.pairs import BAND
+from localize.signals.stimulus import BAND
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -2,8 +2,6 @@
 
 Where a result may go is decided here for every call that takes an ``out``: a file that is read, was measured or is of
 another kind is never written over, and a folder that holds anything is written into only by what made it.
-
-A refusal names an argument other than its first word in backticks: the command line makes an option of it.
 """
 
 from __future__ import annotations
@@ -20,9 +18,9 @@ from typing import Any
 
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import read_bytes
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import LARGEST_TEXT, read_text
-from geometry.ground.whole_files import check_own_kind, write_text
+from geometry.ground.whole_files import write_text
 
 #: Marks a folder as the result of a run, which a later run may replace.
 MARK = ".acoustic-fem-run"
@@ -36,6 +34,7 @@ REPORT = ("report.html", "results.json")
 
 Files = Iterable[str | os.PathLike[str] | None]
 """Files and folders that a call reads; None for one that is not given."""
+_ANOTHER_FILE = "name another file, or remove this one"
 
 
 def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
@@ -62,9 +61,11 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     made = mark.read_text(encoding="utf-8", errors="replace").split() if mark.is_file() else []
     digests = [word for word in made if len(word) == len(_digest(b""))]
     if found is not None and digests and _digest(found) not in digests and found != design.encode():
-        raise Refusal(f"{of_earlier}: was changed since a run wrote it, and would be replaced; move it out of `out`")
+        problem = "was changed since a run wrote it, and would be replaced"
+        raise Refusal(problem, kind=Kind.EXISTS, file=of_earlier, remedy="move it to another folder")
     if fidelity_in(library) == MEASURED:
-        raise Refusal(f"{library}: exists, and a measured library is never overwritten; move it out of `out`")
+        problem = "exists, and a measured library is never overwritten"
+        raise Refusal(problem, kind=Kind.EXISTS, file=library, remedy="move it to another folder")
     # Both designs, for a run may be killed before the one takes the place of the other.
     known = dict.fromkeys(_digest(text) for text in (found, design.encode()) if text is not None)
     make_folder(folder, "run", MARK, known)
@@ -97,16 +98,19 @@ def check_new_file(
     if path.suffix == ".png":
         check_extras(f"what draws {path}", "plots")
     if path.is_dir():
-        raise Refusal(f"{path}: is a folder; `{option}` must be a file")
+        raise Refusal("must be a file, not a folder", kind=Kind.EXISTS, file=path, field=option)
     if kept is not None and path.exists():
-        raise Refusal(f"{path}: exists, and {kept} is never overwritten; name another file, or remove this one")
+        problem = f"exists, and {kept} is never overwritten"
+        raise Refusal(problem, kind=Kind.EXISTS, file=path, field=option, remedy=_ANOTHER_FILE)
     _check_not_read(path, reads, option)
-    if suffix:
-        check_own_kind(path, suffix, Refusal)
+    if suffix and path.exists() and path.suffix.lower() != suffix:
+        problem = f"exists, and only a {suffix} file is replaced"
+        raise Refusal(problem, kind=Kind.EXISTS, file=path, field=option, remedy=_ANOTHER_FILE)
     if path.exists() and not path.is_file():
-        raise Refusal(f"{path}: is no ordinary file; `{option}` must be one, or new")
+        raise Refusal("must be an ordinary file, or a new one", kind=Kind.EXISTS, file=path, field=option)
     if not path.parent.is_dir():
-        raise Refusal(f"{path}: `{option}` must lie in a folder that exists; there is no {path.parent}")
+        problem = f"must lie in a folder that exists; there is no {path.parent}"
+        raise Refusal(problem, kind=Kind.MISSING, file=path, field=option)
     _check_writable(path, path.parent, option)
 
 
@@ -139,7 +143,8 @@ def check_new_library(path: Path, formats: Sequence[str], reads: Files = ()) -> 
     from acoustic_fem.library.exchange import check_replaceable
 
     if path.suffix.lower() not in formats and not path.is_dir():
-        raise Refusal(f"{path}: `out` must be a library, {' or '.join(formats)}")
+        allowed = f"a library, {' or '.join(formats)}"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field="out", allowed=allowed)
     check_new_file(path, reads=reads)
     check_replaceable(path)
 
@@ -160,15 +165,20 @@ def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files
     """
     place = next(folder for folder in (path, *path.absolute().parents) if folder.exists() or folder.is_symlink())
     if not place.is_dir():
-        raise Refusal(f"{path}: `out` must be a folder; {place} is a {'file' if place.exists() else 'link to nothing'}")
+        problem = f"must be a folder; {place} is a {'file' if place.exists() else 'link to nothing'}"
+        raise Refusal(problem, kind=Kind.EXISTS, file=path, field="out")
     for read in reads:
         if read is not None and Path(read).exists() and Path(read).resolve().is_relative_to(path.resolve()):
-            raise Refusal(f"{path}: holds {read}, which is read; `out` must be another folder")
+            problem = f"holds {read}, which is read"
+            raise Refusal(problem, kind=Kind.CONFLICT, file=path, field="out", remedy="name another folder")
     is_own = maker is None or not path.is_dir() or any((path / mark).is_file() for mark in marks)
     if not is_own and any(path.iterdir()):
         raise Refusal(
-            f"{path}: holds files that no {maker} of this program made; `out` must be a new or empty folder, or one of "
-            f"an earlier {maker}"
+            f"holds files that no {maker} of this program made",
+            kind=Kind.EXISTS,
+            file=path,
+            field="out",
+            remedy=f"name a new or empty folder, or one of an earlier {maker}",
         )
     _check_writable(path, place, "out")
 
@@ -192,7 +202,8 @@ def _check_not_read(path: Path, reads: Files, option: str) -> None:
     for read in reads:
         if read is not None and path.exists() and Path(read).exists() and path.samefile(read):
             same = "a file" if Path(read) == path else f"the same file as {read}"
-            raise Refusal(f"{path}: `{option}` is {same}, which is read; name another file")
+            problem = f"is {same}, which is read"
+            raise Refusal(problem, kind=Kind.CONFLICT, file=path, field=option, remedy="name another file")
 
 
 def _digest(content: bytes) -> str:
@@ -239,7 +250,8 @@ def replaced_files(folder: Path) -> Iterator[Path]:
     earlier = set(read_text(listed, "a list of files", Refusal).splitlines()) if listed.exists() else set()
     for name in sorted(earlier):
         if name in ("", ".", "..") or Path(name).name != name:
-            raise Refusal(f"{listed}: {name!r} must be the name of a file in {folder}; remove the list or mend it")
+            problem = f"must be the name of a file in {folder}"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, file=listed, value=name, remedy="correct or remove the list")
     folder.mkdir(parents=True, exist_ok=True)
     _remove(fresh)
     fresh.mkdir()
@@ -280,7 +292,8 @@ def _check_writable(path: Path, place: Path, option: str) -> None:
             pass
     except OSError as error:
         reason = error.strerror or str(error)
-        raise Refusal(f"{path}: `{option}` cannot be written: {reason}: {place}") from None
+        problem = f"cannot be written: {reason}: {place}"
+        raise Refusal(problem, kind=Kind.UNREADABLE, file=path, field=option) from None
 
 
 def _remove(path: Path) -> None:

@@ -13,7 +13,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from studies.metrics.pairs import BAND, microphone_ratios
+from localize.signals.stimulus import BAND
+from studies.metrics.pairs import microphone_ratios
 from studies.metrics.separation import Separability
 from studies.output.figure_style import WIDTH, figure_in_style, frequency_panels, line_colours, save_figure
 

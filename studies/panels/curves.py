@@ -15,7 +15,8 @@ from acoustic_fem import Library
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
-from studies.metrics.pairs import BAND, microphone_ratios
+from localize.signals.stimulus import BAND
+from studies.metrics.pairs import microphone_ratios
 
 #: Frequencies of the curves: so many, equally far apart on a logarithmic axis, over the band of the paper's sensors.
 FREQUENCY_COUNT = 56

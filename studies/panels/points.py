@@ -12,9 +12,9 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps
 from geometry.layout.remedies import mend_of
+from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import Responses
 from studies.metrics.covered_area import FINGER
-from studies.metrics.pairs import BAND
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.frequencies import FREQUENCIES
@@ -24,9 +24,9 @@ from studies.study.metric_registry import SENSORS, metrics_named
 
 #: Figures of merit of the whole design that the page shows, by the names that a study knows them by.
 FIGURES = (
-    "predicted_top1", "predicted_top1_loud", "confused_pair", "distance_smallest", "ild_smallest", "ipd_smallest",
-    "scatter_detection", "sensitivity_force", "noise_equivalent_force", "bandwidth", "coverage", "length", "width",
-    "height", "volume", "mass", "cost", "smallest_wall",
+    "predicted_top1", "predicted_top1_white_noise", "confused_pair", "distance_smallest", "ild_smallest",
+    "ipd_smallest", "scatter_detection", "sensitivity_force", "noise_equivalent_force", "bandwidth", "coverage",
+    "length", "width", "height", "volume", "mass", "cost", "smallest_wall",
 )  # fmt: skip
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import warnings
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -26,7 +25,8 @@ from geometry.assembly.model import array_model
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras, is_installed
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps, schematic_notes
 from geometry.layout.placement import ArrayLayout
@@ -37,8 +37,9 @@ from geometry.printing.printability import PrintReport
 from geometry.printing.report_files import report_content
 from geometry.schema.field_errors import DesignError
 from geometry.schema.part_fields import Tube
+from localize.signals.stimulus import BAND
 from studies.metrics.covered_area import FINGER, coverage
-from studies.metrics.pairs import BAND, worst_heard
+from studies.metrics.pairs import worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, write_json
 from studies.run.quality import DesignQuality, design_quality, draw_quality
@@ -87,7 +88,7 @@ class DesignCheck:
     overlaps: tuple[str, ...]
     """Lines on what of the layout cannot be built: parts in each other's way, tubes bent too far."""
     mend: str
-    """Change that would mend the overlaps; empty where there is none, or none is known."""
+    """Change that would remove the overlaps; empty where there are none, or none is known."""
     part_counts: Mapping[str, int]
     """Number of each part; empty where none was drawn, for nothing is installed that draws."""
     misfits: tuple[str, ...]
@@ -143,11 +144,11 @@ class DesignCheck:
         return "cannot be printed" if self.failures else "a valid design"
 
     @property
-    def objection(self) -> str | None:
-        """Why the array cannot be made, in one line; None where it can."""
+    def error(self) -> DesignError | None:
+        """The error of a design that cannot be made, with every problem; None where it can be made."""
         if not self.problems:
             return None
-        return str(DesignError.of_notes(self.design.name, self.problems, self.verdict, self.mend))
+        return DesignError.of_notes(self.design.name, self.problems, self.verdict, self.mend)
 
     def to_dict(self) -> dict[str, Any]:
         """Findings as JSON can hold them."""
@@ -177,9 +178,9 @@ class DesignCheck:
 
 def check_design(
     design: DesignLike,
-    out: str | os.PathLike[str] | None = None,
+    out: PathLike | None = None,
     *,
-    picture: str | os.PathLike[str] | None = None,
+    picture: PathLike | None = None,
     quality: bool = True,
     display: Display | None = None,
 ) -> DesignCheck:
@@ -189,19 +190,19 @@ def check_design(
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
-        out: a JSON file for all that was found; an earlier one is replaced.
-        picture: a PNG file for the array in plan with how well each point is told from the others.
+        out: a JSON file for all findings; an earlier one is replaced.
+        picture: a PNG file for the array in plan, each point coloured by its predicted accuracy.
         quality: whether to predict how good it is: :func:`studies.run.design_quality`; with a picture in any case.
         display: shows what is being done.
 
     Raises:
-        Refusal: a part cannot be built, the membrane's proportions are outside what can be solved, a file cannot be
-            written, or a picture of a design that has nothing to tell apart.
+        Refusal: no such design, a part cannot be built, the membrane's proportions are outside what can be solved, a
+            file cannot be written, or a picture is asked for of a design with one point or microphone.
     """
     path, drawn = None if out is None else Path(out), None if picture is None else Path(picture)
-    check_new_file(path, ".json")
-    check_new_file(drawn, ".png")
     design = resolve_design(design)
+    check_new_file(path, ".json")
+    check_new_file(drawn, ".png", option="picture")
     if drawn is not None:
         check_extras("what judges points", "train")
     judge = drawn is not None or (quality and is_installed("train"))
@@ -214,7 +215,8 @@ def check_design(
         write_json(path, found.to_dict())
     if drawn is not None:
         if found.quality is None:
-            raise Refusal(f"{design.name}: a picture of fewer than two points or microphones would show nothing")
+            problem = "needs a design of at least two points and two microphones"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="picture")
         draw_quality(design, found.quality, drawn)
     return found
 

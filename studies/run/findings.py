@@ -13,9 +13,10 @@ from acoustic_fem.membrane.disc import design_disc
 from geometry.design.design_file import write_design
 from geometry.ground.refusal import counted
 from geometry.layout.size import array_size
+from localize.signals.stimulus import BAND
 from studies.evaluation.full_evaluation import RIG_GROUP
 from studies.metrics.covered_area import FINGER, coverage
-from studies.metrics.pairs import BAND, attenuation, sensitivity, worst_heard
+from studies.metrics.pairs import attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
 from studies.run.run_result import RunResult

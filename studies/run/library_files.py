@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 from numpy.typing import ArrayLike
@@ -16,6 +15,7 @@ from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import counted
+from geometry.ground.typed import PathLike
 from studies.output.display import Display
 from studies.output.folders import check_new_library
 from studies.output.frequencies import LIBRARY_FREQUENCIES
@@ -23,7 +23,7 @@ from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 def solve_library(
     design: DesignLike,
-    out: str | os.PathLike[str],
+    out: PathLike,
     *,
     fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
@@ -37,13 +37,13 @@ def solve_library(
         out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
         fidelity: see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
-        air: of the place where it is used; what is not given is the design's.
+        air: air of the place where it is used; values that are not given are the design's.
         display: shows what is being done, then a line for each distinct cell.
 
     Raises:
         Refusal: a file that cannot be written, a bad frequency or fidelity, or a design that cannot be solved.
     """
-    path, show = Path(out), display or Display()
+    path, show, design = Path(out), display or Display(), resolve_design(design)
     check_new_library(path, (".nc",))
     design = resolve_design(design)
     if fidelity not in CLOSED_FORMS:
@@ -57,7 +57,7 @@ def solve_library(
     return library
 
 
-def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]) -> Library:
+def convert_library(library: PathLike, out: PathLike) -> Library:
     """Library of a file, written in another format, to the last digit.
 
     Args:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -16,6 +15,8 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import FORMATS, ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
+from geometry.ground.refusal import Field
+from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.remedies import refuse_unbuildable
@@ -27,8 +28,8 @@ from geometry.schema.print_processes import PrintProcess, find_process, process_
 from studies.output.display import Display, Report
 from studies.output.folders import FILES, check_folder, replaced_files
 
-#: How what cannot be built is drawn, for those who read why it is refused.
-ALL_THE_SAME = "`allow_overlaps` draws it all the same"
+#: Remedy where a design cannot be built.
+ALL_THE_SAME = (Field("allow_overlaps"), " draws it all the same")
 
 
 @dataclass(frozen=True)
@@ -55,10 +56,10 @@ class MadeParts:
 
 def export_parts(
     design: DesignLike,
-    out: str | os.PathLike[str],
+    out: PathLike,
     *,
     formats: Sequence[str] = FORMATS,
-    process: PrintProcess | str | os.PathLike[str] | None = None,
+    process: PrintProcess | PathLike | None = None,
     allow_overlaps: bool = False,
     display: Display | None = None,
 ) -> MadeParts:
@@ -66,11 +67,11 @@ def export_parts(
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
-        out: a folder, made if it does not exist. What it holds of an earlier call is replaced when all is made; files
+        out: a folder, made if it does not exist. Files of an earlier call in it are replaced when all is made; files
             of others stay, but for those of the same name.
-        formats: of the files of each part.
-        process: whose rules are applied: a name or a ``.toml`` file; by default that of the design.
-        allow_overlaps: draw also what cannot be built; what is in the way of what is then noted.
+        formats: formats of the files of each part.
+        process: printing process whose rules are applied: a name or a ``.toml`` file; by default that of the design.
+        allow_overlaps: draw a design that cannot be built too; overlaps are then noted.
         display: shows what is being made.
 
     Raises:

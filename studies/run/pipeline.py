@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import warnings
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 import acoustic_fem
 from acoustic_fem import Library
@@ -24,7 +23,8 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.formats.part_files import ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.placement import ArrayLayout
@@ -34,6 +34,8 @@ from geometry.printing.printability import PrintReport
 from localize import BayesDecoder, TrainingPlan
 from localize.decoders.tolerant import tolerant_decoder
 from localize.signals.array_response import response_of
+from localize.signals.locator import Locator
+from localize.signals.stimulus import BAND
 from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output import response_figures as draw
@@ -50,7 +52,6 @@ from studies.run.validity import model_validity
 
 if TYPE_CHECKING:
     from localize import Localizer
-    from localize.evaluation.accuracy import Locator
     from studies.evaluation.headline import Headline
 
 #: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:
@@ -67,12 +68,12 @@ SEED = 0
 
 def run_design(
     design: DesignLike,
-    out: str | os.PathLike[str],
+    out: PathLike,
     *,
     display: Display | None = None,
     fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
-    training: TrainingPlan | None = None,
+    plan: TrainingPlan | None = None,
     allow_overlaps: bool = False,
 ) -> RunResult:
     """Result of the whole chain for one design, written into a folder with ``report.html``.
@@ -81,13 +82,13 @@ def run_design(
     that a run that is killed leaves no half of one; ``report.html`` and ``results.json`` come last.
 
     Args:
-        design: the array: a design, the path of its file, or the name of a prototype.
+        design: the array: a design, the path of its file, or the name of a prototype; it must have at least two points.
         out: a new or empty folder, or one that an earlier run made.
         display: shows what is being done.
-        fidelity: of the library, see :func:`acoustic_fem.solve`.
+        fidelity: fidelity of the library, see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, covering 1 to 100 Hz, or FIRST:LAST:COUNT.
-        training: how to train the localizer; by default :func:`training_plan`, with which the same design gives the
-            same report whatever else the machine does. The localizer is judged with the noise it was trained with.
+        plan: plan of the localizer's training; by default :func:`training_plan`, with which the same design gives the
+            same report whatever else the machine does. The localizer is evaluated with the noise of the plan.
         allow_overlaps: go on also where parts are in each other's way; the report then says which.
 
     Raises:
@@ -95,21 +96,20 @@ def run_design(
             or decoded.
         OSError: the folder cannot be written.
     """
-    show, design = display or Display(), resolve_design(design)
-    check_points(design)
+    show, design = display or Display(), _with_points(design)
     check_system_libraries()
     layout = lay_out(design)
     if not allow_overlaps:
         refuse_unbuildable(design, layout, ALL_THE_SAME)
     folder = claim_folder(out, write_design(design.completed()))
-    training = training or training_plan(design.point_count)
+    plan = plan or training_plan(design.point_count)
     grid = frequency_grid(frequency)
 
     with show.stage("Parts", of=_STAGES) as report:
         model, files, printing, figures = _make_parts(design, layout, folder, report)
     library, lumped, limits = _solved(design, grid, fidelity, folder, show)
     distances = separability(library.transfer_function)
-    localizer, network, bayes, tolerant = _judged_localizer(library, training, folder, show)
+    localizer, network, bayes, tolerant = _trained_localizer(library, plan, folder, show)
 
     difference = None
     if lumped is not None:
@@ -145,35 +145,33 @@ def run_design(
     return result
 
 
+def _with_points(design: ArrayDesign | PathLike) -> ArrayDesign:
+    """The design, which must have points to tell apart; an error names its file."""
+    found = resolve_design(design)
+    if found.point_count < 2:
+        raise Refusal(
+            kind=Kind.UNSUITABLE,
+            file=found.name if isinstance(design, ArrayDesign) else design,
+            field="lines.0.points",
+            value=found.point_count,
+            allowed="at least 2, because run tells points apart",
+            remedy="solve and parts take one point",
+        )
+    return found
+
+
 def training_plan(points: int) -> TrainingPlan:
     """Plan of a run's training: by the number of points alone, without a limit of time, with the design's own noise."""
     touches = min(TOUCHES_PER_POINT, max(1, MOST_TOUCHES // (EPOCHS * points)))
     return TrainingPlan(epochs=EPOCHS, seconds_per_point=touches, microphone_noise="design")
 
 
-def check_points(design: ArrayDesign, source: str | None = None) -> None:
-    """Refuse a design with nothing to tell apart, before any work.
-
-    Args:
-        design: the design.
-        source: what to call it in the message, such as its file; by default its name.
-
-    Raises:
-        Refusal: it has one point in all.
-    """
-    if design.point_count < 2:
-        raise Refusal(
-            f"{source or design.name}: lines.0.points = {design.point_count} must be at least 2: run needs at least 2 "
-            "points, to tell one from the other; solve and parts take one"
-        )
-
-
-def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:
-    """Tell the user every warning; those that speak of a model's limits are returned for the report."""
-    told = dict.fromkeys((entry.category, str(entry.message)) for entry in caught)
-    for _, message in told:
+def _warnings_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:
+    """Texts of the warnings about a model's limits, for the report; all warnings are shown to the user."""
+    shown = dict.fromkeys((entry.category, str(entry.message)) for entry in caught)
+    for _, message in shown:
         show.note(f"note: {message}")
-    return tuple(message for category, message in told if not issubclass(category, CacheWarning))
+    return tuple(message for category, message in shown if not issubclass(category, CacheWarning))
 
 
 # -- stages ------------------------------------------------------------------------------------------------
@@ -208,9 +206,9 @@ def _picture_height(model: ArrayModel) -> int:
 
 
 def _solved(
-    design: ArrayDesign, grid: NDArray[np.float64], fidelity: str, folder: Path, show: Display
+    design: ArrayDesign, grid: Array, fidelity: str, folder: Path, show: Display
 ) -> tuple[Library, Library | None, tuple[str, ...]]:
-    """The library, that of closed forms in the band where it is another, and what was said of the models' limits."""
+    """The library, one of closed forms in the band where that is another, and warnings about the models' limits."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         with show.stage("Cells", of=_STAGES) as report:
@@ -222,28 +220,27 @@ def _solved(
         if fidelity != "lumped":
             inside = (grid >= BAND[0]) & (grid <= BAND[1])
             lumped = acoustic_fem.solve(design, grid[inside], fidelity="lumped")
-    return library, lumped, _said_of_models(caught, show)
+    return library, lumped, _warnings_of_models(caught, show)
 
 
-def _judged_localizer(
-    library: Library, training: TrainingPlan, folder: Path, show: Display
+def _trained_localizer(
+    library: Library, plan: TrainingPlan, folder: Path, show: Display
 ) -> tuple[Localizer, Headline, Headline, Headline | None]:
-    """The trained localizer, and how it, the model-based decoder and the tolerant one name held-out touches."""
+    """The trained localizer, and evaluations of it, the model-based decoder and the tolerance-aware one."""
     from localize import train
     from studies.evaluation.headline import TOLERANT, judge_headlines
 
     with show.stage("Localizer", of=_STAGES) as report:
         report("training", 0.0)
         localizer = train(
-            library, training, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
+            library, plan, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
         )
         with replaced_folder(folder / "localizer") as fresh:
             localizer.save(fresh)
     with show.stage("Evaluation", of=_STAGES) as report:
         touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // library.design.point_count)
-        decoder = BayesDecoder(library, training.microphone_noise)
-        locators: dict[str, Locator] = {"network": localizer, "Bayes decoder": decoder}
-        noise = training.microphone_noise
+        noise = plan.microphone_noise
+        locators: dict[str, Locator] = {"network": localizer, "Bayes decoder": BayesDecoder(library, noise)}
         tolerant = tolerant_decoder(library, noise)
         if tolerant is not None:
             locators[TOLERANT] = tolerant

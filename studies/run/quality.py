@@ -18,9 +18,9 @@ from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
+from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import Responses
 from studies.metrics.build import cost
-from studies.metrics.pairs import BAND
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import number

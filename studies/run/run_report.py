@@ -18,7 +18,7 @@ from geometry.air.cells import Cell
 from geometry.ground.refusal import counted
 from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import cutting_list
-from studies.metrics.pairs import BAND
+from localize.signals.stimulus import BAND
 from studies.output.display import number
 from studies.run.check import cell_uses
 from studies.run.findings import (

@@ -14,7 +14,7 @@ from typing import Any
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import changed
 from geometry.design.design_file import prototype, prototype_text, save_design, value_of
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Field, Kind, Refusal, Text
 from geometry.ground.whole_files import write_text
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import OverlapError, refuse_overlaps, schematic_notes
@@ -41,26 +41,26 @@ class Place:
     """Kind of the layout with two microphones."""
     joined: str
     """Kind of the layout with more."""
-    room: tuple[float, float] = (math.inf, math.inf)
-    """Longer and shorter side of what the shells may cover, mm; along a limb or a finger the first alone counts."""
-    room_words: str = ""
-    """The room in words."""
+    area: tuple[float, float] = (math.inf, math.inf)
+    """Longer and shorter side of the area for the shells, mm; along a limb or a finger the first alone counts."""
+    area_words: str = ""
+    """The area in words."""
 
 
-#: Where a new design may go. The rooms are assumed, those of a large hand and forearm.
+#: Places where a new design may go. The areas are assumed, those of a large hand and forearm.
 PLACES = {
     "flat": Place("on a flat surface", "array-2x6", 12, 18.5, 2, "serpentine", "area"),
     "fingertip": Place(
         *("on a fingertip", "fingertip-3x4", 12, 4.0, 2, "serpentine", "area"),
-        *((40.0, 35.0), "a fingertip has room for shells on 40 x 35 mm"),
+        *((40.0, 35.0), "a fingertip takes shells on 40 x 35 mm"),
     ),
     "wrist": Place(
         *("around a wrist or a tool", "array-2x6", 12, 18.5, 2, "cylinder", "cylinder"),
-        *((300.0, math.inf), "a wrist or a tool has 300 mm of length"),
+        *((300.0, math.inf), "a wrist or a tool takes shells over a length of 300 mm"),
     ),
     "hand": Place(
         *("along the fingers of a glove", "glove", 12, 21.0, 3, "hand", "hand"),
-        *((110.0, math.inf), "a hand has five fingers of 110 mm"),
+        *((110.0, math.inf), "a hand takes shells on five fingers of 110 mm"),
     ),
 }
 #: Below this pitch the parts are those of a fingertip, mm.
@@ -140,7 +140,7 @@ def new_design(
             that have are named), or a file that exists or cannot be written.
     """
     if place not in PLACES:
-        raise Refusal(f"place = {place!r} must be of {', '.join(PLACES)}")
+        raise Refusal(kind=Kind.UNKNOWN, field="place", value=place, allowed=tuple(PLACES))
     usual = PLACES[place]
     points = usual.points if points is None else points
     pitch = usual.pitch if pitch is None else pitch
@@ -149,10 +149,11 @@ def new_design(
     for field, (least, most) in _LIMITS.items():
         kind, words = (Integral, "a whole number ") if isinstance(least, int) else (Real, "")
         if not (isinstance(chosen[field], kind) and least <= chosen[field] <= most):
-            raise Refusal(f"{field} = {chosen[field]!r} must be {words}from {least:g} to {most:g}")
+            allowed = f"{words}from {least:g} to {most:g}"
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field=field, value=chosen[field], allowed=allowed)
     if microphones > (most := _most_microphones(usual, points)):
-        allowed = "2" if most == 2 else f"from 2 to {most}"
-        raise Refusal(f"microphones = {microphones} must be {allowed} for {points} points {usual.words}")
+        allowed = f"{'2' if most == 2 else f'from 2 to {most}'} for {points} points {usual.words}"
+        raise Refusal(kind=Kind.CONFLICT, field="microphones", value=microphones, allowed=allowed)
 
     _from_base({"name": name}, prototype(usual.base).layout.model_dump(), usual.base)
     path = Path(f"{name}.toml" if out is None else out)
@@ -160,7 +161,8 @@ def new_design(
     asked = _Asked(name, usual, points, pitch, microphones, diameter)
     design = _buildable(asked)
     if isinstance(design, Refusal):
-        raise Refusal(f"points = {points}, {pitch:g} mm apart, cannot lie {usual.words}: {design}{_instead(asked)}")
+        problem = f"with a pitch of {pitch:g} mm do not fit {usual.words}: {design.problem}"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="points", value=points, remedy=_instead(asked))
     save_design(design, path)
     return design
 
@@ -186,14 +188,14 @@ def _buildable(asked: _Asked) -> ArrayDesign | Refusal:
             problem = problem or error
         else:
             return design
-    return problem or Refusal(asked.place.room_words)
+    return problem or Refusal(asked.place.area_words, kind=Kind.CONFLICT)
 
 
-def _instead(asked: _Asked) -> str:
-    """In words, the next numbers of points and the next pitch that can be had, each with all else as asked."""
+def _instead(asked: _Asked) -> Text:
+    """Remedy: the next numbers of points and the next pitches that fit, each with all else as asked."""
     (least, most), (closest, widest) = _LIMITS["points"], _LIMITS["pitch"]
-    # more than these have no room, however they lie
-    long, short = (side / asked.pitch + 1 for side in asked.place.room)
+    # more than these do not fit, however they lie
+    long, short = (side / asked.pitch + 1 for side in asked.place.area)
     rows = {"hand": hand.FINGERS, "cylinder": math.pi * (asked.diameter / asked.pitch + 4)}.get(
         asked.place.layout, short
     )
@@ -204,25 +206,25 @@ def _instead(asked: _Asked) -> str:
         "points": [(replace(asked, points=count) for count in each) for each in counts],
         "pitch": [(replace(asked, pitch=pitch) for pitch in each) for each in steps],
     }
-    found = []
+    found: list[str] = []
     for field, sides in fields.items():
         if known := [f"{getattr(each, field):g}" for each in map(_next, sides) if each]:
-            found.append(f"{field} = {' or '.join(known)}")
-    return f"; what can be built there: {', or '.join(found)}" if found else ""
+            found += [", or " if found else "try ", Field(field), f" = {' or '.join(known)}"]
+    return tuple(found)
 
 
 def _next(others: Iterable[_Asked]) -> _Asked | None:
-    """The first of them that can be built, of the first few that have room."""
-    roomy = (each for each in others if each.points <= _TRIED_POINTS and next(_candidates(each), None))
-    return next((each for each in itertools.islice(roomy, _TRIES) if not isinstance(_buildable(each), Refusal)), None)
+    """The first of them that can be built, of the first few whose shells fit the place."""
+    fitting = (each for each in others if each.points <= _TRIED_POINTS and next(_candidates(each), None))
+    return next((each for each in itertools.islice(fitting, _TRIES) if not isinstance(_buildable(each), Refusal)), None)
 
 
-def _has_room(asked: _Asked, shell: Mapping[str, float], columns: int, lines: list[dict[str, Any]]) -> bool:
-    """Whether the shells of a layout lie on what the place offers."""
+def _fits(asked: _Asked, shell: Mapping[str, float], columns: int, lines: list[dict[str, Any]]) -> bool:
+    """True if the shells of a layout lie within the area of the place."""
     each = [line["points"] for line in lines]
     rows = sum(math.ceil(points / columns) for points in ([sum(each)] if asked.place.joined == "area" else each))
     across, along = ((count - 1) * asked.pitch + shell["outer"] for count in (columns, rows))
-    long, short = asked.place.room
+    long, short = asked.place.area
     if asked.place.layout == "cylinder":
         radii = ((shell["inner"] / 2,) * 2, (shell["outer"] / 2,) * 2, asked.diameter / 2 + shell["port"])
         try:
@@ -251,7 +253,7 @@ def _from_base(values: dict[str, Any], layout: dict[str, Any], base: str) -> Arr
 
 
 def _candidates(asked: _Asked) -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
-    """Changes of a prototype by field, and the layout, of designs that have room and are tried in turn."""
+    """Changes of a prototype by field, and the layout, of designs that fit the place and are tried in turn."""
     place, points, pitch = asked.place, asked.points, asked.pitch
     named, usual = _parts(place, pitch)
     base = prototype(named)
@@ -279,7 +281,7 @@ def _candidates(asked: _Asked) -> Iterator[tuple[dict[str, Any], dict[str, Any]]
         }
         for layout in _layouts(place, points, asked.microphones, asked.diameter):
             lines = _lines(names, points, layout["columns"])
-            if not _has_room(asked, shell, layout["columns"], lines):
+            if not _fits(asked, shell, layout["columns"], lines):
                 continue
             yield {**values, "lines": lines}, layout
             if (longest_last := [line["points"] for line in reversed(lines)]) != [line["points"] for line in lines]:

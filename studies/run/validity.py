@@ -12,7 +12,7 @@ from acoustic_fem.membrane.rubber import causal_slope
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 from localize.signals.noise_model import input_density
-from studies.metrics.pairs import BAND
+from localize.signals.stimulus import BAND
 
 #: Weakest sinusoid of the paper's stimuli, Pa, and length of the localizer's frames, s.
 WEAKEST_SINUSOID, FRAME_SECONDS = 0.02, 0.25

@@ -1,10 +1,10 @@
 """What manufacturing scatter does to a design: spread of its responses and of its accuracy, and what matters most.
 
-Three accuracies are predicted for each mis-made sensor (:mod:`studies.metrics.confusion`):
+Three accuracies are predicted for each sensor with scatter (:mod:`studies.metrics.confusion`):
 
 - ``calibrated``: every sensor is measured and has a localizer of its own;
 - ``nominal``: one localizer for all, trained on the nominal design;
-- ``trained``: one localizer for all, trained on a library of mis-made sensors
+- ``trained``: one localizer for all, trained on a library of sensors with scatter
   (:mod:`studies.scatter.perturbed_library`); a lower bound, for the likelihoods of 32 of them are averaged.
 
 What matters most is said by Sobol indices of groups: all deviations of one quantity, part by part, are one factor.
@@ -27,8 +27,9 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
-from geometry.ground.typed import Array
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
+from localize.signals import noise_model
 from studies.metrics.batch_responses import Responses
 from studies.metrics.confusion import check_grid, predict_confusion
 from studies.metrics.separation import pair_distances
@@ -36,17 +37,15 @@ from studies.metrics.separation import pair_distances
 if TYPE_CHECKING:
     from acoustic_fem.atlas.fidelity_choice import QuickFidelity
     from acoustic_fem.membrane.disc import KnownDiscs
-    from localize.signals.noise_model import NoiseSpectrum
+    from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 
-Complex = NDArray[np.complex128]
-
-#: The predicted accuracies, and who decides.
+#: Predicted accuracies by name, and the localizer that decides.
 ACCURACIES = {
     "calibrated": "a localizer for each sensor",
     "nominal": "one localizer, trained on the nominal design",
-    "trained": "one localizer, trained on mis-made sensors",
+    "trained": "one localizer, trained on sensors with scatter",
 }
-#: Sensors that the localizer of ``trained`` has seen; none of those it is judged on.
+#: Sensors that the localizer of ``trained`` has seen; it is evaluated on others.
 _SEEN = 32
 _BLOCK = 256
 
@@ -75,10 +74,10 @@ class ToleranceResult:
     """Quantities that scatter."""
     frequency: Array
     """Frequencies of the transfer functions; (n_freq,) float64, Hz."""
-    nominal: Complex
+    nominal: ComplexArray
     """Transfer functions of the nominal design; (n_point, n_microphone, n_freq) complex128, Pa/Pa."""
-    transfer_function: Complex
-    """Transfer functions of the mis-made sensors; (n_sample, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
+    transfer_function: ComplexArray
+    """Transfer functions of the sensors with scatter; (n_sample, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
     nominal_accuracy: float
     """Predicted top-1 of the nominal design, with its own localizer."""
     accuracy: dict[str, Array]
@@ -126,9 +125,9 @@ def scatter_effects(
     frequency: ArrayLike | str,
     *,
     samples: int = 256,
-    base: int = 128,
+    base_samples: int = 128,
     tolerances: Sequence[Tolerance] = TOLERANCES,
-    noise: float | None = None,
+    microphone_noise: NoiseChoice = "design",
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
 ) -> ToleranceResult:
@@ -139,30 +138,37 @@ def scatter_effects(
 
     Args:
         design: the nominal array.
-        frequency: (n_freq,), Hz, over 1 to 100 Hz.
-        samples: mis-made sensors.
-        base: of the Sobol indices: (number of tolerances + 2) times as many sensors are computed for them; 0 for none.
-        tolerances: what scatters.
-        noise: of every microphone, white, Pa rms over 0 to 500 Hz; by default that of the design's microphone.
-        seed: of all draws.
+        frequency: (n_freq,) Hz, over 1 to 100 Hz, or FIRST:LAST:COUNT.
+        samples: number of sensors with manufacturing scatter.
+        base_samples: base samples of the Sobol indices, for which (number of tolerances + 2) times as many sensors are
+            computed; 0 for no indices.
+        tolerances: quantities that scatter.
+        microphone_noise: white noise of every microphone, Pa rms over 0 to 500 Hz; by default the noise of the
+            design's microphone.
+        seed: seed of all draws.
         progress: called with what is being done and the fraction done.
 
     Raises:
         Refusal: a value out of range, or a design that the batch does not take.
     """
-    for name, value, least in (("samples", samples, 2), ("base", base, 0)):
+    for name, value, least in (("samples", samples, 2), ("base_samples", base_samples, 0)):
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 1_000_000:
-            raise Refusal(f"{name} = {value!r} must be a whole number from {least} to 1000000")
-    if noise is not None and not 0 < noise <= 100:
-        raise Refusal(f"noise = {noise!r} Pa must be above 0 and at most 100")
+            allowed = f"a whole number from {least} to 1000000"
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=allowed)
+    if microphone_noise != "design" and not 0 < microphone_noise <= 100:
+        allowed = "above 0 and at most 100 Pa"
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="microphone_noise", value=microphone_noise, unit="Pa", allowed=allowed
+        )
     report = progress or (lambda message, fraction: None)
     grid, air = frequency_grid(frequency), design_air(design)
     check_grid(grid)
     report("membranes", 0.0)
     scattered = ScatteredDesign(design, tolerances)
-    level, fidelity = _noise(design, noise), as_built_fidelity(scattered, grid, air)
+    level, fidelity = _noise(design, microphone_noise), as_built_fidelity(scattered, grid, air)
     sensors = AsBuiltSensors(scattered, grid, air, fidelity.name)
     nominal, made = sensors.nominal, sensors.transfer_functions
+
     blocks = ((first, min(_BLOCK, samples - first)) for first in range(0, samples, _BLOCK))
     h = np.concatenate([made(scattered.draws(first, count, seed)) for first, count in blocks])
     seen = made(scattered.draws(samples, _SEEN, seed))
@@ -185,7 +191,7 @@ def scatter_effects(
         accuracy=accuracy,
         deviation=deviation(h, nominal),
         closest=pair_distances(Responses(grid, h)).combined.min(axis=1),
-        sobol=_sobol(scattered, made, outputs, base, seed, report) if base else {},
+        sobol=_sobol(scattered, made, outputs, base_samples, seed, report) if base_samples else {},
         noise=f"white, {level:g} Pa rms over 0 to 500 Hz" if isinstance(level, float) else level.source,
         seed=seed,
         fidelity=fidelity,
@@ -194,27 +200,27 @@ def scatter_effects(
 
 def scattered_accuracy(
     design: ArrayDesign,
-    frequency: ArrayLike,
+    frequency: ArrayLike | str,
     *,
     sensors: int,
     tolerances: Sequence[Tolerance] = TOLERANCES,
-    noise: float | None = None,
+    microphone_noise: NoiseChoice = "design",
     seed: int = 0,
     known: KnownDiscs | None = None,
     fidelity: str = "lumped",
 ) -> Array:
-    """Predicted top-1 of mis-made sensors with one localizer, trained on the nominal design.
+    """Predicted top-1 of sensors with manufacturing scatter and one localizer, trained on the nominal design.
 
     The same deviations for every design of a topology, so that designs are compared by what differs in them. Takes
     a second for the elastic solutions of the membranes, and about six milliseconds per sensor of 12 points.
 
     Args:
         design: the nominal array.
-        frequency: (n_freq,), Hz, over 1 to 100 Hz.
-        sensors: how many.
-        tolerances: what scatters.
-        noise: as for :func:`scatter_effects`.
-        seed: of the draws.
+        frequency: (n_freq,) Hz, over 1 to 100 Hz, or FIRST:LAST:COUNT.
+        sensors: number of sensors.
+        tolerances: quantities that scatter.
+        microphone_noise: as for :func:`scatter_effects`.
+        seed: seed of the draws.
         known: membranes that need not be solved.
         fidelity: of all transfer functions.
 
@@ -225,16 +231,18 @@ def scattered_accuracy(
         Refusal: a design that the batch does not take, or a grid that does not cover the band.
     """
     scattered, grid = ScatteredDesign(design, tolerances, known), frequency_grid(frequency)
-    return _accuracy(scattered, grid, sensors, _noise(design, noise), seed, fidelity)
+    return _accuracy(scattered, grid, sensors, _noise(design, microphone_noise), seed, fidelity)
 
 
-def quick_scattered_accuracy(design: ArrayDesign, frequency: ArrayLike, *, sensors: int) -> tuple[Array, QuickFidelity]:
+def quick_scattered_accuracy(
+    design: ArrayDesign, frequency: ArrayLike | str, *, sensors: int
+) -> tuple[Array, QuickFidelity]:
     """:func:`scattered_accuracy` at the fidelity of a quick answer, and which that is.
 
     Args:
         design: the nominal array.
-        frequency: (n_freq,), Hz, over 1 to 100 Hz.
-        sensors: how many.
+        frequency: (n_freq,) Hz, over 1 to 100 Hz, or FIRST:LAST:COUNT.
+        sensors: number of sensors.
 
     Returns:
         (n_sensor,) float64, 0 to 1, and the fidelity: ``atlas`` if that covers all sensors that can be
@@ -245,7 +253,7 @@ def quick_scattered_accuracy(design: ArrayDesign, frequency: ArrayLike, *, senso
     """
     scattered, grid = ScatteredDesign(design), frequency_grid(frequency)
     fidelity = as_built_fidelity(scattered, grid, design_air(design))
-    return _accuracy(scattered, grid, sensors, _noise(design, None), 0, fidelity.name), fidelity
+    return _accuracy(scattered, grid, sensors, _noise(design, "design"), 0, fidelity.name), fidelity
 
 
 def _accuracy(
@@ -261,7 +269,7 @@ def _accuracy(
     return predict_confusion(h, grid, noise, assumed=drawn.nominal).top1
 
 
-def deviation(transfer_function: Complex, nominal: Complex) -> Array:
+def deviation(transfer_function: ComplexArray, nominal: ComplexArray) -> Array:
     """Deviation of sensors: rms over points, microphone pairs and frequencies of |log(r / r_nominal)|, r = H_a / H_b.
 
     Args:
@@ -274,8 +282,8 @@ def deviation(transfer_function: Complex, nominal: Complex) -> Array:
     change = np.log(transfer_function / nominal)
     first, second = np.triu_indices(change.shape[2], 1)
     ratio = change[:, :, first] - change[:, :, second]
-    turn = ratio.imag - 2 * np.pi * np.round(ratio.imag / (2 * np.pi))
-    return np.asarray(np.sqrt((ratio.real**2 + turn**2).mean(axis=(1, 2, 3))))
+    phase = ratio.imag - 2 * np.pi * np.round(ratio.imag / (2 * np.pi))
+    return np.asarray(np.sqrt((ratio.real**2 + phase**2).mean(axis=(1, 2, 3))))
 
 
 def sobol_indices(
@@ -311,8 +319,8 @@ def sobol_indices(
 
 def _sobol(
     scattered: ScatteredDesign,
-    made: Callable[[Mapping[str, Array]], Complex],
-    outputs: dict[str, Callable[[Complex], Array]],
+    made: Callable[[Mapping[str, Array]], ComplexArray],
+    outputs: dict[str, Callable[[ComplexArray], Array]],
     base: int,
     seed: int,
     report: Callable[[str, float], None],
@@ -331,12 +339,8 @@ def _sobol(
     return {name: sobol_indices(names, at[0], at[1], np.stack(at[2:]), seed) for name, at in found.items()}
 
 
-def _noise(design: ArrayDesign, noise: float | None) -> float | NoiseSpectrum:
-    if noise is not None:
-        return noise
-    from localize.signals.noise_model import microphone_noise
-
-    return microphone_noise(design.microphone, design_air(design))
+def _noise(design: ArrayDesign, noise: NoiseChoice) -> float | NoiseSpectrum:
+    return noise_model.microphone_noise(design.microphone, design_air(design)) if noise == "design" else noise
 
 
 def _spread(values: Array) -> dict[str, float]:

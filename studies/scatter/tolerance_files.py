@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from studies.metrics.pairs import BAND
+from localize.signals.stimulus import BAND
 from studies.output.figure_style import WIDTH, figure_in_style as new_figure, save_figure
 from studies.output.folders import write_json
 from studies.scatter.effects import ACCURACIES, ToleranceResult

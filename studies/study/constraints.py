@@ -8,11 +8,11 @@ import operator
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NoReturn
 
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal, said_by
 
 #: A dotted name; a step after ``materials.`` may hold dashes, an index of a list is a number.
 _NAME = re.compile(r"""(?<![\w.'"])(?:materials\.[\w-]+(?:\.\w+)+|[A-Za-z]\w*(?:\.\w+)*)\b(?!\s*\()""")
@@ -55,7 +55,8 @@ class Constraint:
         try:
             return bool(_value(self.tree, [values[name] for name in self.names]))
         except (TypeError, ArithmeticError, ValueError) as error:
-            raise Refusal(f"constraint {self.text!r} cannot be computed: {error}") from None
+            problem = f"cannot be computed: {said_by(error)}"
+            raise Refusal(problem, kind=Kind.NO_RESULT, field="constraints", value=self.text) from None
 
 
 def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
@@ -68,8 +69,12 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
     Raises:
         Refusal: it cannot be read, is no condition, or holds a name that the design does not know.
     """
+
+    def refuse(problem: str, kind: Kind = Kind.WRONG_TYPE, remedy: str = "") -> NoReturn:
+        raise Refusal(problem, kind=kind, field="constraints", value=text, remedy=remedy) from None
+
     if len(text) > _LONGEST:
-        raise Refusal(f"constraint of {len(text)} characters must have at most {_LONGEST}")
+        refuse(f"has {len(text)} characters; it must have at most {_LONGEST}", Kind.OUT_OF_RANGE)
     names: list[str] = []
 
     def placed(match: re.Match[str]) -> str:
@@ -89,19 +94,17 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
         tree = ast.parse("".join(pieces).strip(), mode="eval").body
         _check(tree, len(names))
     except (SyntaxError, ValueError, RecursionError) as error:
-        why = error.problem if isinstance(error, Refusal) else "cannot be read"
-        raise Refusal(
-            f"constraint {text!r} {why}; it must be a condition such as 'tube.length > 20 * tube.inner_diameter'"
-        ) from None
+        problem = "holds what is not allowed" if isinstance(error, Refusal) else "cannot be read"
+        refuse(problem, remedy="give a condition such as 'tube.length > 20 * tube.inner_diameter'")
     if not isinstance(tree, (ast.Compare, ast.BoolOp, ast.UnaryOp)):
-        raise Refusal(f"constraint {text!r} must compare values, with <, <=, >, >=, == or !=")
+        refuse("must compare values, with <, <=, >, >=, == or !=")
     for name in names:
         try:
             value = value_of(base, name)
         except DesignError as error:
-            raise Refusal(f"constraint {text!r}: {error}") from None
+            refuse(f"names {name}, which {error.problem}", error.kind, str(error.remedy))
         if not isinstance(value, (int, float, str)) and value is not None:
-            raise Refusal(f"constraint {text!r}: {name} must be a number or a text, not a table or a list")
+            refuse(f"names {name}, which must be a number or a text, not a table or a list")
     return Constraint(text, tuple(names), tree)
 
 
@@ -123,7 +126,7 @@ def _check(node: ast.AST, count: int) -> None:
         case ast.Constant(value=float() | int() | str()):
             parts = []
         case _:
-            raise Refusal("holds what is not allowed")
+            raise Refusal(kind=Kind.WRONG_TYPE)
     for part in parts:
         _check(part, count)
 

@@ -1,4 +1,4 @@
-"""Study files, read. Every refusal is a :class:`studies.study.study.StudyError` of one line."""
+"""Study files, read. Every refusal is a :class:`studies.study.study.StudyError` with file and field."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
 from acoustic_fem.atlas.fidelity_choice import quick_fidelity
@@ -18,10 +17,11 @@ from acoustic_fem.quantities.fidelity import Fidelity
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.changes import as_lists, check_name
 from geometry.design.design_file import prototype, prototype_names, value_of
-from geometry.ground.refusal import Refusal, in_one_line
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_toml, read_text
+from geometry.ground.typed import Array, PathLike
 from geometry.schema.declared_fields import field_named
-from geometry.schema.field_errors import check_value, model_of
+from geometry.schema.field_errors import check_value, model_of, nearest
 from studies.study.constraints import parse_constraint
 from studies.study.metric_registry import metrics_named
 from studies.study.study import Parameter, Sampling, Study, StudyError
@@ -31,7 +31,7 @@ LARGEST = 10_000_000
 
 
 class FileSection(BaseModel):
-    """Base of every section of a study file: immutable; unknown keys and non-finite numbers are refused."""
+    """Base of every section of a study file: immutable; unknown keys and non-finite numbers are rejected."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
@@ -70,7 +70,7 @@ class StudyFields(FileSection):
         default=0, description="of the samples: the same seed gives the same cases, everywhere"
     )
     constraints: tuple[str, ...] = Field(
-        default=(), description="conditions on a case; one that breaks any is left out and counted"
+        default=(), description="conditions on a case; a case that breaks any is left out and counted"
     )
     fidelity: Fidelity | None = Field(
         default=None,
@@ -93,7 +93,12 @@ class StudyFields(FileSection):
     )
 
 
-def load_study(path: str | os.PathLike[str]) -> Study:
+def resolve_study(study: Study | PathLike) -> Study:
+    """The study itself, or that of a file; errors as :func:`load_study`."""
+    return study if isinstance(study, Study) else load_study(study)
+
+
+def load_study(path: PathLike) -> Study:
     """Study read from a file; ``base`` is looked for in its folder.
 
     Raises:
@@ -125,7 +130,7 @@ def read_study(
 def study_of(
     given: Mapping[str, Any], text: str, source: str, folder: Path | None = None, base: ArrayDesign | None = None
 ) -> Study:
-    """The study that a table states.
+    """Study of the table of a study file.
 
     Args:
         given: as TOML gives it.
@@ -139,10 +144,10 @@ def study_of(
         DesignError: the base design is not valid.
     """
     file = model_of(StudyFields, given, source, "study", StudyError)
+    design = base or _base(file.base, folder or Path(), source)
     try:
-        design = base or _base(file.base, folder or Path())
-        frequency = _frequencies(file.frequencies)
-        axes = _axes(file, design, source)
+        frequency = frequency_grid(file.frequencies)
+        axes = _axes(file, design)
         constraints = tuple(parse_constraint(each, design) for each in file.constraints)
         return Study(
             text=text,
@@ -159,58 +164,58 @@ def study_of(
             metrics=_metrics(file.metrics, frequency),
             transfer_functions=file.transfer_functions,
         )
-    except DesignError:
-        raise
     except Refusal as error:
-        raise StudyError(_named(source, error)) from None
+        raise error_of_file(error, source) from None
 
 
-def _named(source: str, error: Refusal) -> str:
-    message = str(error)
-    return message if message.startswith(in_one_line(f"{source}: ")) else f"{source}: {message}"
+def error_of_file(error: Refusal, source: str) -> StudyError:
+    """The error of a study file for one of the values in it, whose field is called as in the file."""
+    return StudyError.of(error, file=source, field="frequencies" if error.field == "frequency" else error.field)
 
 
-def _base(name: str, folder: Path) -> ArrayDesign:
+def _base(name: str, folder: Path, source: str) -> ArrayDesign:
     if name in prototype_names():
         return prototype(name)
     path = folder / name
     if not os.path.isfile(path):
-        raise Refusal(
-            f"base = {name!r} is neither a file in {folder} nor a prototype; known: {', '.join(prototype_names())}"
+        raise StudyError(
+            f"is neither a file in {folder} nor a prototype",
+            kind=Kind.UNKNOWN,
+            file=source,
+            field="base",
+            value=name,
+            remedy=nearest(name, prototype_names()),
         )
     return load_design(path)
 
 
-def _metrics(names: tuple[str, ...], frequency: NDArray[np.float64]) -> tuple[str, ...]:
+def _metrics(names: tuple[str, ...], frequency: Array) -> tuple[str, ...]:
     for metric in metrics_named(names):
         metric.check_grid(frequency)
     return tuple(dict.fromkeys(names))
 
 
-def _frequencies(text: str) -> NDArray[np.float64]:
-    try:
-        return frequency_grid(text)
-    except Refusal as error:
-        raise Refusal.of(error, field="frequencies") from None
-
-
 # -- what varies ------------------------------------------------------------------------------------
-def _axes(file: StudyFields, base: ArrayDesign, source: str) -> tuple[tuple[Parameter, ...], ...]:
-    groups = [{name: value} for name, value in _flat(file.parameters).items()] + [_flat(each) for each in file.together]
-    if not any(groups):
-        raise Refusal('parameters is missing: a study varies at least one field, such as "tube.length" = [10, 20]')
-    axes = []
-    for group in groups:
-        axis = tuple(_parameter(name, given, file.sampling == "grid", base, source) for name, given in group.items())
+def _axes(file: StudyFields, base: ArrayDesign) -> tuple[tuple[Parameter, ...], ...]:
+    groups = [("parameters", {name: value}) for name, value in _flat(file.parameters).items()]
+    groups += [(f"together.{number}", _flat(each)) for number, each in enumerate(file.together)]
+    if not any(group for _, group in groups):
+        allowed = 'a table of at least one field that varies, such as "tube.length" = [10, 20]'
+        raise Refusal(kind=Kind.MISSING, field="parameters", allowed=allowed)
+    axes: list[tuple[Parameter, ...]] = []
+    for table, group in groups:
+        axis = tuple(
+            _parameter(name, given, f"{table}.{name}", file.sampling == "grid", base) for name, given in group.items()
+        )
         sizes = {parameter.name: parameter.size for parameter in axis}
         if len(set(sizes.values())) > 1:
             counts = ", ".join(f"{name} has {size}" for name, size in sizes.items())
-            raise Refusal(f"together: parameters that go together must have equally many values; {counts}")
+            raise Refusal(f"must have equally many values of each field; {counts}", kind=Kind.CONFLICT, field=table)
+        for name in group:
+            if any(name == parameter.name for other in axes for parameter in other):
+                remedy = "give it under [parameters] or in one group of [[together]]"
+                raise Refusal("is given twice", kind=Kind.CONFLICT, field=f"{table}.{name}", remedy=remedy)
         axes.append(axis)
-    names = [parameter.name for axis in axes for parameter in axis]
-    for name in names:
-        if names.count(name) > 1:
-            raise Refusal(f"{name} must be given once, under [parameters] or in one group of [[together]]")
     return tuple(axis for axis in axes if axis)
 
 
@@ -225,68 +230,77 @@ def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     return flat
 
 
-def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: str) -> Parameter:
+def _parameter(name: str, given: Any, place: str, in_grid: bool, base: ArrayDesign) -> Parameter:
+    """The parameter of a field of the design, by what the study file gives for it at a dotted place."""
     try:
         check_name(as_lists(base.model_dump()), name, base.name)
         now = value_of(base, name)
     except DesignError as error:
-        raise Refusal(f"parameters: {error}") from None
+        problem = f"names {error.field}, which {error.problem}"
+        raise Refusal.of(error, file=None, field=place, problem=problem) from None
     field = field_named(ArrayDesign, name)
     kind = "a number" if field is None else field.kind
     if kind in ("a table", "a list") or isinstance(now, (BaseModel, tuple, dict)):
-        raise Refusal(f"parameters.{name} is {kind}; give the fields in it, such as {name}.length")
+        remedy = f"give the fields in it, such as {name}.length"
+        raise Refusal(f"is {kind}", kind=Kind.WRONG_TYPE, field=place, remedy=remedy)
     if isinstance(given, list) and given:
         for value in given:
-            _check_design(base, name, value, source)
+            _check_value(name, value, place)
         return Parameter(name, values=tuple(given), whole=kind == "a whole number")
     if not isinstance(given, dict) or not {"from", "to"} <= set(given):
-        raise Refusal(
-            f"parameters.{name} = {given!r} must be a list of values, or a range {{from = ..., to = ..., count = ...}}"
-        )
-    limits = model_of(RangeFields, given, source, "study", StudyError, table=f"parameters.{name}")
+        allowed = "a list of values, or a range {from = ..., to = ..., count = ...}"
+        raise Refusal(kind=Kind.WRONG_TYPE, field=place, value=given, allowed=allowed)
+    limits = model_of(RangeFields, given, "", "study", StudyError, table=place)
     whole = kind == "a whole number"
     if kind == "a text":
-        raise Refusal(f"parameters.{name} is a text: give a list of values, not a range")
+        raise Refusal("is a text", kind=Kind.WRONG_TYPE, field=place, remedy="give a list of values, not a range")
+
+    def refusal(end: str, value: object, allowed: str, kind: Kind = Kind.CONFLICT) -> Refusal:
+        return Refusal(kind=kind, field=f"{place}.{end}", value=value, allowed=allowed)
+
     for end, value in (("from", limits.first), ("to", limits.last)):
         if whole and value != round(value):
-            raise Refusal(f"parameters.{name}.{end} = {value:g} must be a whole number")
-        _check_design(base, name, round(value) if whole else value, source)
+            raise refusal(end, value, "a whole number", Kind.WRONG_TYPE)
+        _check_value(name, round(value) if whole else value, f"{place}.{end}")
     if limits.first >= limits.last:
-        raise Refusal(f"parameters.{name}.from = {limits.first:g} must be below to = {limits.last:g}")
+        raise refusal("from", limits.first, f"below to = {limits.last:g}")
     if limits.scale == "log" and limits.first <= 0:
-        raise Refusal(f"parameters.{name}.from = {limits.first:g} must be above 0 for scale = 'log'")
+        raise refusal("from", limits.first, "above 0 for scale = 'log'")
     if whole and limits.scale == "log":
-        raise Refusal(f"parameters.{name}.scale = 'log' must be 'linear' for whole numbers")
+        raise refusal("scale", limits.scale, "'linear' for whole numbers")
     step = limits.step or 0.0
     if step and whole:
-        raise Refusal(f"parameters.{name}.step = {step:g} must not be given for whole numbers")
+        raise refusal("step", step, "left out for whole numbers")
     if step > limits.last - limits.first:
-        raise Refusal(f"parameters.{name}.step = {step:g} must be at most {limits.last - limits.first:g}, its range")
+        raise refusal("step", step, f"at most {limits.last - limits.first:g}, its range")
     steps = (limits.last - limits.first) / (1.0 if whole else step or math.inf)
     count = limits.count or (math.floor(steps + 1e-9) + 1 if whole or step else 0)
     if in_grid and not count:
-        raise Refusal(f"parameters.{name}.count is missing: a grid needs the number of values")
+        raise refusal("count", Refusal.NOT_GIVEN, "the number of values in a grid", Kind.MISSING)
     if whole:
         count = min(count, round(limits.last - limits.first) + 1)
     return Parameter(name, (), limits.first, limits.last, count if in_grid else 0, limits.scale, whole, step)
 
 
-def _check_design(base: ArrayDesign, name: str, value: Any, source: str) -> None:
-    """Refuse a value that its field never allows. Rules between fields are left: other parameters may mend them."""
+def _check_value(name: str, value: Any, place: str) -> None:
+    """Refuse a value that its field never allows. Rules between fields are left: other parameters may satisfy them."""
     try:
-        check_value(ArrayDesign, name, value, source)
+        check_value(ArrayDesign, name, value, "")
     except DesignError as error:
-        raise StudyError(_named(source, error)) from None
+        raise Refusal.of(error, file=None, field=place) from None
 
 
 def _cases(file: StudyFields, axes: tuple[tuple[Parameter, ...], ...]) -> int:
     if file.sampling == "grid":
         if file.cases is not None:
-            raise Refusal(f"cases = {file.cases} must not be given for sampling = 'grid', which has every combination")
+            allowed = "left out for sampling = 'grid', which has every combination"
+            raise Refusal(kind=Kind.CONFLICT, field="cases", value=file.cases, allowed=allowed)
         count = int(np.prod([float(len(axis[0].grid())) for axis in axes]))
         if count > LARGEST:
-            raise Refusal(f"sampling = 'grid' has {count} cases; it must have at most {LARGEST}")
+            problem = f"has {count} cases; it must have at most {LARGEST}"
+            raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="sampling", value=file.sampling)
         return 0
     if file.cases is None:
-        raise Refusal(f"cases is missing: sampling = {file.sampling!r} needs the number of samples")
+        allowed = f"the number of samples for sampling = {file.sampling!r}"
+        raise Refusal(kind=Kind.MISSING, field="cases", allowed=allowed)
     return file.cases

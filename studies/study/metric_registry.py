@@ -5,7 +5,6 @@ A study names them (``metrics = ["distance_smallest", "predicted_top1"]``); docs
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -15,12 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.schema.field_errors import nearest
+from localize.signals.stimulus import BAND
 from studies.metrics import build, touch_metrics
-from studies.metrics.batch_responses import Responses, known
+from studies.metrics.batch_responses import Responses, required
 from studies.metrics.confusion import check_grid as check_confusion_grid
 from studies.metrics.covered_area import FINGER, coverage
-from studies.metrics.pairs import BAND, check_band
+from studies.metrics.pairs import check_band
 from studies.metrics.shared import SharedFigures
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ class Metric:
 
     @property
     def words(self) -> dict[str, str]:
-        """What a page says of it: title, unit, definition and the better direction."""
+        """Title, unit, definition and the better direction, for a page."""
         return {
             "title": self.long_name,
             "unit": self.unit,
@@ -78,12 +79,8 @@ class Metric:
         Raises:
             Refusal: it does not, its steps are wider than half the band, or it is too coarse for a confusion.
         """
-        if self.band is None:
-            return
-        try:
-            check_band(frequency, self.band)
-        except Refusal as error:
-            raise Refusal(f"metric {self.name} needs {error}") from None
+        if self.band is not None:
+            check_band(frequency, self.band, self.name)
         if self.noise_levels:
             check_confusion_grid(frequency)
 
@@ -99,7 +96,8 @@ class Metric:
         """
         missing = sorted(name for name in self.needs if getattr(responses, name) is None)
         if missing:
-            raise Refusal(f"metric {self.name} needs {', '.join(missing)}")
+            problem = f"has no {', '.join(missing)}, which metric {self.name} needs"
+            raise Refusal(problem, kind=Kind.MISSING, field="responses")
         self.check_grid(responses.frequency)
         return np.asarray(self.compute(figures or SharedFigures(responses)), np.float64)
 
@@ -116,14 +114,12 @@ def metrics_named(names: Iterable[str]) -> tuple[Metric, ...]:
     """Metrics of these names, in their order.
 
     Raises:
-        Refusal: a name that is none, with the nearest one that is.
+        Refusal: an unknown name, with the nearest known one.
     """
     found = []
     for name in names:
         if name not in METRICS:
-            near = difflib.get_close_matches(str(name), METRICS, 1)
-            hint = f"; did you mean {near[0]}?" if near else ""
-            raise Refusal(f"metrics: {name!r} must be one of: {', '.join(METRICS)}{hint}")
+            raise Refusal(kind=Kind.UNKNOWN, field="metrics", value=name, remedy=nearest(str(name), list(METRICS)))
         found.append(METRICS[name])
     return tuple(found)
 
@@ -137,9 +133,9 @@ def _of_distances(
 _RATIO = "r_i = H_ia / H_ib; root mean square over 1 to 100 Hz and all pairs a, b of microphones"
 #: Where slow presses and pulse waves have their energy, Hz.
 LOW_BAND = (1.0, 20.0)
-_DEAF = (
-    "Differences of points know no noise: ranked by them alone come narrow bores, whose points lie far apart for "
-    "whoever can still hear them; look at an accuracy or a sensitivity beside them."
+_IGNORES_NOISE = (
+    "Distances of points ignore noise, so ranking by them alone favours narrow bores, whose signals are weak; look at "
+    "an accuracy or a sensitivity beside them."
 )
 
 
@@ -157,7 +153,7 @@ def _separation() -> Iterable[Metric]:
                 definition=f"The {extent} over all pairs of points i, j of the {what} of {_RATIO}.",
                 compute=partial(_of_distances, field, reduce, BAND),
                 band=BAND,
-                caution=_DEAF,
+                caution=_IGNORES_NOISE,
             )
     for extent, reduce in (("smallest", np.min), ("mean", np.mean)):
         yield Metric(
@@ -167,7 +163,7 @@ def _separation() -> Iterable[Metric]:
             definition=f"As distance_{extent}, over {LOW_BAND[0]:g} to {LOW_BAND[1]:g} Hz only.",
             compute=partial(_of_distances, "combined", reduce, LOW_BAND),
             band=LOW_BAND,
-            caution=_DEAF,
+            caution=_IGNORES_NOISE,
         )
 
 
@@ -179,21 +175,27 @@ def _hardest_pair(level: float | None, figures: SharedFigures) -> Values:
     return np.asarray(figures.confusion(level).pairwise.max(axis=(1, 2)))
 
 
-#: White noise that stands for a loud room and for what the transfer functions do not tell, Pa rms over 0 to 500 Hz.
-LOUD = 0.05
+#: Incoherent white noise at each microphone, Pa rms over 0 to 500 Hz: a stand-in for what transfer functions leave out.
+WHITE_NOISE = 0.05
 
 
 def _predicted() -> Iterable[Metric]:
     for suffix, level, where, needs in (
         ("", None, "the noise of the design's microphone", frozenset({"designs", "medium"})),
-        ("_loud", LOUD, f"white noise of {LOUD:g} Pa rms over 0 to 500 Hz", frozenset[str]()),
+        (
+            *("_white_noise", WHITE_NOISE),
+            *(
+                f"incoherent white noise of {WHITE_NOISE:g} Pa rms over 0 to 500 Hz at each microphone",
+                frozenset[str](),
+            ),
+        ),
     ):
         yield Metric(
             name=f"predicted_top1{suffix}",
             unit="1",
-            long_name=f"predicted top-1 accuracy{', loud' * bool(level)}",
-            definition=f"Share of simulated touches whose point a trained network is predicted to name, under {where} "
-            "(studies.metrics, 64 multi-sine touches per point).",
+            long_name=f"predicted top-1 accuracy{', 0.05 Pa of noise' * bool(level)}",
+            definition="Fraction of simulated touches that a trained network is predicted to assign to the correct "
+            f"point, under {where} (studies.metrics, 64 multi-sine touches per point).",
             compute=partial(_top1, level),
             needs=needs,
             band=BAND,
@@ -202,7 +204,7 @@ def _predicted() -> Iterable[Metric]:
         yield Metric(
             name=f"confused_pair{suffix}",
             unit="1",
-            long_name=f"confusion of the hardest pair{', loud' * bool(level)}",
+            long_name=f"confusion of the hardest pair{', 0.05 Pa of noise' * bool(level)}",
             definition="How often, if only the two points of the hardest pair are touched, the other one of the two is "
             f"the likelier, under {where}; 0.5 is chance.",
             compute=partial(_hardest_pair, level),
@@ -213,7 +215,7 @@ def _predicted() -> Iterable[Metric]:
         )
 
 
-#: Mis-made sensors of ``scattered_top1``, the same deviations for every design of a topology.
+#: Sensors with manufacturing scatter of ``scattered_top1``, with the same deviations for every design of a topology.
 SENSORS = 64
 
 
@@ -232,7 +234,7 @@ def _scatter_detection(figures: SharedFigures) -> Values:
     from studies.metrics.scatter_detection import scatter_detection
 
     own = figures.responses
-    return scatter_detection(known(own.designs), own.discs, own.parameters)
+    return scatter_detection(required(own.designs), own.discs, own.parameters)
 
 
 def _scatter_slopes(design: ArrayDesign, names: Sequence[str], discs: KnownDiscs | None) -> tuple[float, Values]:
@@ -243,14 +245,14 @@ def _scatter_slopes(design: ArrayDesign, names: Sequence[str], discs: KnownDiscs
 
 def _forgiving() -> Iterable[Metric]:
     yield Metric(
-        "scattered_top1", "1", "predicted top-1 accuracy of mis-made sensors",
+        "scattered_top1", "1", "predicted top-1 accuracy of sensors with manufacturing scatter",
         f"Mean over {SENSORS} sensors made with the scatter of acoustic_fem.scatter.TOLERANCES of the predicted top-1 "
         "of one localizer that was trained on the nominal design; the design's microphone noise, lumped fidelity. Two "
         "seconds per design.",
         _scattered_top1, frozenset({"designs"}), band=BAND,
     )  # fmt: skip
     yield Metric(
-        "scatter_detection", "1", "predicted error of mis-made sensors",
+        "scatter_detection", "1", "predicted error of sensors with manufacturing scatter",
         "How often another point is likelier than the touched one, summed over all others and mean over the points, "
         "for a decoder of the nominal design on sensors with the scatter of acoustic_fem.scatter.UNCALIBRATED; to the "
         "power 5/6, times the same of the worst pairs, by the mean of fourth powers, to the power 1/6. To first order, "
@@ -292,7 +294,7 @@ def _touches() -> Iterable[Metric]:
 
 def _build() -> Iterable[Metric]:
     for name, unit, long_name, definition, compute, better in (
-        ("coverage", "1", "coverage", "Share of the area within the hull of all membranes, in plan, in which a "
+        ("coverage", "1", "coverage", "Fraction of the area within the hull of all membranes, in plan, in which a "
          f"contact of {FINGER:g} mm radius reaches a membrane.", partial(_of_designs, coverage), "larger"),
         ("length", "mm", "length", "Longer side of the box around all that is built, tubes and boards included.",
          lambda figures: figures.sizes[:, 0], "smaller"),
@@ -315,11 +317,11 @@ def _build() -> Iterable[Metric]:
 
 
 def _of_designs(of_design: Callable[[ArrayDesign], float], figures: SharedFigures) -> Values:
-    return np.array([of_design(design) for design in known(figures.responses.designs)])
+    return np.array([of_design(design) for design in required(figures.responses.designs)])
 
 
 def _of_parts(of_design: Callable[[ArrayDesign, build.Volumes], float], figures: SharedFigures) -> Values:
-    designs = known(figures.responses.designs)
+    designs = required(figures.responses.designs)
     return np.array([of_design(*each) for each in zip(designs, figures.volumes, strict=True)])
 
 

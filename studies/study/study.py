@@ -75,9 +75,9 @@ class Parameter:
             values = self.low * (self.high / self.low) ** place
         else:
             values = self.low + (self.high - self.low) * place
-        return self.had(np.clip(values, self.low, self.high))
+        return self.to_stock_size(np.clip(values, self.low, self.high))
 
-    def had(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    def to_stock_size(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """The values (n,) as the nearest sizes that can be had; (n,) float64, in the unit of the field.
 
         Without a step these are values of four digits, more where the range is narrow, so that what is computed is what

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from acoustic_fem.cell.design_cells import is_cached
+from geometry.ground.typed import PathLike
 from studies.study.cases import by_kind, sobol_note
+from studies.study.file import resolve_study
 from studies.study.study import Study
 from studies.sweep.cost import elapsed, seconds_of, team_size
 from studies.sweep.records import block_size, point_count
@@ -44,12 +46,13 @@ class Plan:
     """Note on the sample; empty where there is nothing to know."""
 
 
-def plan_sweep(study: Study, workers: int | None = None) -> Plan:
+def plan_sweep(study: Study | PathLike, workers: int | None = None) -> Plan:
     """Cost of a study: its cases and cells counted, a few of its cases measured in closed form.
 
     Raises:
         Refusal: as :func:`studies.sweep.survey.surveyed`.
     """
+    study = resolve_study(study)
     found = surveyed(study, every=True)
     cases = found.cases
     valid = [number for number in range(len(cases)) if number not in found.refused]

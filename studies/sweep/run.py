@@ -21,8 +21,10 @@ from acoustic_fem.library.provenance import versions
 from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
 from geometry.ground.refusal import Kind, Refusal, counted, said_by
+from geometry.ground.typed import PathLike
 from studies.output.display import Display
 from studies.study.cases import PROGRAM_ERROR, Cases
+from studies.study.file import resolve_study
 from studies.study.metric_registry import metrics_named
 from studies.study.study import Study
 from studies.sweep.block import CellKey, Job, SolvedCell
@@ -83,8 +85,8 @@ class Summary:
 
 
 def run_sweep(
-    study: Study,
-    out: str | Path,
+    study: Study | PathLike,
+    out: PathLike,
     *,
     workers: int | None = None,
     scheduler: str | None = None,
@@ -94,7 +96,7 @@ def run_sweep(
     """Summary of a study that is computed, or what an earlier run left of it.
 
     Args:
-        study: what to compute.
+        study: the study, or its file.
         out: the store, a folder ``*.zarr``; that of an earlier run of the same study is continued.
         workers: processes on this machine, one thread each; 1 computes in this process; by default one per core if
             that saves more than their start, or 1.
@@ -107,6 +109,7 @@ def run_sweep(
         OverlapError: the base of the study cannot be built.
         SweepError: workers were lost; running again continues.
     """
+    study = resolve_study(study)
     if display is None:
         return _run_sweep(study, Path(out), workers, scheduler, progress)
     with display.stage("Sweep") as report:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -21,7 +20,8 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import PathLike
 from localize.signals import BAND
 from studies.output.display import Display
 from studies.output.folders import check_new_file
@@ -49,20 +49,19 @@ class SensorCalibration:
     """Fit of the design's parts to the measured points, where points lack a good recording; else None. Where it has an
     objection, the missing points are those of the design."""
     expected: NDArray[np.float64] | None
-    """Shares of touches named right that are to be expected on sensors that agree with the fit, ascending;
-    (n_draw,) float64. None without a fit that is used, or where the frequencies do not cover the band of the
-    stimuli."""
+    """Expected top-1 accuracies on sensors that agree with the fit, ascending; (n_draw,) float64. None without a fit
+    that is used, or if the frequencies do not cover the band of the stimuli."""
     measure_next: int | None
     """Number of the point to measure next; None where no other is needed, or nothing is known of it."""
 
 
 def calibrate_sensor(
-    recordings: str | os.PathLike[str],
-    out: str | os.PathLike[str],
+    recordings: PathLike,
+    out: PathLike,
     *,
     fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = CALIBRATION_FREQUENCIES,
-    tolerances: str | os.PathLike[str] | Sequence[Tolerance] | None = None,
+    tolerances: PathLike | Sequence[Tolerance] | None = None,
     air: LocalAir | None = None,
     display: Display | None = None,
 ) -> SensorCalibration:
@@ -74,10 +73,10 @@ def calibrate_sensor(
     Args:
         recordings: a manifest (TOML), or a folder with one called ``calibration.toml``.
         out: the library to write, netCDF (``.nc``), a new file; a figure goes beside it.
-        fidelity: of the design's own transfer functions, which stand in for missing points.
+        fidelity: fidelity of the design's own transfer functions, which replace those of missing points.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
-        tolerances: of the workshop, or a TOML file of them; by default assumed ones.
-        air: of the room of the recordings; what is not given is the design's.
+        tolerances: tolerances of the workshop, or a TOML file of them; by default assumed ones.
+        air: air of the room of the recordings; values that are not given are the design's.
         display: shows what is being done.
 
     Raises:
@@ -87,7 +86,8 @@ def calibrate_sensor(
     path, show = Path(out), display or Display()
     picture = path.with_suffix(".png")
     if path.suffix.lower() != ".nc":
-        raise Refusal(f"{path}: `out` must be a library, .nc; its figure goes beside it as .png")
+        remedy = "the figure of the calibration is written beside it as .png"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field="out", allowed="a library, .nc", remedy=remedy)
     check_new_file(path, kept="a measured library")
     check_new_file(picture, kept="the figure of one")
     grid, scatter, source = frequency_grid(frequency), tolerances_of(tolerances), Path(recordings)

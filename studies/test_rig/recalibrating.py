@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -14,8 +13,11 @@ from numpy.typing import NDArray
 import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.quantities.local_air import LocalAir
+from geometry.ground.refusal import Kind
+from geometry.ground.typed import PathLike
 from localize import read_recording
-from localize.live.front_end import HIGH_PASS, HighPass
+from localize.live.front_end import HighPass
+from localize.live.options import HIGH_PASS
 from localize.recordings.same_take import find_same_take
 from localize.signals.array_response import response_of
 from localize.signals.frames import FRAME, cut_frames
@@ -25,6 +27,7 @@ from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
     from localize import SelfCalibration
+    from localize.signals.noise_model import NoiseChoice
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,33 +43,35 @@ class Recalibration:
 
 
 def recalibrate(
-    library: str | os.PathLike[str],
-    recordings: Sequence[str | os.PathLike[str]],
-    out: str | os.PathLike[str],
+    library: PathLike,
+    recordings: Sequence[PathLike],
+    out: PathLike,
     *,
     full_scale: float | None = None,
-    noise: float | None = None,
+    microphone_noise: NoiseChoice = "design",
     seed: int = 0,
     air: LocalAir | None = None,
     display: Display | None = None,
 ) -> Recalibration:
-    """Recalibration of a sensor from touches of which nobody knows the points.
+    """Recalibration of a sensor from touches whose points nobody knows.
 
-    A quarter of the frames is held out and judges; where they do not speak for the sensor found, nothing is written.
+    A quarter of the frames is held out for validation. If they contradict the sensor found, nothing is written.
 
     Args:
         library: the file of the design, or of the last calibration.
         recordings: files of touches of fingers or of a shaker, one at a time, spread over all points.
         out: the library to write, netCDF (``.nc``), a new file.
         full_scale: Pa, see :func:`localize.read_recording`.
-        noise: of the microphones, white, Pa rms over 0 to 500 Hz; by default that of the design's.
-        seed: of the choice of the touches that judge.
-        air: of the place of the recordings, to which the library is brought first; what is not given is the library's.
+        microphone_noise: white noise of the microphones, Pa rms over 0 to 500 Hz; by default the noise of the design's
+            microphone.
+        seed: seed of the choice of the held-out touches.
+        air: air of the place of the recordings, to which the library is brought first; values that are not given are
+            the library's.
         display: shows what is being done.
 
     Raises:
         Refusal: a file that exists or cannot be written, recordings that cannot be read or used, the same take twice,
-            or touches that do not speak for the sensor found.
+            or held-out touches that contradict the sensor found.
     """
     path = Path(out)
     check_new_file(path, ".nc", kept="a calibrated library")
@@ -80,13 +85,15 @@ def recalibrate(
     heard = [read_recording(recording, response.microphones, full_scale).signals for recording in paths]
     passed = [HighPass(len(signals), HIGH_PASS).begin(signals) for signals in heard]
     frames = [cut_frames(signals[None])[0] for signals in passed]
-    of_microphones = response.noise("design" if noise is None else noise)
+    of_microphones = response.noise(microphone_noise)
     level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
     _refuse_the_same_take(paths, heard, frames, level)
     with (display or Display()).stage("Touches") as report:
         found = self_calibrate(present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS)
     if not found.accepted:
-        raise SelfCalibrationError(f"refused, {path} is not written and {library} stays: {found.objection}")
+        problem = f"give no calibration that holds: {found.objection}"
+        remedy = f"{path} is not written; {library} stays the best library known"
+        raise SelfCalibrationError(problem, kind=Kind.UNSUITABLE, field="recordings", remedy=remedy)
     calibrated = found.library()
     acoustic_fem.save(calibrated, path)
     return Recalibration(path, calibrated, found)
@@ -98,7 +105,7 @@ def _refuse_the_same_take(
     frames: Sequence[NDArray[np.float64]],
     level: float,
 ) -> None:
-    """A copy of what the search saw would judge it."""
+    """Refuse copies of a take: one could be searched and the other validate the search."""
     from localize import SelfCalibrationError
     from localize.recalibration.self_calibration import touched
 
@@ -110,7 +117,6 @@ def _refuse_the_same_take(
     loud = [number for number, own in enumerate(first) if len(own)]
     same = find_same_take([heard[number].astype(np.float32) for number in loud], [first[number] for number in loud])
     if same is not None:
-        raise SelfCalibrationError(
-            f"{paths[loud[same.second]]} is the same take as {paths[loud[same.first]]}: the correlation of a "
-            f"stretch of them is {same.correlation:.4f}; give each take once"
-        )
+        first_of_two, second_of_two = paths[loud[same.first]], paths[loud[same.second]]
+        problem = f"is the same take as {first_of_two}: the correlation of a section of them is {same.correlation:.4f}"
+        raise SelfCalibrationError(problem, kind=Kind.CONFLICT, file=second_of_two, remedy="give each take once")

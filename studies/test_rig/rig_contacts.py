@@ -18,7 +18,7 @@ from localize.contacts import Contact, covered_force
 from localize.signals.array_response import interpolated, response_of
 from studies.output.folders import check_new_file
 from studies.test_rig.rig_touches import LEAK
-from studies.test_rig.virtual_rig import BAND, HEARD, LENGTHS, Recorder, Rig
+from studies.test_rig.virtual_rig import EXCITATION_BAND, HEARD, LENGTHS, Recorder, Rig
 
 #: Columns of the file of what is true.
 COLUMNS = ("time_s", "x_mm", "y_mm", "force_N", "point")
@@ -61,7 +61,7 @@ def record_contact(
     pressed = covered_force(heard, nominal)
     total = count + 2 * recorder.rate  # silence keeps the end from running into the beginning
     grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
-    inside = (grid >= BAND[0]) & (grid <= BAND[1])
+    inside = (grid >= EXCITATION_BAND[0]) & (grid <= EXCITATION_BAND[1])
     assert nominal.cavity_response is not None
     cavity = interpolated(nominal.cavity_response, nominal.frequency, grid[inside])
     leak = scipy.signal.butter(2, LEAK, "highpass", fs=recorder.rate, output="sos")

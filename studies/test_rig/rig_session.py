@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from acoustic_fem.library.transfer_functions import described, measured_library
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.design_file import DesignLike, write_design
+from geometry.ground.typed import PathLike
 from studies.output.display import Display
 from studies.output.folders import check_folder, make_folder, replaced_folder, write_json
 from studies.test_rig.calibrating import MANIFEST
@@ -53,7 +53,7 @@ class RigSession:
 
 def record_rig(
     design: DesignLike,
-    out: str | os.PathLike[str],
+    out: PathLike,
     *,
     seed: int = 0,
     fidelity: str = ONE_DESIGN,
@@ -70,11 +70,11 @@ def record_rig(
     Args:
         design: the nominal array: a design, the path of its file, or the name of a prototype.
         out: a new or empty folder, or one of an earlier session.
-        seed: of the hidden parameters and of all recordings.
-        fidelity: of the transfer functions of the nominal design, see :func:`acoustic_fem.solve`.
-        scatter: how far the hidden parameters lie from nominal.
-        recorder: how recordings are made; by default 30 s for each point of the calibration.
-        session: what is recorded of touches; by default two takes of 6 s of each part.
+        seed: seed of the hidden parameters and of all recordings.
+        fidelity: fidelity of the transfer functions of the nominal design, see :func:`acoustic_fem.solve`.
+        scatter: spread of the hidden parameters about nominal.
+        recorder: settings of the recordings; by default 30 s for each point of the calibration.
+        session: settings of the touches; by default two takes of 6 s of each part.
         display: shows what is being done.
 
     Raises:

@@ -55,9 +55,9 @@ class TouchSession:
 
     def __post_init__(self) -> None:
         for name, high, unit in (("tilt", 12.0, "dB"), ("press", 10.0, "Pa"), ("hysteresis", 1.0, "")):
-            in_range(f"session.{name}", getattr(self, name), 0.0, high, unit)
-        in_range("session.takes", self.takes, 1, 1000)
-        in_range("session.seconds", self.seconds, *LENGTHS, "s")
+            in_range(name, getattr(self, name), 0.0, high, unit)
+        in_range("takes", self.takes, 1, 1000)
+        in_range("seconds", self.seconds, *LENGTHS, "s")
 
 
 def record_touches(

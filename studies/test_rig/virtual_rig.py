@@ -34,7 +34,7 @@ from acoustic_fem.quantities.local_air import design_air, standard_pressure
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.design_file import DesignLike, resolve_design, write_design
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
 from studies.output.folders import check_folder, make_folder
@@ -44,7 +44,7 @@ Complex = NDArray[np.complex128]
 #: Marks a folder as one of recordings of a rig.
 RIG_MARK = ".acoustic-fem-rig"
 #: Band of the excitation, Hz.
-BAND = (0.8, 125.0)
+EXCITATION_BAND = (0.8, 125.0)
 #: Length of a recording, s.
 LENGTHS = (4.0, 86400.0)
 #: Band in which the hidden sensor is solved, Hz, and where in it; between these frequencies it is interpolated.
@@ -109,7 +109,7 @@ class HiddenScatter:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            in_range(f"scatter.{field.name}", getattr(self, field.name), *_RANGES.get(field.name, (0.0, 0.3)))
+            in_range(field.name, getattr(self, field.name), *_RANGES.get(field.name, (0.0, 0.3)))
 
 
 @dataclass(frozen=True)
@@ -128,7 +128,7 @@ class Recorder:
     level: float = 0.35
     """Level in the touched cavity, Pa rms."""
     excitation: Literal["noise", "sweep"] = "noise"
-    """Kind of the excitation: noise of flat spectrum, or exponential sweeps of 20 s, over :data:`BAND`."""
+    """Kind of the excitation: noise of flat spectrum, or exponential sweeps of 20 s, over :data:`EXCITATION_BAND`."""
     reference_noise: float = 5e-4
     """Noise of the calibration microphone over half the sample rate, white, Pa rms."""
     late: float = 0.0123
@@ -141,7 +141,7 @@ class Recorder:
     """Whether there is a file for each channel instead of one for all."""
 
     def __post_init__(self) -> None:
-        in_range("recorder.seconds", self.seconds, *LENGTHS, "s")
+        in_range("seconds", self.seconds, *LENGTHS, "s")
 
 
 class Rig:
@@ -165,7 +165,7 @@ class Rig:
         fidelity: str = ONE_DESIGN,
     ) -> None:
         if seed < 0:
-            raise Refusal(f"seed = {seed} must be 0 or above")
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="seed", value=seed, allowed="0 or above")
         design = resolve_design(design)
         self.design, self.seed, self.fidelity = design, seed, one_of("fidelity", fidelity, FIDELITIES)
         self.scatter = scatter or HiddenScatter()
@@ -287,7 +287,7 @@ class Rig:
         count = round(recorder.seconds * recorder.rate)
         total = before + count + round(abs(recorder.late) * recorder.rate) + 1
         grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
-        inside = (grid >= BAND[0]) & (grid <= BAND[1])
+        inside = (grid >= EXCITATION_BAND[0]) & (grid <= EXCITATION_BAND[1])
         drive = _excitation(recorder, total, random)
         drive[~inside] = 0
         drive *= recorder.level / np.sqrt(2 * (np.abs(drive[inside]) ** 2).sum()) * total
@@ -306,8 +306,8 @@ class Rig:
 
         Args:
             drives: by the number of the point, from 1: (n_line,) complex128, spectrum of the pressure in its cavity,
-                Pa, as of np.fft.rfft, n_line = total // 2 + 1; only :data:`BAND` is heard. The reference hears the
-                first.
+                Pa, as of np.fft.rfft, n_line = total // 2 + 1; lines outside :data:`EXCITATION_BAND` are ignored. The
+                reference channel records the first.
             total: number of samples of the pressure, at the rate of the recorder.
             before: number of them that come before the recording.
             count: number of samples of the recording.
@@ -318,7 +318,7 @@ class Rig:
             (1 + n_microphone, count) float64, Pa, the reference first, before they are clipped and rounded.
         """
         grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
-        inside = (grid >= BAND[0]) & (grid <= BAND[1])
+        inside = (grid >= EXCITATION_BAND[0]) & (grid <= EXCITATION_BAND[1])
         spectra = np.zeros((1 + len(self.design.microphones), len(grid)), np.complex128)
         spectra[0] = next(iter(drives.values())) * np.exp(2j * np.pi * grid * recorder.late)
         heard_at = self.transfer_function(grid[inside])
@@ -370,4 +370,6 @@ def _excitation(recorder: Recorder, total: int, random: np.random.Generator) -> 
     if recorder.excitation == "noise":
         return np.asarray(np.fft.rfft(random.standard_normal(total)))
     time = np.arange(total) / recorder.rate
-    return np.asarray(np.fft.rfft(scipy.signal.chirp(time % 20.0, BAND[0], 20.0, BAND[1], method="logarithmic")))
+    return np.asarray(
+        np.fft.rfft(scipy.signal.chirp(time % 20.0, EXCITATION_BAND[0], 20.0, EXCITATION_BAND[1], method="logarithmic"))
+    )

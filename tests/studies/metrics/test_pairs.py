@@ -338,7 +338,7 @@ def test_distances_below_20_hz_are_those_of_that_part_of_the_grid() -> None:
         (np.array([1.0, 100.0]), "noise_equivalent_force", "cost"),
         (np.array([1.0, 2.0, 3.0, 150.0]), "ild_mean", "height"),
         (np.linspace(1, 100, 11), "distance_smallest_low", "distance_smallest"),
-        (np.linspace(0.5, 400, 500), "", "predicted_top1_loud"),
+        (np.linspace(0.5, 400, 500), "", "predicted_top1_white_noise"),
     ],
 )
 def test_a_grid_that_does_not_cover_the_band_of_a_metric_is_refused(

@@ -32,7 +32,7 @@ from studies.sweep.workers import open_workers
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
-metrics = ["distance_smallest", "predicted_top1_loud"]
+metrics = ["distance_smallest", "predicted_top1_white_noise"]
 sampling = "latin-hypercube"
 cases = 160
 seed = 5
@@ -175,7 +175,7 @@ def begin_together(folder: Path, barrier: Any, told: Any) -> None:
 
 @pytest.mark.slow
 def test_of_two_sweeps_that_begin_at_once_one_computes_and_the_other_is_refused(tmp_path: Path) -> None:
-    text = STUDY.replace("cases = 160", "cases = 4").replace(', "predicted_top1_loud"', "")
+    text = STUDY.replace("cases = 160", "cases = 4").replace(', "predicted_top1_white_noise"', "")
     (tmp_path / "study.toml").write_text(text)
     processes = multiprocessing.get_context("spawn")
     barrier, told = processes.Barrier(2), processes.Queue()
