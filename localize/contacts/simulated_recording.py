@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem import Library
 from acoustic_fem.quantities.checks import in_range
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force, surface_of
 from localize.signals.array_response import ArrayResponse, interpolated, interpolated_from_zero, response_of
@@ -59,7 +59,7 @@ class Take:
     force: Array
     """Force of the contact as it was heard, its roughness drawn; (n_sample,) float64, N."""
     point: NDArray[np.int64]
-    """Index of the point whose middle is nearest, from 0, -1 where nothing presses; (n_sample,) int64."""
+    """Point whose middle is nearest, from 1; 0 where nothing presses; (n_sample,) int64."""
     label: str
     """What the contact is."""
 
@@ -85,7 +85,7 @@ class ContactRecorder:
         array: Library | ArrayResponse,
         sample_rate: float = SAMPLE_RATE,
         *,
-        microphone_noise: NoiseChoice = 0.0,
+        microphone_noise: NoiseChoice = "design",
         ambient: float | None = None,
         seed: int = 0,
         purpose: Purpose = "evaluation",
@@ -112,6 +112,7 @@ class ContactRecorder:
                     value=sample_rate,
                     unit="Hz",
                     allowed=f"{SAMPLE_RATE:g} Hz where there is noise or sound",
+                    remedy=(Field("microphone_noise"), " = 0 records without noise"),
                 )
             self._background = TouchGenerator(
                 self.response,
@@ -184,7 +185,7 @@ class ContactRecorder:
             time=steps[::fine],
             path=path,
             force=at_samples,
-            point=np.where(at_samples > 0, nearest, -1),
+            point=np.where(at_samples > 0, nearest + 1, 0),
             label=contact.label,
         )
 
@@ -206,7 +207,7 @@ def record(
     array: Library | ArrayResponse,
     sample_rate: float = SAMPLE_RATE,
     *,
-    microphone_noise: NoiseChoice = 0.0,
+    microphone_noise: NoiseChoice = "design",
     ambient: float | None = None,
     seed: int = 0,
     purpose: Purpose = "evaluation",

@@ -156,7 +156,7 @@ def evaluate(
     localizer: Locator,
     library: Library | ArrayResponse,
     touches_per_point: int = 200,
-    microphone_noise: NoiseChoice = 0.0,
+    microphone_noise: NoiseChoice = "design",
     samples: int = FRAME,
     seed: int = 0,
     *,
@@ -192,7 +192,7 @@ def evaluate(
     probability, point, interval = [], [], []
     for part in touches.stream(0, touches_per_point * response.point_count):
         probability.append(localizer.locate(part.signals[..., -samples:].numpy()))
-        point.append(part.point.numpy())
+        point.append(part.point.numpy() - 1)
         interval.append(part.interval.numpy())
     return _judged(
         np.concatenate(probability), np.concatenate(point), np.concatenate(interval), touches, samples

@@ -108,7 +108,7 @@ def train(
                 _steps_per_epoch(plan, response),
                 target,
                 held_out.signals,
-                held_out.point,
+                held_out.point - 1,
                 lambda: _by_part(classifier, recorded),
             ),
             plan,
@@ -175,7 +175,7 @@ def labels_of(response: ArrayResponse, plan: TrainingPlan) -> NDArray[np.float64
 class _Batches:
     """Touches of each step: simulated ones, and recorded ones where there are recordings.
 
-    Touch i of a generator is of point i modulo the number of points. A step of consecutive ones would hold one part of
+    Touch i of a generator is of the points in turn. A step of consecutive ones would hold one part of
     a large array, and batch normalisation would learn which. Steps are therefore dealt from blocks that hold all points
     and are shuffled. A block is the same whatever was made before, so that a training goes on after a stop.
     """
@@ -226,7 +226,9 @@ class _Batches:
         made = [self.touches.samples(*run) for run in runs]
         random = np.random.default_rng(np.random.SeedSequence(self.plan.seed, spawn_key=(0, epoch, first)))
         shuffled = torch.from_numpy(random.permutation(count)).to(self.touches.device)
-        return torch.cat([_frames(part) for part in made])[shuffled], torch.cat([part.point for part in made])[shuffled]
+        return torch.cat([_frames(part) for part in made])[shuffled], torch.cat([part.point - 1 for part in made])[
+            shuffled
+        ]
 
 
 @lru_cache(maxsize=1)

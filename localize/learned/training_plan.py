@@ -98,7 +98,7 @@ class TrainingPlan:
     label_neighbours: Literal["line", "number"] = "line"
     """Neighbours that share a label: those on the same line, or those of the next numbers, so that the end of one line
     is a neighbour of the beginning of the next wherever that lies."""
-    microphone_noise: NoiseChoice = 1e-3
+    microphone_noise: NoiseChoice = "design"
     """Noise added to the training signals; held-out ones have the same. Pa rms over 0 to 500 Hz, white; or "design" for
     the noise of the microphone of the library's design, see :mod:`localize.signals.noise_model`."""
     microphone_gain: float = 0.0
@@ -195,7 +195,7 @@ class TrainingPlan:
         """
         if name not in PLANS:
             raise Refusal(kind=Kind.OUT_OF_RANGE, field="plan", value=name, allowed=PLANS)
-        return cls.paper() if name == "paper" else cls(microphone_noise="design")
+        return cls.paper() if name == "paper" else cls()
 
     @classmethod
     def paper(cls) -> TrainingPlan:

@@ -81,7 +81,7 @@ def likeliest_order(likelihood: MarginalLikelihood, h: Complex, microphones: tup
 def gaps(
     touches: NDArray[np.int64], line: NDArray[np.int64], options: RecalibrationOptions = RecalibrationOptions()
 ) -> NDArray[np.int64]:
-    """Points without a touch, from 0, where they are too many of a line, or too many that follow each other.
+    """Points without a touch, from 1, where they are too many of a line, or too many that follow each other.
 
     Args:
         touches: (n_point,) int64, number of touches of each point.
@@ -96,23 +96,23 @@ def gaps(
         points = np.flatnonzero(line == number)
         is_free = touches[points] == 0
         if is_free.mean() > options.untouched_fraction:
-            found.append(points[is_free])
+            found.append(points[is_free] + 1)
             continue
         for run in np.split(points, np.flatnonzero(np.diff(is_free)) + 1):
             at_end = run[0] == points[0] or run[-1] == points[-1]
             if touches[run[0]] == 0 and len(run) > (1 if at_end else max(1, options.gap_fraction * len(points))):
-                found.append(run)
+                found.append(run + 1)
     return np.concatenate(found)
 
 
 def numbers(points: NDArray[np.int64]) -> str:
-    """Points as the user counts them, from 1: "3, 13-24".
+    """Points in words: "3, 13-24".
 
     Args:
-        points: (n,) int64, from 0, ascending.
+        points: (n,) int64, from 1, ascending.
     """
     runs = np.split(points, np.flatnonzero(np.diff(points) > 1) + 1)
-    return ", ".join(f"{run[0] + 1}" if len(run) == 1 else f"{run[0] + 1}-{run[-1] + 1}" for run in runs if len(run))
+    return ", ".join(f"{run[0]}" if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs if len(run))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -162,8 +162,8 @@ class Objections:
 
     @property
     def untouched(self) -> NDArray[np.int64]:
-        """Points that no frame names, from 0; (n,) int64."""
-        return np.flatnonzero(self.touches == 0)
+        """Points that no frame is assigned to, from 1; (n,) int64."""
+        return np.flatnonzero(self.touches == 0) + 1
 
     @property
     def objection(self) -> str | None:

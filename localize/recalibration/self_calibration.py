@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
+from acoustic_fem.quantities.checks import in_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
@@ -29,6 +30,7 @@ from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.recalibration.rejections import NEEDED, Objections, likeliest_order
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME, checked_signals
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
 
@@ -99,7 +101,7 @@ class SelfCalibration(Objections):
 def self_calibrate(
     library: Library,
     frames: ArrayLike,
-    microphone_noise: float = 1e-3,
+    microphone_noise: NoiseChoice = "design",
     priors: Priors | None = None,
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
@@ -111,7 +113,8 @@ def self_calibrate(
     Args:
         library: the nominal one, or the last calibration, of the sensor's design, covering 1 to 100 Hz.
         frames: (n, n_microphone, 250), Pa, at 1 kHz; those without a touch are passed over.
-        microphone_noise: of the microphones, Pa rms over 0 to 500 Hz, 1e-9 to 10.
+        microphone_noise: of the microphones, Pa rms over 0 to 500 Hz, 1e-9 to 10; or "design" for that of the design's
+            microphone.
         priors: how far the sensor may be from the library; by default those of a fresh one.
         seed: of the choice of the frames that are held out.
         progress: called with what is being done and the fraction done.
@@ -125,17 +128,13 @@ def self_calibrate(
         Refusal: frames of a wrong shape, a silent channel, values that are not finite; a noise or a corner out of
             range; a library without the band, or of a design that the lumped batch does not take.
     """
-    if not 1e-9 <= microphone_noise <= 10:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="microphone_noise",
-            value=microphone_noise,
-            unit="Pa",
-            allowed="between 1e-9 and 10 Pa",
-        )
     StreamOptions(high_pass)
     response = response_of(library)
-    heard = _usable(np.asarray(frames, np.float64), response, microphone_noise, options)
+    spectrum = response.noise(microphone_noise)
+    noise = in_range(
+        "microphone_noise", spectrum.rms if isinstance(spectrum, NoiseSpectrum) else spectrum, 1e-9, 10.0, "Pa"
+    )
+    heard = _usable(np.asarray(frames, np.float64), response, noise, options)
     _check_channels(heard, response.microphones, options.one_signal)
     level = float(np.median(heard.std(2).max(1)))
     if not options.levels[0] <= level <= options.levels[1]:
@@ -145,7 +144,7 @@ def self_calibrate(
             kind=Kind.UNSUITABLE,
             remedy=f"check that the samples are pascals; a calibration needs {NEEDED}",
         )
-    noises = [max(share * level, 2 * microphone_noise) for share in options.noise_stages]
+    noises = [max(share * level, 2 * noise) for share in options.noise_stages]
     heard = heard[np.random.default_rng(seed).permutation(len(heard))]
     # the errors of the model grow with the touch: louder ones say no more than half of them do
     heard *= np.minimum(1.0, level / heard.std(2).max(1))[:, None, None]

@@ -34,21 +34,21 @@ from localize.tracking.sliding import straight_slide
 
 
 @dataclass(frozen=True, eq=False)
-class ToldTouch:
-    """Touch whose kind is told."""
+class ClassifiedTouch:
+    """Touch and the probabilities of its kind."""
 
     start: float
     """Time from which something is heard, s."""
     end: float
     """Time to which something is heard, s."""
     point: int
-    """Point that is touched, from 0."""
+    """Point that is touched, from 1."""
     probability: Array
     """Probability of each kind; (n_label,) float64."""
 
 
-class Ear:
-    """Recognizer with the filters of its array.
+class FilterBank:
+    """Recognizer with the filters of its array: signals in, kinds of touch out.
 
     Args:
         library: of the array.
@@ -75,12 +75,12 @@ class Ear:
 
     def touches(
         self, signals: Array, point: int | None, speed: float | None, locator: Locator
-    ) -> tuple[ToldTouch, ...]:
+    ) -> tuple[ClassifiedTouch, ...]:
         """Touches of a recording in the order of time; one that is too short at an end of it is left out.
 
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
-            point: that is touched, from 0; None to have each named.
+            point: that is touched, from 1; None to have each named.
             speed: of what slides, mm/s; None to have it told from the points that a straight slide passes.
             locator: names points.
 
@@ -103,10 +103,10 @@ class Ear:
                 continue
             # windows of one touch overlap, and are hardly independent: their mean is what is told
             probability = self._recognizer.recognize(windows[:, -WINDOW:]).mean(0)
-            found.append(ToldTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, touched, probability))
+            found.append(ClassifiedTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, touched, probability))
         return tuple(found)
 
-    def _letters(self, signals: Array) -> tuple[ToldTouch, ...]:
+    def _letters(self, signals: Array) -> tuple[ClassifiedTouch, ...]:
         """Letters of a recording, each with the point at which it begins."""
         reader = LineReader(self._response, self._noise)
         frames = heard_frames(signals, self._recognizer.microphones, self._rms)
@@ -115,7 +115,9 @@ class Ear:
             return ()
         told = self._recognizer.of_maps(maps)
         return tuple(
-            ToldTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, reader.begins(signals, each.begin), probability)
+            ClassifiedTouch(
+                each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, reader.begins(signals, each.begin), probability
+            )
             for each, probability in zip(found, told, strict=True)
         )
 
@@ -148,4 +150,4 @@ class Ear:
         """Most probable point over the frames of a touch, which are heard as a stream hears them."""
         begin = max(0, min(each.begin - FRAME // 5, signals.shape[1] - FRAME))
         heard = HighPass(len(signals), HIGH_PASS).begin(signals)[:, begin : max(each.end + FRAME // 5, begin + FRAME)]
-        return int(locator.locate(heard).argmax())
+        return int(locator.locate(heard).argmax()) + 1

@@ -112,14 +112,14 @@ class LineReader:
         return np.concatenate([self._decoder.locate(np.ascontiguousarray(part)) for part in parts])
 
     def begins(self, signals: Array, first: int) -> int:
-        """Point, from 0, that is heard first from a sample on.
+        """Point, from 1, that is detected first from a sample on.
 
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
             first: the sample.
         """
         begin = max(0, min(first, signals.shape[1] - FRAME))
-        return int(self._decoder.locate(signals[:, begin : begin + FRAME]).argmax())
+        return int(self._decoder.locate(signals[:, begin : begin + FRAME]).argmax()) + 1
 
 
 def letter_maps(

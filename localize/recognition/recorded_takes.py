@@ -126,7 +126,7 @@ def windows_of(
         reconstructor: of the library.
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
         frames: (n,) int64, first samples of the frames with a touch.
-        point: that is touched, from 0.
+        point: that is touched, from 1.
         speed: of what slides, mm/s, which brings it to 12 mm/s.
         before: as of :func:`cut`.
         options: how touches are cut.
@@ -179,13 +179,13 @@ def stretched_waveform(
     Args:
         reconstructor: of the library.
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
-        point: that is touched, from 0.
+        point: that is touched, from 1.
         speed: of what slides, mm/s, which brings it to 12 mm/s.
 
     Returns:
         (m,) float64, Pa, NaN where there is none; and m over the number of samples.
     """
-    waveform = reconstructor.waveform(prepared(signals), point + 1).pressure[0]
+    waveform = reconstructor.waveform(prepared(signals), point).pressure[0]
     if speed is None:
         return waveform, 1.0
     known, stretched = np.isfinite(waveform), speed / SPEED
@@ -259,7 +259,7 @@ def recorded_takes(
             own = written_maps(through, heard, frames, 0 if judged else plan.letter_variants, options)[0]
         else:
             before = options.before[1:2] if judged else options.before
-            own = maps_of(windows_of(through, heard, frames, each.point - 1, each.speed, before, options))
+            own = maps_of(windows_of(through, heard, frames, each.point, each.speed, before, options))
         if not len(own):
             sought = "letter" if isinstance(through, LineReader) else f"window of {WINDOW} samples"
             raise TouchManifestError(f"has no {sought} with a touch in it", kind=Kind.UNSUITABLE, file=each.path)

@@ -69,7 +69,7 @@ SUBJECTS: Mapping[str, Subject] = {
 """What a recogniser can be trained on without recordings, by name."""
 
 
-def heard(
+def simulated_signals(
     response: ArrayResponse,
     point: int,
     pressure: Array,
@@ -81,7 +81,7 @@ def heard(
 
     Args:
         response: the sensor; what lies beyond its frequencies is not heard.
-        point: from 0.
+        point: from 1.
         pressure: (n_sample,) float64, Pa at 1 kHz.
         noise: of the microphones.
         random: draws the noise.
@@ -95,7 +95,7 @@ def heard(
     total = scipy.fft.next_fast_len(len(whole), real=True)
     inside, response_inside = _faded_response(response, total, options)
     spectrum = np.zeros((len(response.microphones), total // 2 + 1), np.complex128)
-    spectrum[:, inside] = response_inside[point] * scipy.fft.rfft(whole, total)[inside]
+    spectrum[:, inside] = response_inside[point - 1] * scipy.fft.rfft(whole, total)[inside]
     signals = scipy.fft.irfft(spectrum, total)[:, options.ease : options.ease + len(pressure)]
     signals += _noise_of(response, noise, len(pressure), random) + _of_recorder(
         len(pressure), len(signals), random, options
@@ -163,12 +163,12 @@ def waveform_windows(reconstructor: Reconstructor, signals: Array, point: int) -
     Args:
         reconstructor: of the library.
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
-        point: from 0.
+        point: from 1.
 
     Returns:
         (n,) float64, Pa.
     """
-    pressure = reconstructor.waveform(signals, point + 1).pressure[0]
+    pressure = reconstructor.waveform(signals, point).pressure[0]
     return pressure[reconstructor.window - 1 - reconstructor.latency : len(pressure) - reconstructor.latency]
 
 
@@ -204,7 +204,7 @@ class TakeMaker:
     """Sensors that are touched, one after the other."""
     seed: int = 0
     """Of the takes."""
-    noise: NoiseChoice = 1e-3
+    noise: NoiseChoice = "design"
     """Noise of the microphones."""
     speeds: tuple[float, float] | None = None
     """Lowest and highest speed of a texture, mm/s; by default those that are trained on."""
@@ -230,7 +230,7 @@ class TakeMaker:
             )
 
     def signals(self, purpose: Purpose, number: int) -> tuple[Array, int, int, float]:
-        """Signals of one take, (n_microphone, n_sample) Pa; its kind and point, from 0; and its speed, mm/s."""
+        """Signals of one take, (n_microphone, n_sample) Pa; its kind, from 0, and point, from 1; and its speed, mm/s."""
         subject = SUBJECTS[self.subject]
         key = (PURPOSES.index(purpose), tuple(SUBJECTS).index(self.subject), number)
         random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=key))
@@ -248,7 +248,8 @@ class TakeMaker:
             middle = len(pressure) - WINDOW / 2 * SPEED / speed + chance.uniform(-off, off)
             radius = float(sensor.membrane_radius[point])
             pressure = passing_pressure(PROFILES[kind], len(pressure), speed, chance, radius, middle)
-        return heard(sensor, point, pressure, self.noise, random, self.options), kind, point, speed
+        made = simulated_signals(sensor, point + 1, pressure, self.noise, random, self.options)
+        return made, kind, point + 1, speed
 
     def waveform(self, purpose: Purpose, number: int) -> tuple[Array, int]:
         """Window that one take is told by, (1024,) float64 Pa, and its kind, from 0."""

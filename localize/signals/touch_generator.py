@@ -46,14 +46,14 @@ class TouchSignals:
     signals: Tensor
     """Pressures at the microphones; (n, n_microphone, SAMPLE_LENGTH) float32, Pa."""
     point: Tensor
-    """Index of the touched point of each sample, from 0; (n,) int64."""
+    """Touched point of each sample, from 1; (n,) int64."""
     interval: Tensor
     """Index of each sample into ``stimulus.COMPONENT_INTERVALS``, -1 where the stimulus is no sum of sinusoids; (n,)
     int64."""
 
 
 class TouchGenerator:
-    """Endless stream of touches; sample i touches point i modulo the number of points.
+    """Endless stream of touches; sample i, from 0, is of point i modulo the number of points, plus 1.
 
     With a source of many sensors, each sensor in turn is touched at all of its points; only the sensors of the
     samples at hand are read.
@@ -86,7 +86,7 @@ class TouchGenerator:
         response: ArrayResponse,
         seed: int,
         purpose: Purpose,
-        microphone_noise: NoiseChoice = 0.0,
+        microphone_noise: NoiseChoice = "design",
         source: TransferFunctionSource | None = None,
         sensors: range | None = None,
         *,
@@ -171,7 +171,7 @@ class TouchGenerator:
         sample = (self.seed, self.purpose, start, count)
         stimuli = self.stimuli(*sample, self._band, self.device)
         channels = len(self.response.microphones)
-        spectrum, point = stimuli.spectrum[:, : self._stop], self._points(start, count)
+        spectrum = stimuli.spectrum[:, : self._stop]
         recorded = None
         if self._source is None and self.mismatch is None and self.method == "exact":
             signals = microphone_signals(spectrum, self._on_lines, start=start)
@@ -188,7 +188,7 @@ class TouchGenerator:
             signals = signals + stimulus.coloured_noise(*sample, channels, self.microphone_noise.power, self.device)
         elif self.microphone_noise:
             signals = signals + stimulus.white_noise(*sample, channels, self.microphone_noise, self.device)
-        return TouchSignals(signals=signals, point=point, interval=stimuli.interval)
+        return TouchSignals(signals=signals, point=self._points(start, count) + 1, interval=stimuli.interval)
 
     def _sound(
         self, sample: tuple[int, Purpose, int, int], levels: tuple[float, float], recorded: Tensor | None

@@ -81,7 +81,7 @@ class MovingScorer:
         self,
         response: ArrayResponse,
         footprints: Footprints,
-        microphone_noise: NoiseChoice = 1e-3,
+        microphone_noise: NoiseChoice = "design",
         ambient: float | None = None,
         high_pass: float | None = HIGH_PASS,
         options: TrackingOptions = TrackingOptions(),

@@ -20,7 +20,7 @@ from geometry.ground.record import sealed
 from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError
 
-PLAN = localize.TrainingPlan(seconds_per_point=24, epochs=4, batch=16, seed=3)
+PLAN = localize.TrainingPlan(seconds_per_point=24, epochs=4, batch=16, seed=3, microphone_noise=1e-3)
 
 
 @pytest.fixture(scope="module")
@@ -88,7 +88,9 @@ def told(progress):
     print(progress.epoch, flush=True)
     if progress.epoch == 9:
         time.sleep(3600)  # until it is killed
-plan = localize.TrainingPlan(seconds_per_point=24, epochs=10, batch=16, seed=3, checkpoint_interval=0.0)
+plan = localize.TrainingPlan(
+    seconds_per_point=24, epochs=10, batch=16, seed=3, microphone_noise=1e-3, checkpoint_interval=0.0
+)
 localize.train(rc_line(4), plan, told, checkpoint=sys.argv[1])
 """
 

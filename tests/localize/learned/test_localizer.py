@@ -24,8 +24,8 @@ from localize.learned.training import soft_labels
 from localize.signals import stimulus
 
 POINTS = 4
-PLAN = localize.TrainingPlan(seconds_per_point=200, epochs=5, seed=1)
-TINY = localize.TrainingPlan(seconds_per_point=4, epochs=1, batch=8)
+PLAN = localize.TrainingPlan(seconds_per_point=200, epochs=5, seed=1, microphone_noise=1e-3)
+TINY = localize.TrainingPlan(seconds_per_point=4, epochs=1, batch=8, microphone_noise=1e-3)
 
 
 @pytest.fixture(scope="module")
@@ -46,12 +46,12 @@ def tiny(array):
 
 @pytest.fixture(scope="module")
 def touches(array):
-    return localize.TouchGenerator(array, 9, "evaluation").samples(0, 8)
+    return localize.TouchGenerator(array, 9, "evaluation", 0.0).samples(0, 8)
 
 
 def test_four_points_are_learnt_in_seconds(trained, array):
     localizer, _ = trained
-    result = localize.evaluate(localizer, array, touches_per_point=100)
+    result = localize.evaluate(localizer, array, touches_per_point=100, microphone_noise=0.0)
     assert result.top1 > 0.93
     assert result.top2 > 0.98
     assert result.within_one > 0.98
@@ -188,7 +188,7 @@ class Scripted:
 
 
 def test_evaluation_counts_what_was_named(array):
-    result = localize.evaluate(Scripted(), array, touches_per_point=70, seed=4)
+    result = localize.evaluate(Scripted(), array, touches_per_point=70, microphone_noise=0.0, seed=4)
     assert (result.top1, result.top2, result.within_one) == (0.0, 1.0, 0.75)
     assert np.array_equal(result.confusion, 70 * np.roll(np.eye(POINTS, dtype=int), 1, axis=1))
     assert result.hardest_pair[2] == 0.5
@@ -215,7 +215,7 @@ def test_evaluation_is_the_same_again(tiny, array):
 )
 def test_an_evaluation_that_makes_no_sense_is_refused(tiny, array, arguments, kind, field):
     with refused(kind, field, *() if field == "" else arguments.values()):
-        localize.evaluate(tiny, **{"library": array, **arguments})
+        localize.evaluate(tiny, **{"library": array, "microphone_noise": 0.0, **arguments})
 
 
 # -- files ----------------------------------------------------------------------------------------------------------

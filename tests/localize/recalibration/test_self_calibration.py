@@ -310,13 +310,13 @@ def test_frames_that_cannot_be_used_are_refused() -> None:
     quiet = frames.copy()
     quiet[30:] *= 1e-6
     with refused(Kind.UNSUITABLE, error=SelfCalibrationError):
-        self_calibrate(nominal(), quiet)
+        self_calibrate(nominal(), quiet, NOISE)
     with refused(Kind.MISMATCH, "signals"):
-        self_calibrate(nominal(), frames[:, :1])
+        self_calibrate(nominal(), frames[:, :1], NOISE)
     with refused(Kind.WRONG_TYPE, "frames"):
-        self_calibrate(nominal(), np.pad(frames, ((0, 0), (0, 0), (0, 50))))
+        self_calibrate(nominal(), np.pad(frames, ((0, 0), (0, 0), (0, 50))), NOISE)
     with refused(Kind.UNSUITABLE, "signals"):
-        self_calibrate(nominal(), frames * np.array([1.0, 0.0])[:, None])
+        self_calibrate(nominal(), frames * np.array([1.0, 0.0])[:, None], NOISE)
     with refused(Kind.UNSUITABLE, error=SelfCalibrationError) as found:
         self_calibrate(nominal(), np.concatenate([frames, np.zeros((1, 2, 250)), frames[[3, 5]]]), NOISE)
     assert "frame 122 of frame 4" in str(found.value)

@@ -19,9 +19,9 @@ from geometry import Kind
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import CheckpointError
 from localize.recognition.event_kinds import event_pressure
-from localize.recognition.filter_bank import Ear
+from localize.recognition.filter_bank import FilterBank
 from localize.recognition.recorded_takes import Stretch, cut, stretches
-from localize.recognition.takes import TakeMaker, heard
+from localize.recognition.takes import TakeMaker, simulated_signals
 from localize.recordings.touch_manifest import TouchManifestError, read_labelled_manifest
 from localize.signals import response_of
 
@@ -36,7 +36,7 @@ def trained():
 
 
 def test_twelve_events_are_learnt_from_a_few_takes(trained) -> None:
-    maps, kind = TakeMaker("events", Reconstructor(ARRAY, 1e-3), (ARRAY,), 9).maps("evaluation", 48)
+    maps, kind = TakeMaker("events", Reconstructor(ARRAY, 1e-3), (ARRAY,), 9, 1e-3).maps("evaluation", 48)
     assert (trained.of_maps(maps).argmax(1) == kind.numpy()).mean() > 0.5  # a twelfth by chance
     assert np.array(trained.training["confusion"]).sum() == trained.training["held_out_takes"] == 36
 
@@ -138,7 +138,7 @@ def recorded(folder: Path, takes: int = 3, labels: tuple[str, ...] = ("knock", "
             for begin in (600, 2700, 4800):
                 pressure[begin : begin + 1024] = event_pressure(label, 1024, random) * np.hanning(1024) ** 0.25
             name = f"{label}-{take}.wav"
-            write_wav(folder / name, heard(ARRAY, 1, pressure, 1e-3, random) / 8, 1000, 32)
+            write_wav(folder / name, simulated_signals(ARRAY, 2, pressure, 1e-3, random) / 8, 1000, 32)
             lines += ["[[recordings]]", f'file = "{name}"', "point = 2", f'label = "{label}"']
     (folder / "touches.toml").write_text("\n".join(lines))
     return folder / "touches.toml"
@@ -161,10 +161,10 @@ def test_labels_of_recordings_are_learnt_and_told_of_another(tmp_path: Path) -> 
     random, pressure = np.random.default_rng(77), np.zeros(6000)
     for begin, name in ((700, "rub"), (3200, "knock")):
         pressure[begin : begin + 1024] = event_pressure(name, 1024, random) * np.hanning(1024) ** 0.25
-    signals = heard(ARRAY, 1, pressure, 1e-3, random)
-    told = Ear(ARRAY, own).touches(signals, None, None, localize.BayesDecoder(ARRAY, 1e-3))
+    signals = simulated_signals(ARRAY, 2, pressure, 1e-3, random)
+    told = FilterBank(ARRAY, own).touches(signals, None, None, localize.BayesDecoder(ARRAY, 1e-3))
     assert [own.labels[each.probability.argmax()] for each in told] == ["rub", "knock"]
-    assert [each.point for each in told] == [1, 1]
+    assert [each.point for each in told] == [2, 2]
 
 
 @pytest.mark.parametrize(

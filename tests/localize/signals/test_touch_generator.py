@@ -49,7 +49,7 @@ def test_signals_are_those_of_a_time_domain_recursion_in_its_steady_state(memory
 def test_a_pure_delay_delays_and_a_gain_scales():
     frequency = np.arange(1.0, 500.01, 0.25)
     delay = np.exp(-2j * np.pi * frequency * 0.003)
-    generator = TouchGenerator(response([[np.ones_like(delay), 0.5 * delay]] * 2, frequency), 0, "training")
+    generator = TouchGenerator(response([[np.ones_like(delay), 0.5 * delay]] * 2, frequency), 0, "training", 0.0)
     near, far = generator.samples(0, 8).signals.unbind(1)
     assert torch.allclose(far[:, 3:], 0.5 * near[:, :-3], atol=2e-6)
     assert near.std() > 0.05
@@ -75,7 +75,7 @@ def test_a_spline_through_values_is_the_one_of_the_matrices(sealed):
 def test_touches_go_round_the_points_and_can_be_made_again_alone():
     generator = TouchGenerator(rc_line(5), 3, "training", microphone_noise=1e-3)
     whole = generator.samples(0, 23)
-    assert whole.point.tolist() == [i % 5 for i in range(23)]
+    assert whole.point.tolist() == [i % 5 + 1 for i in range(23)]
     again = TouchGenerator(rc_line(5), 3, "training", microphone_noise=1e-3).samples(11, 4)
     assert torch.allclose(again.signals, whole.signals[11:15], atol=1e-7)
     shards = torch.cat([part.signals for part in generator.stream(0, 23, shard=4)])
@@ -84,7 +84,7 @@ def test_touches_go_round_the_points_and_can_be_made_again_alone():
 
 def test_held_out_touches_are_not_those_of_training():
     training, held_out = (
-        TouchGenerator(rc_line(2), 0, purpose).samples(0, 50).signals[:, 0] for purpose in ("training", "held-out")
+        TouchGenerator(rc_line(2), 0, purpose, 0.0).samples(0, 50).signals[:, 0] for purpose in ("training", "held-out")
     )
     normed = [s / s.norm(dim=1, keepdim=True) for s in (training, held_out)]
     assert (normed[0] @ normed[1].T).abs().max() < 0.999
@@ -98,7 +98,7 @@ def test_microphone_noise_is_added_to_every_microphone_independently():
 
 
 def test_nothing_is_made_up_beyond_the_range_of_the_library():
-    signals = TouchGenerator(rc_line(3, np.linspace(1, 100, 100)), 0, "training").samples(0, 20).signals.numpy()
+    signals = TouchGenerator(rc_line(3, np.linspace(1, 100, 100)), 0, "training", 0.0).samples(0, 20).signals.numpy()
     spectrum = np.abs(np.fft.rfft(signals * np.blackman(1000), axis=-1)) ** 2
     assert spectrum[..., 110:].sum() < 1e-8 * spectrum.sum()
 
