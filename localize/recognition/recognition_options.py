@@ -113,3 +113,42 @@ class WritingOptions:
     """Standard deviation of the pen that draws a picture, in its heights."""
     pen: PenOptions = PenOptions()
     """Options of the pen between the points."""
+
+
+@dataclass(frozen=True)
+class PulseOptions:
+    """Numbers that tune the reading of pulses."""
+
+    rates: tuple[float, float] = (40.0, 160.0)
+    """Lowest and highest heart rate that is looked for, beats a minute."""
+    shortest: float = 3.0
+    """Shortest recording that a pulse is read from, s: two beats at the lowest rate."""
+    force: float = 2e-5
+    """Force of a pulse that the filter expects, N rms."""
+    pressure: float = 0.05
+    """Pressure of a pulse in the cavity that the filter expects of an array without a design, Pa rms."""
+    window: int = 250
+    """Length of the filter, samples."""
+    latency: int = 16
+    """Latency of the filter, samples."""
+    slower: int = 4
+    """Times that frames of the decoder of pulses are longer than those of touches."""
+    corner: float = 4.0
+    """Corner of the spectrum of a pulse, Hz."""
+    slope: float = 6.0
+    """Slope of the power of a pulse above the corner: the wave is round."""
+    noise_ratio: float = 2.0
+    """Noise that the decoder is given, over that of the microphones: it assumes a quarter of it, because touches are
+    loud, and a pulse is near the noise."""
+    smooth: float = 0.02
+    """Standard deviation of the Gaussian in which the second derivative is taken, s."""
+    end_apart: float = 0.15
+    """Difference of the first or last interval from the median one, as a fraction of it, from which the beat at that
+    end is none."""
+    least_bend: float = 0.02
+    """Bend of a wave, as a fraction of that of the percussion wave, from which it is there."""
+    tidal: tuple[float, float] = (0.07, 0.22)
+    """Time after the percussion wave in which the tidal wave is looked for, at 75 beats a minute, s; it goes with the
+    root of the beat's length."""
+    dicrotic: tuple[float, float] = (0.24, 0.44)
+    """The same of the dicrotic wave."""

@@ -230,7 +230,7 @@ class TakeMaker:
             )
 
     def signals(self, purpose: Purpose, number: int) -> tuple[Array, int, int, float]:
-        """Signals of one take, (n_microphone, n_sample) Pa; its kind, from 0, and point, from 1; and its speed, mm/s."""
+        """Signals of one take, (n_microphone, n_sample) Pa; its kind, from 0; point, from 1; and speed, mm/s."""
         subject = SUBJECTS[self.subject]
         key = (PURPOSES.index(purpose), tuple(SUBJECTS).index(self.subject), number)
         random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=key))
