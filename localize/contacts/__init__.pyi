@@ -16,6 +16,7 @@ from .contact_shapes import (
     stroke as stroke,
     stylus as stylus,
 )
+from .draws import Stream as Stream
 from .finger_gestures import (
     double_tap as double_tap,
     press as press,

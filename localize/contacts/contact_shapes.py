@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,8 +19,8 @@ from acoustic_fem.quantities.checks import in_range, numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact
-from localize.contacts.draws import Draws
-from localize.signals.random_streams import Purpose, StreamKind
+from localize.contacts.draws import Draws, Stream
+from localize.signals.random_streams import StreamKind
 
 Place = tuple[float, float]
 
@@ -63,80 +64,60 @@ BRUSH = Tool("brush", (3.0, 6.0), (5e-4, 5e-3), (0.2, 0.5), 0.2)
 """Soft brush of 6 to 12 mm."""
 
 
-def stroke(
-    path: ArrayLike,
-    speed: ArrayLike,
-    tool: Tool = FINGER,
-    *,
-    seed: int = 0,
-    purpose: Purpose = "evaluation",
-    sample: int = 0,
-) -> Contact:
+def stroke(path: ArrayLike, speed: ArrayLike, tool: Tool = FINGER, **stream: Unpack[Stream]) -> Contact:
     """A stroke along a path, put down at its first place and lifted at its last: what handwriting is made of.
 
     Args:
         path: corners of the path, (k, 2) mm; k at least 2.
         speed: mm/s, 0.1 to 2000: one, or (k - 1,) of the pieces between corners.
         tool: what is moved; each sample draws its radius, force, roughness and unsteadiness.
-        seed: any non-negative integer.
-        purpose: streams of different purposes never share a number.
-        sample: index of the contact in the stream.
+        stream: ``seed``, ``purpose`` and ``sample`` of its random numbers, as of :class:`localize.contacts.Stream`.
 
     Raises:
         Refusal: a path of one place, or of no length; a speed out of range.
     """
-    return _moved("stroke", path, speed, tool, (seed, purpose, sample))
+    return _moved("stroke", path, speed, tool, stream)
 
 
-def finger(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def finger(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A :data:`FINGER` that moves along a path, (n, 2) mm, at a speed, mm/s.
 
     Arguments and errors as for :func:`stroke`.
     """
-    return _moved("finger", path, speed, FINGER, (seed, purpose, sample))
+    return _moved("finger", path, speed, FINGER, stream)
 
 
-def stylus(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def stylus(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A :data:`STYLUS` that moves along a path, (n, 2) mm, at a speed, mm/s.
 
     Arguments and errors as for :func:`stroke`.
     """
-    return _moved("stylus", path, speed, STYLUS, (seed, purpose, sample))
+    return _moved("stylus", path, speed, STYLUS, stream)
 
 
-def feather(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def feather(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A :data:`FEATHER` that moves along a path, (n, 2) mm, at a speed, mm/s.
 
     Arguments and errors as for :func:`stroke`.
     """
-    return _moved("feather", path, speed, FEATHER, (seed, purpose, sample))
+    return _moved("feather", path, speed, FEATHER, stream)
 
 
-def brush(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def brush(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A :data:`BRUSH` that moves along a path, (n, 2) mm, at a speed, mm/s.
 
     Arguments and errors as for :func:`stroke`.
     """
-    return _moved("brush", path, speed, BRUSH, (seed, purpose, sample))
+    return _moved("brush", path, speed, BRUSH, stream)
 
 
-def rolling_ball(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def rolling_ball(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A steel ball of 2 to 5 mm that rolls along a path, (n, 2) mm, at a speed, mm/s, under its own weight; arguments
     and errors as for :func:`stroke`.
 
     Its contact has the radius (3 F R / (4 E))^(1/3) of Hertz on silicone; it wobbles once a turn, by 5 to 20 %.
     """
-    draws = Draws("rolling ball", seed, purpose, sample)
+    draws = Draws("rolling ball", **stream)
     size = draws.between((2.0, 5.0)) / 2e3  # m
     weight = 7800 * 4 / 3 * math.pi * size**3 * _GRAVITY
     time, places, pressed = _way(path, speed)
@@ -146,16 +127,14 @@ def rolling_ball(
     return Contact(time, places, weight * pressed * (1 + wobble), radius, 0.02, "rolling ball")
 
 
-def insect(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def insect(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """An insect of 2 to 50 mg that walks along a path, (n, 2) mm, at a speed, mm/s; arguments and errors as for
     :func:`stroke`.
 
     Three of its six feet, 1 to 2.5 mm around its middle, carry it by turns (the alternating tripod of Wilson 1966,
     Annual Review of Entomology 11, 103): its weight moves by 20 to 60 % twice a stride, strides being 3 to 6 mm long.
     """
-    draws = Draws("insect", seed, purpose, sample)
+    draws = Draws("insect", **stream)
     weight = draws.log_between((2e-6, 50e-6)) * _GRAVITY
     time, places, pressed = _way(path, speed)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(places, axis=0).T))])
@@ -164,7 +143,7 @@ def insect(
     return Contact(time, places, weight * pressed * gait, draws.between((1.0, 2.5)), 0.3, "insect")
 
 
-def falling_grain(place: Place, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0) -> Contact:
+def falling_grain(place: Place, **stream: Unpack[Stream]) -> Contact:
     """A grain of 2 to 20 mg that falls on the array from 5 to 20 mm and bounces up to four times.
 
     The paper lets 5 mg fall from 10 mm. Each impact is half a sine of 1 to 3 ms that turns the grain's velocity round;
@@ -172,11 +151,9 @@ def falling_grain(place: Place, *, seed: int = 0, purpose: Purpose = "evaluation
 
     Args:
         place: where, mm.
-        seed: any non-negative integer.
-        purpose: streams of different purposes never share a number.
-        sample: index of the contact in the stream.
+        stream: ``seed``, ``purpose`` and ``sample`` of its random numbers, as of :class:`localize.contacts.Stream`.
     """
-    draws = Draws("falling grain", seed, purpose, sample)
+    draws = Draws("falling grain", **stream)
     mass, lasts = draws.log_between((2e-6, 20e-6)), draws.between((1e-3, 3e-3))
     back = draws.between((0.3, 0.6))
     velocity = math.sqrt(2 * _GRAVITY * draws.log_between((5e-3, 20e-3)))
@@ -193,12 +170,12 @@ def falling_grain(place: Place, *, seed: int = 0, purpose: Purpose = "evaluation
     return Contact(time, still(place, len(time)), force, draws.between((0.1, 0.3)), 0.0, "falling grain")
 
 
-def air_puff(place: Place, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0) -> Contact:
+def air_puff(place: Place, **stream: Unpack[Stream]) -> Contact:
     """A puff of air of 50 to 300 ms on a spot of 4 to 12 mm radius, with 1 to 10 mN and turbulence of 20 to 40 %.
 
     Arguments as for :func:`falling_grain`.
     """
-    draws = Draws("air puff", seed, purpose, sample)
+    draws = Draws("air puff", **stream)
     lasts, force = draws.log_between((0.05, 0.3)), draws.log_between((1e-3, 1e-2))
     radius, turbulence = draws.between((4.0, 12.0)), draws.between((0.2, 0.4))
     time = times(QUIET[0] + lasts + QUIET[1])
@@ -260,10 +237,8 @@ def joined(contacts: list[Contact], label: str = "") -> Contact:
     )
 
 
-def _moved(
-    kind: StreamKind, path: ArrayLike, speed: ArrayLike, tool: Tool, stream: tuple[int, Purpose, int]
-) -> Contact:
-    draws = Draws(kind, *stream)
+def _moved(kind: StreamKind, path: ArrayLike, speed: ArrayLike, tool: Tool, stream: Stream) -> Contact:
+    draws = Draws(kind, **stream)
     time, places, pressed = _way(path, speed)
     radius, force = draws.between(tool.radius), draws.log_between(tool.force)
     roughness = draws.between(tool.roughness)
