@@ -55,7 +55,7 @@ class Contact:
     """Fluctuation of the force while it moves, rms as a share of the force, 0 to 2: noise along the path, whose
     frequencies rise with the speed."""
     label: str = ""
-    """What it is, such as ``tap``."""
+    """Kind of contact, such as ``tap``."""
 
     def __post_init__(self) -> None:
         for name in ("time", "path", "force"):
@@ -148,12 +148,12 @@ def covered_force(contact: Contact, array: Library | ArrayResponse) -> Array:
     distance = np.linalg.norm(contact.path[pressing, None] - place, axis=-1)
     for size in np.unique(radius):
         rows, columns = np.nonzero((distance < contact.radius + size) & (radius == size))
-        shares[pressing[rows], columns] = hertz_share(distance[rows, columns], contact.radius, float(size))
+        shares[pressing[rows], columns] = hertz_fraction(distance[rows, columns], contact.radius, float(size))
     return shares * contact.force[:, None]
 
 
 def surface_of(array: Library | ArrayResponse) -> tuple[Array, Array]:
-    """Where the membranes of an array are.
+    """Places and radii of the membranes of an array.
 
     Returns:
         Their middles, (n_point, 2) float64, mm, and radii, (n_point,) float64, mm.
@@ -171,7 +171,7 @@ def surface_of(array: Library | ArrayResponse) -> tuple[Array, Array]:
     return response.position, response.membrane_radius
 
 
-def hertz_share(distance: Array, contact: float, membrane: float) -> Array:
+def hertz_fraction(distance: Array, contact: float, membrane: float) -> Array:
     """Share of the force of a round contact that lies over a round membrane.
 
     With u = sqrt(1 - (r / a)^2) the share of a ring is 3 u^2 du times the share of it inside the membrane's edge. The

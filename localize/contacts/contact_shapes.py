@@ -1,4 +1,4 @@
-"""What touches: fingers, styluses, feathers, brushes, balls, insects, grains and puffs of air, each drawn anew.
+"""Contacts that touch an array: fingers, styluses, feathers, brushes, balls, insects, grains, puffs; each drawn anew.
 
 Forces are light ones, under which membranes stay linear or nearly so: a cap of 6 mm of Shore A 30 gives way by a third
 of its thickness under 15 mN, one of the fingertip arrays under 1 mN, and what presses harder rests on the shells around
@@ -39,7 +39,7 @@ _SILICONE = 1.3e6
 
 @dataclass(frozen=True)
 class Tool:
-    """What is held to the array and moved: ranges from which each contact draws its own."""
+    """Tool that is pressed on the array and moved: ranges from which each contact draws its own."""
 
     name: str
     """Name of it, the label of its strokes."""
@@ -120,7 +120,7 @@ def rolling_ball(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) ->
     draws = Draws("rolling ball", **stream)
     size = draws.between((2.0, 5.0)) / 2e3  # m
     weight = 7800 * 4 / 3 * math.pi * size**3 * _GRAVITY
-    time, places, pressed = _way(path, speed)
+    time, places, pressed = _along_path(path, speed)
     turns = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(places, axis=0).T))]) / (2e3 * math.pi * size)
     wobble = draws.between((0.05, 0.2)) * np.sin(2 * np.pi * (turns + draws.between((0.0, 1.0))))
     radius = 1e3 * (0.75 * weight * size / _SILICONE) ** (1 / 3)
@@ -136,7 +136,7 @@ def insect(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Conta
     """
     draws = Draws("insect", **stream)
     weight = draws.log_between((2e-6, 50e-6)) * _GRAVITY
-    time, places, pressed = _way(path, speed)
+    time, places, pressed = _along_path(path, speed)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(places, axis=0).T))])
     steps = 2 * along / draws.between((3.0, 6.0)) + draws.between((0.0, 1.0))
     gait = 1 + draws.between((0.2, 0.6)) * np.sin(2 * np.pi * steps)
@@ -239,14 +239,14 @@ def joined(contacts: list[Contact], label: str = "") -> Contact:
 
 def _moved(kind: StreamKind, path: ArrayLike, speed: ArrayLike, tool: Tool, stream: Stream) -> Contact:
     draws = Draws(kind, **stream)
-    time, places, pressed = _way(path, speed)
+    time, places, pressed = _along_path(path, speed)
     radius, force = draws.between(tool.radius), draws.log_between(tool.force)
     roughness = draws.between(tool.roughness)
     label = tool.name if kind == "stroke" else kind
     return Contact(time, places, force * pressed * draws.hand(time, tool.unsteadiness), radius, roughness, label)
 
 
-def _way(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]:
+def _along_path(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]:
     """Times (n,) s, places (n, 2) mm and the course of the force (n,) of what moves along a path."""
     corners = numbers("path", path)
     if corners.ndim != 2 or corners.shape[1:] != (2,) or len(corners) < 2 or not np.isfinite(corners).all():

@@ -1,4 +1,4 @@
-"""What is drawn for one contact: a fixed row of numbers that it owns, handed out in order."""
+"""Random numbers of one contact: a fixed row of numbers that it owns, handed out in order."""
 
 from __future__ import annotations
 

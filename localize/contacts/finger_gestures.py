@@ -29,8 +29,8 @@ WAVES = {
     "tidal": ((0.24, 0.29), (0.45, 0.75), (0.050, 0.065)),
     "dicrotic": ((0.42, 0.50), (0.25, 0.45), (0.055, 0.075)),
 }
-"""Of each wave of a pulse: range of its time after the foot at 75 beats a minute, s; of its height against the first;
-of its standard deviation, s. The order and rough times are those of the radial pulse (Nichols and O'Rourke, McDonald's
+"""Ranges of each wave of a pulse: its time after the foot at 75 beats a minute, s; its height against the first; its
+standard deviation, s. The order and rough times are those of the radial pulse (Nichols and O'Rourke, McDonald's
 Blood Flow in Arteries); the ranges are ours."""
 
 
@@ -134,7 +134,7 @@ def pulse_times(rate: float = 75.0, seconds: float = 4.0, **stream: Unpack[Strea
 
 @dataclass(frozen=True)
 class _Heart:
-    """What is drawn for one pulse."""
+    """Random numbers of one pulse."""
 
     draws: Draws
     swaying: float

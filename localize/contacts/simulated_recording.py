@@ -1,4 +1,4 @@
-"""What the microphones record while a contact moves over an array.
+"""Microphone signals while a contact moves over an array.
 
 The force on each membrane goes through its impulse response to each microphone, and the pressures of all membranes
 add, for the array is linear. The impulse responses are those of :mod:`localize.signals.propagation`: the transfer
@@ -46,7 +46,7 @@ _BLOCKS = 4096
 
 @dataclass(frozen=True, eq=False)
 class Take:
-    """What the microphones of an array record of a contact, and what is true of it."""
+    """Microphone signals of a contact, and the true path and force."""
 
     signals: Array
     """Pressures at the microphones; (n_microphone, n_sample) float64, Pa."""
@@ -61,7 +61,7 @@ class Take:
     point: NDArray[np.int64]
     """Point whose middle is nearest, from 1; 0 where nothing presses; (n_sample,) int64."""
     label: str
-    """What the contact is."""
+    """Label of the contact."""
 
 
 class ContactRecorder:
@@ -158,7 +158,7 @@ class ContactRecorder:
         return self._on_bins[point]
 
     def take(self, contact: Contact, sample: int = 0) -> Take:
-        """What is recorded from the first time of a contact to its last.
+        """Microphone signals from the first time of a contact to its last.
 
         Args:
             contact: what presses.
@@ -213,7 +213,7 @@ def record(
     purpose: Purpose = "evaluation",
     sample: int = 0,
 ) -> Take:
-    """What the microphones record of one contact; of many, :class:`ContactRecorder` is quicker.
+    """Microphone signals of one contact; for many, :class:`ContactRecorder` is quicker.
 
     ``sample_rate`` in Hz, ``ambient`` in dB SPL; arguments and errors as for :class:`ContactRecorder` and
     :meth:`ContactRecorder.take`.

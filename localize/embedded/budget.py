@@ -1,4 +1,4 @@
-"""What a decoder costs a microcontroller: flash, memory, stack and instructions, and whether that is within a budget.
+"""Costs of a decoder on a microcontroller: flash, memory, stack and instructions, and whether that is within a budget.
 
 Tables and variables are counted. Code, stack and instructions are those of gcc 12.2 with newlib at -O2 for a
 Cortex-M4F, counted on an emulated board with nothing given up early, whatever is heard: no decision takes more. Tests
@@ -29,7 +29,7 @@ _STATED = re.compile(r"\s*(flash|ram|stack|instructions)\s*=\s*(\d+(?:\.\d+)?)\s
 
 @dataclass(frozen=True)
 class Cost:
-    """What a decoder costs."""
+    """Costs of a decoder."""
 
     flash: int
     """Tables, code and constants, bytes."""
@@ -45,7 +45,7 @@ class Cost:
 
 @dataclass(frozen=True)
 class Budget:
-    """What a microcontroller has left for the decoder; None where it does not matter."""
+    """Resources that a microcontroller has left for the decoder; None where a resource does not matter."""
 
     flash: int | None = None
     """Bytes."""

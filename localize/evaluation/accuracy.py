@@ -113,7 +113,7 @@ class Evaluation:
 
     @property
     def noise_in_words(self) -> str:
-        """Which noise the microphones had, as a phrase."""
+        """Noise of the microphones, as a phrase."""
         if self.noise_source == "white":
             return f"white microphone noise of {self.microphone_noise:.2g} Pa rms over 0 to 500 Hz"
         return f"the noise of the design's microphone, {self.microphone_noise:.2g} Pa rms over 1 to 500 Hz"

@@ -1,4 +1,4 @@
-"""Whether touches are of the sensor that a decoder has: what its best point leaves of the loudest of them.
+"""Fit of a decoder to its sensor: the residual of its best point in the loudest touches.
 
 A library of another array, a sensor that is further from its design than tolerances go, and a microphone that is far
 off its level all leave more of a loud touch than a sensor as expected does, at every point. A level that is off shows
@@ -49,7 +49,7 @@ class SensorFit:
     """How well the points of a decoder explain the loudest touches of a sensor."""
 
     misfit: float
-    """What the best point leaves of a frame, by what the noise leaves, a ratio; the median over the frames."""
+    """Residual of the best point in a frame over that of the noise, a ratio; the median over the frames."""
     expected: float
     """Largest such ratio of a sensor as the decoder expects it."""
     microphones: tuple[str, ...]

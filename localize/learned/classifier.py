@@ -39,7 +39,7 @@ class NetworkShape:
     patch: tuple[int, int] = (4, 8)
     """Rows (frequency) and columns (time) of the embedding's patches."""
     merge_last: bool = False
-    """Whether a merging layer follows the last stage too."""
+    """True if a merging layer follows the last stage too."""
     features: FeatureChoice = "phasors"
     """Choice of the maps, see :mod:`localize.learned.features`."""
 

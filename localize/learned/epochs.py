@@ -27,15 +27,15 @@ class TrainingProgress:
     loss: float
     """Mean soft-target cross-entropy over the epoch, nats."""
     accuracy: float
-    """Share of held-out touches whose most probable point is the right one."""
+    """Top-1 accuracy on held-out touches, from 0 to 1."""
     seconds: float
     """Time since training began, s."""
     recorded: Mapping[str, float] = field(default_factory=dict)
-    """Share of the frames of held-out recordings that are named right, by part; empty without recordings."""
+    """Top-1 accuracy on held-out recordings, from 0 to 1, by part; empty without recordings."""
 
 
 class Schedule(Protocol):
-    """How long and how fast is trained: the fields of a plan that the loop reads."""
+    """Length and speed of a training: the fields of a plan that the loop reads."""
 
     @property
     def epochs(self) -> int:
@@ -71,12 +71,12 @@ class Schedule(Protocol):
 
     @property
     def bfloat16(self) -> bool:
-        """Whether the network computes in bfloat16 while it is trained."""
+        """True if the network computes in bfloat16 while it is trained."""
 
 
 @dataclass(frozen=True, eq=False)
-class Lesson:
-    """What a classifier is taught, and what it is asked after every epoch."""
+class TrainingTask:
+    """Samples that a classifier is trained on, and those that it is evaluated on after every epoch."""
 
     batch: Callable[[int, int], tuple[Tensor, Tensor]]
     """Inputs and classes, from 0, of step k of steps of so many samples; the same whatever was asked for before."""
@@ -94,7 +94,7 @@ class Lesson:
 
 def run_epochs(
     classifier: MapClassifier,
-    lesson: Lesson,
+    lesson: TrainingTask,
     plan: Schedule,
     checkpoint: Checkpoint | None,
     report: Callable[[TrainingProgress], None] | None,
@@ -147,7 +147,7 @@ def run_epochs(
         ended = at.step % lesson.steps_per_epoch == 0 or at.step >= steps
         if ended:
             epoch, epochs = (math.ceil(k / lesson.steps_per_epoch) for k in (at.step, max(at.step, steps)))
-            right = named_classes(classifier, lesson.held_out) == lesson.held_out_class
+            right = most_probable_classes(classifier, lesson.held_out) == lesson.held_out_class
             judged = lesson.judge()
             seconds = perf_counter() - started
             accuracy = float(right.double().mean())
@@ -163,7 +163,7 @@ def run_epochs(
     return curve, at.step * plan.batch
 
 
-def named_classes(classifier: MapClassifier, inputs: Tensor) -> Tensor:
+def most_probable_classes(classifier: MapClassifier, inputs: Tensor) -> Tensor:
     """Most probable class of each input, from 0; (n,) int64."""
     classifier.eval()
     with torch.inference_mode():
@@ -171,7 +171,7 @@ def named_classes(classifier: MapClassifier, inputs: Tensor) -> Tensor:
 
 
 def _step(
-    classifier: MapClassifier, optimizer: torch.optim.Optimizer, lesson: Lesson, plan: Schedule, number: int
+    classifier: MapClassifier, optimizer: torch.optim.Optimizer, lesson: TrainingTask, plan: Schedule, number: int
 ) -> float:
     """Loss of a step that is done."""
     inputs, label = lesson.batch(number, plan.batch)

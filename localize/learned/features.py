@@ -181,7 +181,7 @@ class PairFeatures(nn.Module):
         return maps.unflatten(0, (-1, shares.shape[1])).flatten(1, 2)
 
     def _waves(self, shares: Tensor) -> tuple[Tensor, Tensor]:
-        """What the first factor leaves, (..., 64), to real and imaginary part of the transform, (..., 64, 47)."""
+        """Result of the first factor, (..., 64), to real and imaginary part of the transform, (..., 64, 47)."""
         parts = (shares.to(self.synthesis.dtype) @ self.synthesis).unflatten(-1, (2, FREQUENCIES, TAIL))
         return parts.select(-3, 0), parts.select(-3, 1)
 

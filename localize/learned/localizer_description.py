@@ -97,7 +97,7 @@ class Training(Strict):
 
 
 class LocalizerDescription(Array):
-    """What ``localizer.json`` says."""
+    """Schema of ``localizer.json``."""
 
     format: str
     version: int

@@ -39,8 +39,8 @@ from localize.signals.stimulus import SAMPLE_RATE, Device
 class PartAccuracy:
     """Accuracy on the held-out recordings of one part."""
 
-    right: float
-    """Share of the frames that were named right."""
+    top1: float
+    """Top-1 accuracy: fraction of the frames that are assigned to the correct point."""
     frames: int
     """Number of frames."""
     recordings: int

@@ -19,7 +19,7 @@ from acoustic_fem.library.provenance import versions
 from localize.decoders.frame_covariance import whole_frame_covariance
 from localize.learned.checkpoint import Checkpoint, training_identity
 from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier
-from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
+from localize.learned.epochs import TrainingProgress, TrainingTask, most_probable_classes, run_epochs
 from localize.learned.features import map_count
 from localize.learned.localizer import Localizer
 from localize.learned.recorded_frames import RecordedFrames
@@ -103,7 +103,7 @@ def train(
         target = torch.from_numpy(labels_of(response, plan)).float().to(device)
         curve, touch_count = run_epochs(
             classifier,
-            Lesson(
+            TrainingTask(
                 batches.frames,
                 _steps_per_epoch(plan, response),
                 target,
@@ -292,17 +292,17 @@ def _held_out(plan: TrainingPlan, touches: TouchGenerator) -> TouchSignals:
 def _by_part(classifier: TouchClassifier, recordings: RecordedFrames | None) -> dict[str, float]:
     if recordings is None:
         return {}
-    judged = recordings.judged(named_classes(classifier, recordings.judged_frames))
-    return {part: found.right for part, found in judged.items()}
+    judged = recordings.judged(most_probable_classes(classifier, recordings.judged_frames))
+    return {part: found.top1 for part, found in judged.items()}
 
 
 def _of_recordings(
     recordings: RecordedFrames | None, classifier: TouchClassifier, curve: list[TrainingProgress]
 ) -> dict[str, Any]:
-    """What the localizer keeps of its recordings: the split, the curves, and how the held-out ones are named."""
+    """Record of the recordings in a localizer: the split, the curves, and the accuracy on the held-out ones."""
     if recordings is None:
         return {}
-    judged = recordings.judged(named_classes(classifier, recordings.judged_frames))
+    judged = recordings.judged(most_probable_classes(classifier, recordings.judged_frames))
     return {
         "recordings": recordings.to_dict(),
         "held_out_recordings": {part: asdict(found) for part, found in judged.items()},

@@ -76,9 +76,9 @@ class TrainingPlan:
     seconds_per_point: int = 200
     """Number of one-second touches of every point in an epoch; each touch gives one frame, its last."""
     new_touches: bool = True
-    """Whether each epoch draws new touches; else all epochs have those of the first, in another order."""
+    """True if each epoch draws new touches; else all epochs have those of the first, in another order."""
     method: Literal["exact", "stft"] = "exact"
-    """Way from the cavity to the microphones, as of :class:`localize.TouchGenerator`: exact, or products of
+    """Path from the cavity to the microphones, as of :class:`localize.TouchGenerator`: exact, or products of
     short-window transforms, which are aliased. Held-out touches are made in the same way."""
     epochs: int = 20
     """Number of epochs."""
@@ -124,7 +124,7 @@ class TrainingPlan:
     """Choice of the network's maps, see :mod:`localize.learned.features`; "rooms" is "phasors" where touches have no
     sound around them."""
     bfloat16: bool = False
-    """Whether the network computes in bfloat16 while it is trained: the paper's is a third faster where the
+    """True if the network computes in bfloat16 while it is trained: the paper's is a third faster where the
     processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
 
     warm_up_steps: int = 20

@@ -1,8 +1,8 @@
-"""What a fitted library is worth before anything more is measured: the accuracy to be expected on the made sensor.
+"""Value of a fitted library before anything more is measured: the accuracy to be expected on the as-built sensor.
 
-A fit to a few points leaves sensors that differ and agree with the measurement equally well. The made one is a draw
-from that posterior, with what the model lacks; the decoder knows its mean only. How often it names touches of such
-draws right says whether another point should be measured.
+A fit to a few points leaves sensors that differ and agree with the measurement equally well. The as-built one is a draw
+from that posterior, with what the model lacks; the decoder knows its mean only. Its top-1 accuracy on such draws
+says if another point should be measured.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def expected_accuracy(
 
 
 def is_enough(fit: Update, accuracy: NDArray[np.float64], options: AccuracyOptions = AccuracyOptions()) -> bool:
-    """Whether no other point needs to be measured.
+    """True if no other point needs to be measured.
 
     Args:
         fit: to some points.

@@ -46,7 +46,7 @@ class Evidence:
 
     frames: Array
     """Log-likelihood of each frame, divided by the decoder's temperature; (n,) float64, nats."""
-    share: Array
+    probability: Array
     """Probability of each point, each row summing to 1; (n, n_point) float64."""
 
 
@@ -99,7 +99,7 @@ class MarginalLikelihood:
         fine = np.arange(BAND[0], min(float(frequency[-1]), SAMPLE_RATE / 2) + 1e-9, options.frequency_step)
         turn, gain = sampled_waves(fine)
         whiten = whitening(noise)
-        amplitude = np.sqrt(source_density(fine) * options.frequency_step) * gain * passed(fine, high_pass)
+        amplitude = np.sqrt(source_density(fine) * options.frequency_step) * gain * high_pass_gain(fine, high_pass)
         by_slope = np.stack([amplitude * fine**slope for slope in slopes])
         waves = by_slope[..., None] * (turn @ whiten.T)
         white = frames @ (whiten @ low_pass()).T
@@ -250,7 +250,7 @@ class MarginalLikelihood:
         )
 
 
-def passed(frequency: Array, high_pass: float | None) -> Array:
+def high_pass_gain(frequency: Array, high_pass: float | None) -> Array:
     """Gain of the high-pass of :class:`localize.live.front_end.HighPass`.
 
     Args:

@@ -38,7 +38,7 @@ class Candidate:
     """Most probable point of each frame, from 0; (n,) int64."""
 
     def is_distinct(self, other: Candidate, fraction: float) -> bool:
-        """Whether the two maxima assign more than this fraction of the frames to different points."""
+        """True if the two maxima assign more than this fraction of the frames to different points."""
         return bool((self.named != other.named).mean() > fraction)
 
 
@@ -119,7 +119,7 @@ def ascend(
         },
     )
     there = np.clip(scale @ best.x, -options.farthest, options.farthest)
-    named = likelihood.evidence(model.transfer_function(there[None])[0]).share.argmax(1)
+    named = likelihood.evidence(model.transfer_function(there[None])[0]).probability.argmax(1)
     return Candidate(start, there, -float(best.fun), named)
 
 

@@ -1,8 +1,8 @@
-"""What speaks against a sensor that was found from unlabelled touches.
+"""Rejection tests of a sensor that was found from unlabelled touches.
 
-Touches that were held out of the search judge it: whether they are touches of that sensor, whether another one would
-do as well, and whether the present library does. Two things no likelihood tells: which channel is which, where a
-sensor is its own mirror image; and points that nobody touched.
+Touches that were held out of the search test it: they must be touches of that sensor, and neither another sensor nor
+the present library may explain them as well. No likelihood tells the order of the channels, where a sensor is its own
+mirror image, nor points that nobody touched; both have tests of their own.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ class Order:
 
     microphones: tuple[str, ...]
     """Names of the microphones, as the library orders them."""
-    heard: tuple[str, ...]
-    """Names of the microphones that the channels hold, one for each of these."""
+    likeliest: tuple[str, ...]
+    """Most probable microphones of the channels, one for each of these."""
     gain: float
     """Lead of this order over the one that the frames came in, nats per frame."""
     error: float
@@ -44,7 +44,7 @@ class Order:
 
     @property
     def differs(self) -> bool:
-        """Whether this order is clearly likelier than that of the channels."""
+        """True if this order is clearly likelier than that of the channels."""
         return self.gain > max(self.options.exchanged_errors * self.error, self.options.exchanged_lead)
 
 
@@ -116,7 +116,7 @@ def numbers(points: NDArray[np.int64]) -> str:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Objections:
+class RejectionTests:
     """Figures by which a sensor is accepted or refused."""
 
     posterior: Posterior
@@ -167,14 +167,14 @@ class Objections:
 
     @property
     def objection(self) -> str | None:
-        """Reason why the sensor is refused; None where it is accepted."""
+        """Reason why the sensor is rejected; None where it is accepted."""
         untouched = gaps(self.touches, self.line, self.options)
         # an exchange looks like a bad fit too, and is the simpler reason
         if self.order.differs and self.order.gain > self.options.regained_fraction * self.gain:
             return (
                 f"the channels look exchanged: {', '.join(self.order.microphones)} are likelier "
-                f"{', '.join(self.order.heard)}, by {self.order.gain:.2f} +- {self.order.error:.2f} nats per held-out "
-                "frame; or it is another sensor"
+                f"{', '.join(self.order.likeliest)}, by {self.order.gain:.2f} +- {self.order.error:.2f} nats per "
+                "held-out frame; or it is another sensor"
             )
         if self.explained < self.options.explained_fraction:
             found = f"; farthest off: {self.posterior.farthest}" if self.size > self.largest_size else ""
@@ -215,5 +215,5 @@ class Objections:
 
     @property
     def accepted(self) -> bool:
-        """Whether nothing speaks against the sensor, so that its library is a new one."""
+        """True if no test rejects the sensor, so that its library is a new one."""
         return self.objection is None

@@ -27,7 +27,7 @@ from localize.live.options import StreamOptions
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
 from localize.recalibration.parameter_search import ascend, distinct, search
 from localize.recalibration.recalibration_options import RecalibrationOptions
-from localize.recalibration.rejections import NEEDED, Objections, likeliest_order
+from localize.recalibration.rejections import NEEDED, RejectionTests, likeliest_order
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME, checked_signals
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -42,7 +42,7 @@ class SelfCalibrationError(Refusal):
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class SelfCalibration(Objections):
+class SelfCalibration(RejectionTests):
     """Most probable sensor of unlabelled touches, and what speaks against it."""
 
     present: Library
@@ -87,7 +87,7 @@ class SelfCalibration(Objections):
             "agreement": self.agreement,
             "size": self.size,
             "expected_size": self.expected_size,
-            "likeliest_order": list(self.order.heard),
+            "likeliest_order": list(self.order.likeliest),
             "order_gain_per_frame": self.order.gain,
             "order_gain_error": self.order.error,
             "touches_per_point": self.touches.tolist(),
@@ -168,7 +168,7 @@ def self_calibrate(
 
 
 def touched(frames: Array, noise: float, quiet: float = RecalibrationOptions.quiet) -> NDArray[np.bool_]:
-    """Which frames hold a touch; one that is not finite is no quiet one.
+    """Mask of the frames that hold a touch; one that is not finite counts as one.
 
     Args:
         frames: (n, n_microphone, 250) float64, Pa, at 1 kHz.
@@ -266,7 +266,7 @@ def _calibrated(
         found = distinct([ascend(model, likelihood, one.parameters, one.start, *fine) for one in found], options)
     unseen = likelihood_of(held_out, noise)
     best, *rivals = (unseen.evidence(responses(one.parameters)) for one in found)
-    named = best.share.argmax(1)
+    named = best.probability.argmax(1)
     present = responses(np.zeros(model.count))
     difference = best.frames - unseen.evidence(present).frames
     order = likeliest_order(unseen, present, response.microphones)
@@ -293,9 +293,9 @@ def _calibrated(
         rival=min((found[0].value - one.value for one in found[1:]), default=np.inf),
         rival_held_out=min((float((best.frames - one.frames).sum()) for one in rivals), default=np.inf),
         explained=float((test.p_value(held_out, named + 1) >= options.false_alarm).mean()),
-        agreement=float((unseen.evidence(responses(u)).share.argmax(1) == named).mean()),
+        agreement=float((unseen.evidence(responses(u)).probability.argmax(1) == named).mean()),
         order=order,
-        touches=np.bincount(whole.evidence(responses(u)).share.argmax(1), minlength=response.point_count),
+        touches=np.bincount(whole.evidence(responses(u)).probability.argmax(1), minlength=response.point_count),
         line=response.line,
         options=options,
     )

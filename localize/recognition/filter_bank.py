@@ -20,7 +20,7 @@ from localize.recognition.recognizer import Recognizer
 from localize.recognition.recorded_takes import (
     Stretch,
     cut,
-    heard_frames,
+    detected_frames,
     stretched_waveform,
     stretches,
     written_maps,
@@ -91,7 +91,7 @@ class FilterBank:
             return self._letters(signals)
         found = []
         slides = self._recognizer.at_usual_speed and speed is None
-        frames = heard_frames(signals, self._recognizer.microphones, self._rms)
+        frames = detected_frames(signals, self._recognizer.microphones, self._rms)
         for each in stretches(frames, self._cuts.letters_apart if slides else self._cuts.apart):
             if slides:
                 touched, windows = self._passing(locator, signals, each)
@@ -109,7 +109,7 @@ class FilterBank:
     def _letters(self, signals: Array) -> tuple[ClassifiedTouch, ...]:
         """Letters of a recording, each with the point at which it begins."""
         reader = LineReader(self._response, self._noise)
-        frames = heard_frames(signals, self._recognizer.microphones, self._rms)
+        frames = detected_frames(signals, self._recognizer.microphones, self._rms)
         maps, found = written_maps(reader, signals, frames, options=self._cuts)
         if not found:
             return ()

@@ -66,7 +66,7 @@ class LineReader:
 
     @one_thread()
     def line(self, signals: Array) -> Array:
-        """Where the line was, hop by hop, as far as the array knows.
+        """Places of the line, hop by hop, as far as the array knows.
 
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz, at least a frame.
@@ -170,7 +170,7 @@ class LetterMaker:
     sensors: tuple[ArrayResponse, ...]
     """Sensors that are written on, one after the other."""
     seed: int = 0
-    """Of the letters."""
+    """Seed of the letters."""
     noise: NoiseChoice = "design"
     """Noise of the microphones."""
     hand: Hand = field(default_factory=Hand)

@@ -20,7 +20,7 @@ from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import Checkpoint
 from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape
-from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
+from localize.learned.epochs import TrainingProgress, TrainingTask, most_probable_classes, run_epochs
 from localize.learned.training_plan import identity_of
 from localize.recognition.handwriting import WRITTEN, LetterMaker, LineReader
 from localize.recognition.letter_classifier import LETTERS, Hand
@@ -39,7 +39,7 @@ RECORDED = "labels"
 
 @dataclass(frozen=True, eq=False)
 class Takes:
-    """What is learnt from: maps and their kinds, to train on and held out."""
+    """Data of a training: maps and their kinds, to train on and held out."""
 
     labels: tuple[str, ...]
     """Kinds."""
@@ -121,7 +121,7 @@ def _takes(
     recordings: str | os.PathLike[str] | None,
     making: Callable[[float], None] | None,
 ) -> tuple[Takes, bool]:
-    """What is learnt from, and whether it is of sliding at a known speed."""
+    """Data of a training, and True if they are of sliding at a known speed."""
     reconstructor = reconstructor_of(response, plan)
     reader = LineReader(response, plan.microphone_noise) if subject == WRITTEN else None
     if recordings is not None:
@@ -179,12 +179,12 @@ def learn(
         classifier = MapClassifier(shape)
         classifier.fit_normalisation(takes.maps)
         target = (1 - plan.smoothing) * torch.eye(kinds) + plan.smoothing / kinds
-        lesson = Lesson(
+        lesson = TrainingTask(
             lambda step, size: _batch(takes, plan, step, size), steps, target, takes.held_out_maps, takes.held_out_kind
         )
         kept = None if checkpoint is None else Checkpoint(checkpoint, _identity(takes, plan, response))
         curve, count = run_epochs(classifier, lesson, plan, kept, progress)
-        named = named_classes(classifier, takes.held_out_maps)
+        named = most_probable_classes(classifier, takes.held_out_maps)
     confusion = np.zeros((kinds, kinds), np.int64)
     np.add.at(confusion, (takes.held_out_kind.numpy(), named.numpy()), 1)
     return classifier.eval(), {

@@ -1,4 +1,4 @@
-"""Where a pen goes that writes on an array: heard over a membrane, guessed between two, lifted.
+"""Path of a pen that writes on an array: detected over a membrane, guessed between two, lifted.
 
 What is heard of a line tells in each hop the point that is loudest and how loud it is, against the loudest of the whole
 line: a pad presses a membrane the less the farther its middle is. Between rows it presses none and nothing is heard,
@@ -25,14 +25,14 @@ from localize.recognition.recognition_options import PenOptions
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
-from localize.tracking.footprints import pitch_of, shares_at
+from localize.tracking.footprints import fractions_at, pitch_of
 
 Single = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
 class _Moves:
-    """Where a hop takes a pen of one speed."""
+    """Steps of a pen of one speed in a hop."""
 
     on: scipy.sparse.csr_array
     """From cells and directions before to those behind; (n, n), n = n_direction n_cell, float32."""
@@ -68,14 +68,14 @@ class PenTracker:
         self._shape = (len(axes[0]), len(axes[1]))
         self.place = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 2)
         """Middles of the cells; (n_cell, 2) float64, mm."""
-        share = shares_at(response, options.pad_radius_mm, self.place) ** 2
+        share = fractions_at(response, options.pad_radius_mm, self.place) ** 2
         self._power = share / share.max()
         self._landed = float(1 - np.exp(-options.land * self.hop / SAMPLE_RATE))
         self._moves = cache(self._moves_at)
         self._loudness = cache(self._loudness_at)
 
     def probability(self, point: NDArray[np.int64], level: Array, floor: float) -> Single:
-        """Where the pen is, hop by hop.
+        """Probability of the place of the pen, hop by hop.
 
         Args:
             point: that is heard in the frame about each hop, from 0; (n_hop,) int64.

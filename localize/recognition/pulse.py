@@ -110,7 +110,7 @@ def _whitening(response: ArrayResponse, noise: float | NoiseSpectrum, level: flo
 
 
 def _faster(response: ArrayResponse, noise: NoiseSpectrum | None, slower: int) -> ArrayResponse:
-    """What an array is to a clock that is slower."""
+    """The array for a clock that is slower."""
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2 / slower)
     frequency = np.arange(BAND[0] / slower, top + 1e-9, BAND[0] / slower)
     return replace(

@@ -40,7 +40,7 @@ class RecognitionPlan:
     network: str = "patches"
     """Name of the network's shape, one of :data:`localize.learned.classifier.NETWORKS`."""
     bfloat16: bool = False
-    """Whether the network computes in bfloat16 while it is trained."""
+    """True if the network computes in bfloat16 while it is trained."""
     warm_up_steps: int = 20
     """Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
     settling_fraction: float = 0.25

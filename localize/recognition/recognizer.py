@@ -33,7 +33,7 @@ class RecognizerError(Refusal):
 
 
 class _Description(Strict):
-    """What ``recognizer.json`` says."""
+    """Schema of ``recognizer.json``."""
 
     format: str
     version: int
@@ -68,7 +68,7 @@ class Recognizer:
     microphones: tuple[str, ...]
     """Names of the microphones of the array."""
     at_usual_speed: bool
-    """Whether it expects waveforms of sliding as they are at 12 mm/s."""
+    """True if it expects waveforms of sliding as they are at 12 mm/s."""
     plan: Mapping[str, Any] = field(repr=False)
     """Fields of the plan, seed included."""
     training: Mapping[str, Any] = field(repr=False)
@@ -77,7 +77,7 @@ class Recognizer:
     """Design, fidelity, air, frequencies and versions."""
 
     def recognize(self, waveforms: ArrayLike) -> NDArray[np.float64]:
-        """What kind of touch a waveform is of.
+        """Probability of each kind of touch for a waveform.
 
         Args:
             waveforms: (n, 1024) float64 or (1024,), Pa or any other unit, at 1 kHz; of sliding, at 12 mm/s.

@@ -34,7 +34,7 @@ from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
 
-def heard_frames(signals: Array, microphones: tuple[str, ...], noise_rms: float) -> NDArray[np.int64]:
+def detected_frames(signals: Array, microphones: tuple[str, ...], noise_rms: float) -> NDArray[np.int64]:
     """First samples of the frames with a touch, hum and slow drift being left out.
 
     Args:
@@ -208,9 +208,9 @@ class RecordedTakes:
     held_out_kind: Tensor
     """Their kinds, from 0; (m,) int64."""
     at_usual_speed: bool
-    """Whether all recordings state a speed, and were brought to 12 mm/s."""
+    """True if all recordings give a speed, and were brought to 12 mm/s."""
     files: dict[str, str]
-    """What is said of each recording in a checkpoint: checksum, point, label and side, by file."""
+    """Facts of each recording in a checkpoint: checksum, point, label and side, by file."""
 
 
 def recorded_takes(
@@ -254,7 +254,7 @@ def recorded_takes(
     for each, judged in zip(found.recordings, held, strict=True):  # what is judged is cut as what is to be told
         full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
         heard = read_recording(each.path, response.microphones, full_scale).signals
-        frames = heard_frames(heard, response.microphones, noise_rms)
+        frames = detected_frames(heard, response.microphones, noise_rms)
         if isinstance(through, LineReader):
             own = written_maps(through, heard, frames, 0 if judged else plan.letter_variants, options)[0]
         else:

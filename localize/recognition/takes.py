@@ -37,7 +37,7 @@ SLOWEST, FASTEST = 0.75 * SPEED, 1.7 * SPEED
 
 @dataclass(frozen=True)
 class Subject:
-    """What kinds of touch there are of one sort, and how they are made."""
+    """Kinds of touch of one sort, and how they are made."""
 
     labels: tuple[str, ...]
     """Names of the kinds."""
@@ -66,7 +66,7 @@ SUBJECTS: Mapping[str, Subject] = {
     "events": Subject(tuple(EVENTS), _event),
     "textures": Subject(tuple(profile.name for profile in PROFILES), _texture, (SLOWEST, FASTEST)),
 }
-"""What a recogniser can be trained on without recordings, by name."""
+"""Subjects that a recognizer can be trained on without recordings, by name."""
 
 
 def simulated_signals(
@@ -77,7 +77,7 @@ def simulated_signals(
     random: np.random.Generator,
     options: TakeOptions = TakeOptions(),
 ) -> Array:
-    """What the microphones of a sensor record of a pressure in one cavity.
+    """Microphone signals of a pressure in one cavity of a sensor.
 
     Args:
         response: the sensor; what lies beyond its frequencies is not heard.
@@ -134,7 +134,7 @@ def _drawn(of: tuple[float, float], random: np.random.Generator) -> float:
 def _faded_response(
     response: ArrayResponse, total: int, options: TakeOptions
 ) -> tuple[NDArray[np.bool_], NDArray[np.complex128]]:
-    """Which lines of a real transform of that length are heard, and the transfer functions there."""
+    """Mask of the lines of a real transform of that length that reach microphones, and the transfer functions there."""
     line = scipy.fft.rfftfreq(total, 1 / SAMPLE_RATE)
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
     inside = (line > options.fade_in[0]) & (line < top)
@@ -203,13 +203,13 @@ class TakeMaker:
     sensors: tuple[ArrayResponse, ...]
     """Sensors that are touched, one after the other."""
     seed: int = 0
-    """Of the takes."""
+    """Seed of the takes."""
     noise: NoiseChoice = "design"
     """Noise of the microphones."""
     speeds: tuple[float, float] | None = None
     """Lowest and highest speed of a texture, mm/s; by default those that are trained on."""
     speed_known: bool = True
-    """Whether waveforms are brought to the usual speed."""
+    """True if waveforms are brought to the usual speed."""
     speed_error: float = 0.01
     """Standard deviation of the speed that is known, a share of it."""
     blunter: float = 1.0

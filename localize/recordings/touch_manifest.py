@@ -181,7 +181,7 @@ def read_labelled_manifest(path: str | os.PathLike[str], points: int) -> TouchMa
 
 
 def _read(path: Path, points: int) -> tuple[_File, list[str]]:
-    """What a manifest states, and the checksums of its files."""
+    """Content of a manifest, and the checksums of its files."""
     file = model_of(_File, read_toml(path, "a manifest", TouchManifestError), str(path), "manifest", TouchManifestError)
     seen: dict[str, str] = {}
     for number, each in enumerate(file.recordings):
@@ -230,7 +230,7 @@ def refuse_same_take(
 
 
 def split(recordings: Sequence[tuple[int, str, str]], seed: int, parts: Sequence[str] = PARTS) -> tuple[bool, ...]:
-    """Which recordings are held out: a fifth of those of each point and part, at least one where there are two.
+    """Mask of the held-out recordings: a fifth of those of each point and part, at least one where there are two.
 
     One that is alone of its point and part is trained on. The split of a point and part depends on the seed and on the
     names of its own recordings, not on their order or on other recordings.

@@ -52,7 +52,7 @@ class ArrayResponse:
     """Pressure at a microphone per pressure outside, the same on all membranes; (n_microphone, n_freq) complex128,
     Pa/Pa; None where there is no design."""
     sealed: bool = False
-    """Whether all pressures of the array are equal at 0 Hz, as those of a design are; if not, the spline is left to
+    """True if all pressures of the array are equal at 0 Hz, as those of a design are; if not, the spline is left to
     itself there."""
     vent_ratio: NDArray[np.complex128] | None = None
     """Admittance of the microphone's compliances over that of its vent, see

@@ -1,4 +1,4 @@
-"""What the microphones record beside the touch: sound from outside, and the unlikeness of the microphones themselves.
+"""Disturbances that microphones record beside the touch: sound from outside, and the scatter of the microphones.
 
 Sound: its wavelength, 3.4 m at 100 Hz, is far above the size of an array, so that it presses on all membranes alike.
 The network tells what reaches each microphone (:meth:`acoustic_fem.Library.touch_response`, summed over the points). It

@@ -1,4 +1,4 @@
-"""What fingers do to the pressure in a cavity, in Pa: taps and presses, friction, a pulse wave, and recordings.
+"""Pressure that fingers make in a cavity, in Pa: taps and presses, friction, a pulse wave, and recordings.
 
 Scale: a membrane that sweeps the volume V of a sealed cavity of volume V_0 raises its pressure by about P_0 V / V_0,
 P_0 = 101 kPa being the isothermal bulk modulus of the air; under a cap of 8 mm over 150 mm^3 a tenth of a micrometre

@@ -1,4 +1,4 @@
-"""Whether a localizer and a library are of one array: the same microphones, points and design."""
+"""Check that a localizer and a library are of one array: the same microphones, points and design."""
 
 from __future__ import annotations
 

@@ -31,8 +31,8 @@ class Footprints:
     """Row and column of each place in the grid; (n_place, 2) int64."""
     footprint: NDArray[np.int64]
     """Footprint of each place; (n_place,) int64."""
-    share: Array
-    """Shares of each footprint on the membranes, of Euclidean norm 1; (n_footprint, n_point) float64."""
+    fraction: Array
+    """Fractions of the force on the membranes, of Euclidean norm 1; (n_footprint, n_point) float64."""
     step: float
     """Distance of two neighbours of the grid, mm."""
 
@@ -48,7 +48,7 @@ def pitch_of(response: ArrayResponse) -> float:
     return float(np.median((apart + np.diag(np.full(len(apart), np.inf))).min(1)))
 
 
-def shares_at(response: ArrayResponse, radius: float, place: Array) -> Array:
+def fractions_at(response: ArrayResponse, radius: float, place: Array) -> Array:
     """Share of the force of a contact that each membrane takes.
 
     Args:
@@ -84,7 +84,7 @@ def footprints_over(
     step = options.grid_step * _checked(response)
     while True:
         found = _footprints(response, radius, step, options.alike)
-        if len(found.share) <= max(most, response.point_count) or step >= pitch_of(response):
+        if len(found.fraction) <= max(most, response.point_count) or step >= pitch_of(response):
             return found
         step *= 1.25
 
@@ -155,7 +155,7 @@ def _footprints(response: ArrayResponse, radius: float, step: float, alike: floa
     ]
     node = np.stack(np.meshgrid(*(np.arange(len(axis)) for axis in axes), indexing="ij"), -1).reshape(-1, 2)
     place = np.column_stack([axis[node[:, k]] for k, axis in enumerate(axes)])
-    share = shares_at(response, radius, place)
+    share = fractions_at(response, radius, place)
     covered = share.sum(1) > 0
     share = share[covered] / np.linalg.norm(share[covered], axis=1, keepdims=True)
     _, first, footprint = np.unique(np.round(share / alike), axis=0, return_index=True, return_inverse=True)

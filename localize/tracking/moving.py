@@ -51,8 +51,8 @@ _PERIOD = 4000
 
 
 @dataclass(frozen=True, eq=False)
-class HeardHop:
-    """What one frame says of its hop."""
+class ScoredHop:
+    """Scores of all footprints in one hop."""
 
     gain: Array
     """Log-likelihood of each footprint over that of nothing new, zero or above; (n_footprint,) float64, nats."""
@@ -95,8 +95,8 @@ class MovingScorer:
         self._hiss = float(self._noise[0, 0] - floor_covariance(noise)[0, 0] + frame_noise_covariance(noise)[0])
         self._channels = len(response.microphones)
         self._reduce = low_pass()
-        response = footprint_response(response, _of_two(footprints.share), options.footprints.top_frequency)
-        taps = impulse_responses(response, high_pass, options.heard_samples)[: len(footprints.share)]
+        response = footprint_response(response, _of_two(footprints.fraction), options.footprints.top_frequency)
+        taps = impulse_responses(response, high_pass, options.heard_samples)[: len(footprints.fraction)]
         self._count = len(taps)
         self._now = (
             _spread(taps, np.arange(options.ahead), options.before).transpose(2, 3, 0, 1).reshape(self._size, -1)
@@ -113,8 +113,8 @@ class MovingScorer:
         """Forget what was heard."""
         self._heard = np.zeros((self.options.heard_samples, self._count))  # power of past sources
 
-    def score(self, frame: Array) -> HeardHop:
-        """What a frame says, (n_microphone, 250) float64, Pa."""
+    def score(self, frame: Array) -> ScoredHop:
+        """Scores of a frame, (n_microphone, 250) float64, Pa."""
         x = (frame @ self._reduce.T).reshape(-1)
         floor = self.options.misfit**2 * float(np.mean(x**2))
         known = self._noise + floor * np.eye(self._size)
@@ -137,7 +137,7 @@ class MovingScorer:
         source = np.einsum("pij,pj->pi", newest, share * part)
         unsure = np.einsum("pij,pj->pi", newest**2, share)
         gain = np.maximum(vertex(each.T), 0.0)
-        return HeardHop(gain, np.where(gain > 0, (source**2 + unsure).mean(1), 0.0), source.mean(1))
+        return ScoredHop(gain, np.where(gain > 0, (source**2 + unsure).mean(1), 0.0), source.mean(1))
 
     def decide(self, power: Array) -> None:
         """Take the powers of all footprints in the hop that was scored, (n_footprint,) Pa^2, for known."""

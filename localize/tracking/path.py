@@ -21,7 +21,7 @@ from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 from localize.tracking.footprints import footprints_over, pitch_of, pressure_of_force
-from localize.tracking.moving import STEP, HeardHop, MovingScorer
+from localize.tracking.moving import STEP, MovingScorer, ScoredHop
 from localize.tracking.smoothing import HOP_TIME, Cells, smoothed
 from localize.tracking.tracking_options import TrackingOptions
 
@@ -41,8 +41,8 @@ class Track:
     force: Array
     """Force on the membranes as far as it changes faster than the high-pass of the stream, by the membranes of the
     design; (n,) float64, N; not a number where nothing is heard."""
-    heard: NDArray[np.bool_]
-    """Whether the contact is heard there; between, the path goes on from one membrane to the next; (n,) bool."""
+    detected: NDArray[np.bool_]
+    """True where the contact is detected; between, the path goes on from one membrane to the next; (n,) bool."""
     pitch: float
     """Distance of the points of the array, mm."""
 
@@ -82,7 +82,7 @@ class PathTracker:
         self._cells = Cells.of(footprints, self.pitch, options)
         inside = (response.frequency >= options.force_band[0]) & (response.frequency <= options.force_band[1])
         # The source is told along shares of norm 1; their sum is the force on the membranes.
-        self._newtons = footprints.share.sum(1) / float(pressure_of_force(response)[inside].mean())
+        self._newtons = footprints.fraction.sum(1) / float(pressure_of_force(response)[inside].mean())
         self.tracks: list[Track] = []
         """Paths that have ended."""
         self._begin()
@@ -90,7 +90,7 @@ class PathTracker:
     def _begin(self) -> None:
         self._belief = np.full(len(self._cells.middle), 1 / len(self._cells.middle))
         self._times: list[float] = []
-        self._hops: list[HeardHop] = []
+        self._hops: list[ScoredHop] = []
         self._silent = 0
 
     @one_thread()
@@ -104,7 +104,7 @@ class PathTracker:
             self._scorer.reset()
         if event.frame is None:
             count = len(self._cells.middle)
-            hop = HeardHop(np.zeros(count), np.zeros(count), np.zeros(count))
+            hop = ScoredHop(np.zeros(count), np.zeros(count), np.zeros(count))
         else:
             hop = self._scorer.score(event.frame)
         heard = float(hop.gain.max()) > self.options.detection_lead
@@ -138,7 +138,7 @@ class PathTracker:
                 self.tracks.append(track)
         self._begin()
 
-    def _track(self, time: Array, hops: list[HeardHop]) -> Track | None:
+    def _track(self, time: Array, hops: list[ScoredHop]) -> Track | None:
         """Path of the hops of a contact; None of a few that are heard by chance."""
         gain, power, source = (np.stack([getattr(hop, name) for hop in hops]) for name in ("gain", "power", "source"))
         belief = self._cells.forward_backward(STEP / self.options.ahead * gain)

@@ -26,7 +26,7 @@ DIRECTIONS = ("right", "up", "left", "down")
 
 @dataclass(frozen=True)
 class Gesture:
-    """What a contact did."""
+    """Gesture of a contact."""
 
     start: float
     """Time at which it began, s."""
@@ -43,7 +43,7 @@ class Gesture:
 def gesture_of(track: Track, options: GestureOptions = GestureOptions()) -> Gesture:
     """Gesture of a path, by the numbers of some options."""
     start, end = float(track.time[0]), float(track.time[-1])
-    heard = track.place[track.heard]
+    heard = track.place[track.detected]
     if np.linalg.norm(heard - heard[0], axis=1).max() < options.still * track.pitch:
         return Gesture(start, end, _staying(track, options))
     steps = np.diff(track.place, axis=0)
@@ -98,7 +98,7 @@ def _aside(place: Array, start: Array, way: Array) -> float:
 
 
 def _staying(track: Track, options: GestureOptions) -> Literal["tap", "double tap", "hold"]:
-    """What a contact that stays does, by the force that is heard."""
+    """Gesture of a contact that stays, by the force that is detected."""
     force = np.nan_to_num(track.force)
     loud = np.abs(force) > options.quiet * np.abs(force).max()
     edges = np.flatnonzero(np.diff(np.concatenate([[False], loud, [False]]).astype(int)))
@@ -111,7 +111,7 @@ def _staying(track: Track, options: GestureOptions) -> Literal["tap", "double ta
 
 
 def _begins_up(force: Array) -> bool:
-    """Whether the first large value of a burst is that of a force that rises."""
+    """True if the first large value of a burst is that of a force that rises."""
     return bool(force[np.abs(force) > 0.5 * np.abs(force).max()][0] > 0)
 
 

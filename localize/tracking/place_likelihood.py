@@ -32,7 +32,7 @@ from localize.signals.disturbances import MAINS
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, SAMPLE_RATE
-from localize.tracking.footprints import footprint_response, pitch_of, shares_at
+from localize.tracking.footprints import footprint_response, fractions_at, pitch_of
 from localize.tracking.tracking_options import PositionOptions
 
 
@@ -44,7 +44,7 @@ class Slope(NamedTuple):
     gradient: Array
     """Slope of it; (2,) float64, nats/mm."""
     information: Array
-    """What is known of the place, the inverse of a covariance; (2, 2) float64, 1/mm^2."""
+    """Information on the place, the inverse of a covariance; (2, 2) float64, 1/mm^2."""
 
 
 class PlaceLikelihood:
@@ -79,7 +79,7 @@ class PlaceLikelihood:
         self._heard = self._sources(top)
 
     def _sources(self, top: float) -> Array:
-        """What the microphones hear of each membrane, as a sum of white sources; (n_point, n_source, n)."""
+        """Response of the microphones to each membrane, as a sum of white sources; (n_point, n_source, n)."""
         response = footprint_response(self._response, np.eye(self._response.point_count), top)
         lowest, top = self.options.lowest_frequency, min(top, float(response.frequency[-1]))
         frequency = np.arange(lowest, top + 1e-9, INTEGRATION_STEP)
@@ -99,7 +99,7 @@ class PlaceLikelihood:
         return np.asarray(frames.reshape(len(frames), -1) @ self._reduce)
 
     def reaches(self, place: Array) -> bool:
-        """Whether a contact at a place (2,) mm reaches a membrane."""
+        """True if a contact at a place (2,) mm reaches a membrane."""
         return len(self._shares(place[None])[0]) > 0
 
     def slope(self, place: Array, x: Array, power: Array) -> Slope | None:
@@ -164,7 +164,7 @@ class PlaceLikelihood:
 
     def _shares(self, place: Array) -> tuple[NDArray[np.int64], Array]:
         """Membranes that are covered from any of the places (n, 2) mm, and their shares, of norm 1; (n, n_covered)."""
-        share = shares_at(self._response, self._radius, place)
+        share = fractions_at(self._response, self._radius, place)
         on = np.flatnonzero(share.any(0))
         return on, share[:, on] / np.maximum(np.linalg.norm(share[:, on], axis=1, keepdims=True), 1e-12)
 

@@ -80,7 +80,7 @@ class _Search:
         self._options = likelihood.options
 
     def climbed(self, place: Array, noise: Array, steps: int) -> _Candidate:
-        """Where the slope leads from a place, with so many times the noise in each frame, (n_frame,)."""
+        """Place to which the slope leads from a place, with so many times the noise in each frame, (n_frame,)."""
         x = self._x / noise[:, None]
         _, power = self._likelihood.likeliest(place, x)
         now = self._likelihood.slope(place, x, power)

@@ -1,4 +1,4 @@
-"""Where a contact is, between the points: the likelihood of its footprints, refined to any place around the best.
+"""Place of a contact between the points: the likelihood of its footprints, refined to any place around the best.
 
 Each footprint (:mod:`localize.tracking.footprints`) is scored as the decoder of points scores a point. From the best
 of them the place is looked for by :mod:`localize.tracking.place_search`: of a finger as wide as the pitch all points of
@@ -91,7 +91,7 @@ class PositionDecoder(LibraryDecoder):
         apart = np.linalg.norm(self.footprints.place[:, None] - response.position, axis=-1)
         self._nearest = apart.argmin(1)
         self._finer: dict[float | None, PlaceLikelihood] = {}
-        pressed = footprint_response(response, self.footprints.share)
+        pressed = footprint_response(response, self.footprints.fraction)
         touched = touch_covariances(pressed, np.eye(SAMPLES), lowest=position_options.lowest_frequency)
         super().__init__(response, around, LevelLikelihood(touched, response, around, options))
 
@@ -125,7 +125,7 @@ class PositionDecoder(LibraryDecoder):
 
     @one_thread()
     def position(self, signals: ArrayLike | Tensor) -> Positions:
-        """Where contacts that stand still are; frames of one signal are taken as independent observations of it.
+        """Places of contacts that stand still; frames of one signal are taken as independent observations of it.
 
         Args:
             signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, as of

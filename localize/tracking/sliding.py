@@ -1,9 +1,9 @@
 """A straight slide over an array: how fast it was, and when it passed which point.
 
-A contact that slides is heard over one membrane after the other, each the louder the nearer its middle is. What frames
-say, which point and how loud, is compared with what they would say of a contact on a straight line at an even speed:
-the share of its force on each membrane as of :func:`localize.contacts.contact.hertz_share`, with a gain of its own for
-each point. The line that leaves least of the levels unexplained is the slide.
+A contact that slides is detected over one membrane after the other, each the louder the nearer its middle is. Each
+frame gives a point and a level. They are compared with those of a contact on a straight line at an even speed: the
+fraction of its force on each membrane as of :func:`localize.contacts.contact.hertz_fraction`, with a gain of its own
+for each point. The line with the smallest residual of the levels is the slide.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import scipy.optimize
 from numpy.typing import NDArray
 
 from geometry.ground.typed import Array
-from localize.contacts.contact import hertz_share, surface_of
+from localize.contacts.contact import hertz_fraction, surface_of
 from localize.live.front_end import HighPass
 from localize.live.options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse
@@ -75,7 +75,7 @@ def straight_slide(
     best, found = options.explained_fraction, None
     within = np.array(options.within)[:, None]
     for pad in options.radii:
-        share = hertz_share(distance, pad, float(radius[points].max()))
+        share = hertz_fraction(distance, pad, float(radius[points].max()))
 
         def explained(line: Array, share: Array = share) -> float:
             at = line[:2] + (time[:, None, None] - time.mean() + within) * line[2:]

@@ -18,7 +18,7 @@ from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library
 from geometry import Kind
 from localize.decoders.options import DecoderOptions
-from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, passed
+from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, high_pass_gain
 from localize.recalibration.parameter_search import value_and_slope
 from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.recalibration.rejections import gaps, likeliest_order, numbers
@@ -62,10 +62,10 @@ def test_spectra_that_fall_and_a_high_pass_explain_what_fingers_do() -> None:
         frames *= 0.1 / frames.std(2).max(1)[:, None, None]
         frames += 1e-3 * np.random.default_rng(3).standard_normal(frames.shape)
         found = MarginalLikelihood(GRID, frames, 0.01, slopes, high_pass).evidence(truth().transfer_function)
-        assert np.allclose(found.share.sum(1), 1)
+        assert np.allclose(found.probability.sum(1), 1)
         return float(found.frames.sum())
 
-    steep, high = lines**-2.0, passed(lines, 20.0)
+    steep, high = lines**-2.0, high_pass_gain(lines, 20.0)
     figures = {
         (name, slopes, corner): likelihood(spectrum, slopes, corner)
         for name, spectrum in (("steep", steep), ("high", high))
@@ -79,7 +79,7 @@ def test_spectra_that_fall_and_a_high_pass_explain_what_fingers_do() -> None:
 def test_the_likelihood_ranks_points_as_the_decoder_does() -> None:
     frames, points = touches(truth(), 120)
     likelihood = MarginalLikelihood(GRID, frames, DecoderOptions.noise_fraction * NOISE)
-    share = likelihood.evidence(truth().transfer_function).share
+    share = likelihood.evidence(truth().transfer_function).probability
     assert np.allclose(share.sum(1), 1)
     decoder = localize.BayesDecoder(truth(), NOISE)
     assert (share.argmax(1) == decoder.locate(frames).argmax(1)).mean() > 0.98
@@ -205,9 +205,9 @@ def test_the_likeliest_order_of_channels_is_that_they_were_recorded_in() -> None
     frames, _ = touches(truth(), 60)
     right, wrong = (MarginalLikelihood(GRID, each, 0.01) for each in (frames, frames[:, ::-1]))
     order = likeliest_order(right, truth().transfer_function, ("A", "B"))
-    assert (order.heard, order.gain, order.differs) == (("A", "B"), 0.0, False)
+    assert (order.likeliest, order.gain, order.differs) == (("A", "B"), 0.0, False)
     order = likeliest_order(wrong, truth().transfer_function, ("A", "B"))
-    assert (order.heard, order.differs) == (("B", "A"), True)
+    assert (order.likeliest, order.differs) == (("B", "A"), True)
     # a nominal array is its own mirror image
     order = likeliest_order(wrong, nominal().transfer_function.values, ("A", "B"))
     assert abs(order.gain) < 1e-6
@@ -221,7 +221,7 @@ def test_three_channels_in_turn_are_put_back() -> None:
     response = replace(response_of(library), transfer_function=h)
     frames, _ = touches(response, 60)
     order = likeliest_order(MarginalLikelihood(GRID, frames[:, [2, 0, 1]], 0.01), h, response.microphones)
-    assert order.heard == tuple(response.microphones[k] for k in (2, 0, 1))
+    assert order.likeliest == tuple(response.microphones[k] for k in (2, 0, 1))
     assert order.differs
 
 

@@ -130,7 +130,7 @@ def test_a_decoder_is_judged_by_part(array, frames) -> None:
     found = frames.judge(localize.BayesDecoder(array, NOISE))
     assert set(found) == {"random-1-10", "taps"}
     for each in found.values():
-        assert each.right > 0.8
+        assert each.top1 > 0.8
         assert each.recordings == POINTS
     assert sum(each.frames for each in found.values()) == len(frames.judged_frames)
 
@@ -230,12 +230,10 @@ def test_the_localizer_keeps_the_split_and_how_the_held_out_recordings_are_named
     for each in kept["recordings"]["training"] + kept["recordings"]["held_out"]:
         assert each["sha256"] == hashlib.sha256((manifest.parent / each["file"]).read_bytes()).hexdigest()
     judged = frames.judge(localize.load_localizer(tmp_path / "kept"))
-    assert {part: found["right"] for part, found in kept["held_out_recordings"].items()} == pytest.approx(
-        {part: found.right for part, found in judged.items()}, abs=0.01
+    assert {part: found["top1"] for part, found in kept["held_out_recordings"].items()} == pytest.approx(
+        {part: found.top1 for part, found in judged.items()}, abs=0.01
     )
-    assert kept["recorded_accuracy"][-1] == {
-        part: found["right"] for part, found in kept["held_out_recordings"].items()
-    }
+    assert kept["recorded_accuracy"][-1] == {part: found["top1"] for part, found in kept["held_out_recordings"].items()}
     assert len(kept["recorded_accuracy"]) == PLAN.epochs
 
 

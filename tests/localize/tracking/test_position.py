@@ -15,7 +15,7 @@ from geometry import Kind
 from localize.contacts import Contact, record
 from localize.signals import response_of
 from localize.signals.array_response import ArrayResponse
-from localize.tracking.footprints import footprints_over, pitch_of, shares_at
+from localize.tracking.footprints import footprints_over, fractions_at, pitch_of
 
 PITCH = 4.0
 
@@ -108,10 +108,10 @@ def test_footprints_of_a_grid_are_no_more_than_asked_for(array: ArrayResponse) -
     assert pitch_of(array) == pytest.approx(PITCH)
     fine, coarse = (footprints_over(array, 3.5, most) for most in (2000, 100))
     assert fine.step == pytest.approx(0.1 * PITCH)
-    assert len(coarse.share) <= 100 < len(fine.share)
-    assert np.allclose(np.linalg.norm(fine.share, axis=1), 1)
-    own = shares_at(array, 3.5, fine.place[:5])
-    assert np.allclose(own / np.linalg.norm(own, axis=1, keepdims=True), fine.share[fine.footprint[:5]], atol=2e-3)
+    assert len(coarse.fraction) <= 100 < len(fine.fraction)
+    assert np.allclose(np.linalg.norm(fine.fraction, axis=1), 1)
+    own = fractions_at(array, 3.5, fine.place[:5])
+    assert np.allclose(own / np.linalg.norm(own, axis=1, keepdims=True), fine.fraction[fine.footprint[:5]], atol=2e-3)
 
 
 def test_bare_transfer_functions_have_no_places(array: ArrayResponse) -> None:
