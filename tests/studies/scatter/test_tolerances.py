@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy.stats
+from refusals import refused
 from typer.testing import CliRunner
 
 import acoustic_fem
@@ -21,6 +22,7 @@ from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import made_fidelity, made_transfer_functions
 from acoustic_fem.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
+from geometry import Kind
 from studies.cli.app import app
 from studies.scatter.effects import deviation, scatter_effects, scattered_accuracy, sobol_indices
 
@@ -198,7 +200,7 @@ def test_stiff_membranes_forgive() -> None:
 
 
 def test_a_stretched_membrane_with_loss_is_refused_in_the_words_of_the_design_file() -> None:
-    with pytest.raises(ValueError, match=r"^membrane\.stretch = 1\.1 must be 1 for manufacturing scatter, unless "):
+    with refused(Kind.CONFLICT, "membrane.stretch", 1.1):
         scattered_accuracy(DESIGN.with_values({"membrane.stretch": 1.1}), GRID, sensors=2)
 
 
@@ -213,44 +215,40 @@ def test_a_file_replaces_what_it_names(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "message"),
+    ("text", "kind", "field"),
     [
-        ("[boar]\ndeviation = 1", "[boar] must be one of: bore"),
-        ("[bore]\nsize = 1", "[bore] must hold deviation, kind and source only"),
-        ("[bore]\ndeviation = 9.0", "tolerance bore: deviation = 9 mm must be between 0 and 5 mm"),
-        ("[bore]\ndeviation = nan", "tolerance bore: deviation = nan mm must be between 0 and 5 mm"),
-        ("[bore]\ndeviation = true", "deviation = True must be a number"),
-        ('[bore]\nkind = "some"', "kind = 'some' must be absolute or relative"),
-        ("[bore]\nkind = []", "[bore] kind = [] must be a text"),
-        ("[bore]\nsource = 3", "[bore] source = 3 must be a text"),
-        ('[modulus_of_part]\nkind = "absolute"', "modulus_of_part: kind must be relative"),
-        ("[bore", "mine.toml:"),
-        ("bore = 3", "[bore] must hold"),
-        ("", "states nothing; it must have a table of one of: bore, length"),
+        ("[boar]\ndeviation = 1", Kind.UNKNOWN, "boar"),
+        ("[bore]\nsize = 1", Kind.UNKNOWN, "bore"),
+        ("[bore]\ndeviation = 9.0", Kind.OUT_OF_RANGE, "bore.deviation"),
+        ("[bore]\ndeviation = nan", Kind.OUT_OF_RANGE, "bore.deviation"),
+        ("[bore]\ndeviation = true", Kind.WRONG_TYPE, "bore.deviation"),
+        ('[bore]\nkind = "some"', Kind.OUT_OF_RANGE, "bore.kind"),
+        ("[bore]\nkind = []", Kind.WRONG_TYPE, "bore.kind"),
+        ("[bore]\nsource = 3", Kind.WRONG_TYPE, "bore.source"),
+        ('[modulus_of_part]\nkind = "absolute"', Kind.CONFLICT, "modulus_of_part.kind"),
+        ("[bore", Kind.UNREADABLE, ""),
+        ("bore = 3", Kind.WRONG_TYPE, "bore"),
+        ("", Kind.MISSING, ""),
     ],
 )
-def test_a_bad_file_is_refused_by_name(text: str, message: str, tmp_path: Path) -> None:
-    file = tmp_path / "mine.toml"
-    file.write_text(text)
-    with pytest.raises(ValueError) as error:
-        read_tolerances(file)
-    assert message in str(error.value)
-    assert str(error.value).startswith(str(file))
+def test_a_bad_file_is_refused_by_name(text: str, kind: Kind, field: str, tmp_path: Path) -> None:
+    (tmp_path / "mine.toml").write_text(text)
+    with refused(kind, field, file=tmp_path / "mine.toml"):
+        read_tolerances(tmp_path / "mine.toml")
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
+    ("name", "value", "kind"),
     [
-        ({"samples": 1}, "samples = 1 must be a whole number from 2"),
-        ({"base": -1}, "base = -1 must be a whole number from 0"),
-        ({"noise": 0.0}, "noise = 0.0 Pa must be above 0"),
-        ({"tolerances": TOLERANCES[:1] * 2}, "tolerances: bore is given twice"),
+        ("samples", 1, Kind.OUT_OF_RANGE),
+        ("base_samples", -1, Kind.OUT_OF_RANGE),
+        ("microphone_noise", 0.0, Kind.OUT_OF_RANGE),
+        ("tolerances", TOLERANCES[:1] * 2, Kind.CONFLICT),
     ],
 )
-def test_bad_arguments_are_refused(arguments: dict, message: str) -> None:
-    with pytest.raises(ValueError) as error:
-        scatter_effects(DESIGN, GRID, **arguments)
-    assert message in str(error.value)
+def test_bad_arguments_are_refused(name: str, value: object, kind: Kind) -> None:
+    with refused(kind, name):
+        scatter_effects(DESIGN, GRID, **{name: value})
 
 
 def test_the_verb_writes_its_files(tmp_path: Path) -> None:
@@ -260,8 +258,7 @@ def test_the_verb_writes_its_files(tmp_path: Path) -> None:
     arguments = ["tolerance", str(design), "--out", str(out), "--samples", "8", "--base", "4", "--library", "5"]
     result = CliRunner().invoke(app, arguments)
     assert result.exit_code == 0, result.output
-    assert "one localizer, trained on mis-made sensors" in result.stdout
     assert json.loads((out / "tolerance.json").read_text())["samples"] == 8
     assert (out / "tolerance.png").stat().st_size > 10_000
-    again = CliRunner().invoke(app, arguments)
-    assert "library.zarr: exists" in str(again.exception)
+    with refused(Kind.EXISTS, "out", file="library.zarr"):
+        CliRunner().invoke(app, arguments, standalone_mode=False, catch_exceptions=False)
