@@ -159,10 +159,9 @@ def write_taps(design: str, path: Path, count: int = 7) -> list[float]:
     from acoustic_fem.sound.sound_file import write_wav
     from geometry import prototype
     from localize.contacts.contact_shapes import QUIET
-    from studies.panels.touching import touched
 
     array = prototype(design)
-    takes = [touched(array, 1 + 2 * sample % array.point_count, "tap", sample) for sample in range(1, count + 1)]
+    takes = [simulate_touch(array, 1 + 2 * sample % array.point_count, "tap", sample) for sample in range(1, count + 1)]
     signals = [np.frombuffer(each["signals"], "<f4").reshape(len(each["microphones"]), -1) for each in takes]
     write_wav(path, np.concatenate(signals, axis=1) / FULL_SCALE, 1000, bits=32)
     begins = np.cumsum([each.shape[1] for each in signals[:-1]]) / 1000 + QUIET[0]

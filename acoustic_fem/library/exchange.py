@@ -14,6 +14,7 @@ import json
 import os
 from array import array
 from collections.abc import Iterable
+from mmap import ACCESS_READ, mmap
 from pathlib import Path
 from typing import Any
 
@@ -42,7 +43,7 @@ from geometry.ground.csv_files import read_csv
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import MOST_NUMBERS, ordinary_file
 from geometry.ground.record import seal_file
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import check_own_kind, whole_file
 from geometry.layout.arrangement import place_housings
@@ -119,23 +120,39 @@ def write_library(library: Library, path: Path) -> None:
 def load(path: str | os.PathLike[str]) -> Library:
     """Read what :func:`export` or :func:`acoustic_fem.save` wrote; every number is the one that was written.
 
-    This is the one reader of libraries: the suffix of the name tells the format.
+    This is the one reader of libraries: the content of the file tells the format, whatever its name is.
 
     Raises:
-        LibraryError: no such file, another suffix, cut short, not of this program, or altered; says what.
+        LibraryError: no such file, cut short, not of this program, or altered; says what.
     """
     path = Path(path)
     ordinary_file(path, "a library", LibraryError)
-    suffix = _suffix(path)
-    if suffix == ".nc":
+    found = _format_of(path)
+    if found == ".nc":
         return load_netcdf(path)
     try:
-        dataset = {".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[suffix](path)
+        dataset = {".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[found](path)
     except LibraryError:
         raise
     except Refusal as error:
         raise LibraryError(f"{path}: {error}") from None
     return library_in(path, dataset)
+
+
+def _format_of(path: Path) -> str:
+    """Format of the content of a file, as the suffix that it should have."""
+    with path.open("rb") as file:
+        head = file.read(1024)
+        if head.startswith(b"\x89HDF\r\n\x1a\n"):
+            # By its bytes: HDF5 follows what a damaged file says.
+            with mmap(file.fileno(), 0, access=ACCESS_READ) as content:
+                return ".nc" if content.find(b"SOFAConventions") < 0 else ".sofa"
+    if head.startswith(b"PK"):
+        return ".npz"
+    if head and b"\0" not in head:
+        return ".csv"
+    what = "is empty" if not head else "holds neither netCDF, SOFA, NPZ nor CSV"
+    raise LibraryError(f"{what}: it is no library", kind=Kind.UNREADABLE, file=path)
 
 
 def _suffix(path: Path) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from functools import lru_cache
 from typing import Any
 
@@ -121,10 +121,14 @@ def train(
     return Localizer(
         classifier=classifier,
         shape=shape,
-        design=response.name,
-        microphones=response.microphones,
-        line=response.line,
-        place=response.place,
+        array=replace(
+            response.array,
+            noise_rms=float(noise_rms),
+            provenance={
+                **response.provenance,
+                "localizer": versions(plan.seed, ("numpy", "safetensors", "scipy", "torch")),
+            },
+        ),
         plan=asdict(plan),
         training={
             "loss": [entry.loss for entry in curve],
@@ -139,10 +143,6 @@ def train(
             "sensors": 1 if seen is None else len(seen),
             "device": device,
             **of_recordings,
-        },
-        provenance={
-            **response.provenance,
-            "localizer": versions(plan.seed, ("numpy", "safetensors", "scipy", "torch")),
         },
     )
 

@@ -20,8 +20,9 @@ from acoustic_fem import Library
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.network.microphone import vent_ratio
 from geometry.design.design_file import write_design
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.arrangement import place_housings
+from localize.signals.locator import ArrayFacts
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
@@ -110,6 +111,11 @@ class ArrayResponse:
         return len(self.transfer_function)
 
     @property
+    def array(self) -> ArrayFacts:
+        """Facts of the array, as a localizer for it keeps them."""
+        return ArrayFacts(self.name, self.microphones, self.line, self.place, self.provenance)
+
+    @property
     def force_response(self) -> NDArray[np.complex128] | None:
         """Pressure at a microphone per force on a membrane, (n_point, n_microphone, n_freq) complex128, Pa/N, as
         :attr:`acoustic_fem.Library.force_response`; None where there is no design.
@@ -127,7 +133,7 @@ class ArrayResponse:
         """
         for name in microphones:
             if name not in self.microphones:
-                raise Refusal(f"microphones names {name!r}, must be of {', '.join(self.microphones)}")
+                raise Refusal(kind=Kind.UNKNOWN, field="microphones", value=name, allowed=self.microphones)
         kept = [self.microphones.index(name) for name in microphones]
         sound = self.ambient_response
         return replace(

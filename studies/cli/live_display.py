@@ -13,7 +13,7 @@ from rich.text import Text
 
 from localize.live.events import Decision, Fault, TouchEvent, TrackedGesture, TrackedPlace
 from localize.live.listener import Heard, Latencies, Notice
-from localize.live.touches import Array
+from localize.signals.locator import ArrayFacts
 from studies.output.display import number
 
 FRAMES = 12
@@ -56,13 +56,13 @@ class LivePicture:
     def __init__(
         self,
         source: str,
-        array: Array,
-        microphones: tuple[str, ...],
+        array: ArrayFacts,
         recent: Callable[[], NDArray[np.float64]],
         latencies: Latencies,
         waveform: bool = False,
     ) -> None:
-        self._source, self._microphones, self._recent, self._latencies = source, microphones, recent, latencies
+        self._source, self._microphones = source, array.microphones
+        self._recent, self._latencies = recent, latencies
         self._lines = [
             own[np.argsort(array.place[own], kind="stable")]
             for own in (np.flatnonzero(array.line == line) for line in np.unique(array.line))

@@ -17,11 +17,11 @@ from geometry.ground.refusal import Refusal, counted
 from localize.live.listener import Heard
 from localize.live.sound_device import input_devices
 from studies.cli.live_display import LivePicture
-from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RefusedShare
+from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
 from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.terminal_tables import show, table_of
-from studies.listening.live import LiveInput, LiveSession, LiveSummary, listen
-from studies.listening.opening import Decoding
+from studies.inference.live import LiveInput, LiveSession, LiveSummary, listen
+from studies.inference.recorded import Decoding
 
 
 def _list_devices(wanted: bool) -> None:
@@ -85,7 +85,7 @@ def live(
         bool, typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity.")
     ] = False,
     ambient: DecoderAmbient = None,
-    refuse: RefusedShare = None,
+    reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
     radius: Annotated[
         float | None,
@@ -110,13 +110,14 @@ def live(
         raise typer.BadParameter("--device must not be given beside --replay")
     wanted = int(device) if device is not None and device.isdecimal() else device
     source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
-    words = {name: f"--{name}" for name in ("channels", "device", "radius", "refused")}
+    words = {name: f"--{name}" for name in ("channels", "device", "radius")}
+    words["rejected_fraction"] = "--reject"
     with (
         named(full_scale="--full-scale", microphone_noise="--noise", loudest="--ambient", **words, **AIR_OPTIONS),
         _Output(waveform) as output,
     ):
         air = LocalAir(pressure, altitude, temperature)
-        decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
+        decoding = Decoding("design" if noise is None else noise, library, waveform, ambient, reject, air, follow_drift)
         summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
     _print_summary(summary)
     if summary.unrecorded:
@@ -158,7 +159,6 @@ class _Output:
             self._picture = LivePicture(
                 session.source,
                 session.array,
-                session.microphones,
                 lambda: session.recent,
                 session.latencies,
                 self._waveform,
@@ -177,8 +177,8 @@ def _print_summary(summary: LiveSummary) -> None:
         f"listened for {summary.seconds:.1f} s: {counted(summary.touches, 'touch')}; decisions: {states}",
         f"faults: {faults}{lost}",
         f"latency: p50 {p50:.1f} ms, p99 {p99:.1f} ms, at most {1e3 * summary.latencies.largest:.1f} ms",
-        f"assumed is {summary.assumes}",
-        *([] if summary.doubt is None else [f"warning: {summary.doubt}"]),
+        f"assumed is {summary.assumptions}",
+        *([] if summary.warning is None else [f"warning: {summary.warning}"]),
         *summary.recordings,
     ):
         print(line, file=sys.stderr)

@@ -18,6 +18,7 @@ from studies.evaluation.localizer_training import train_kinds, train_localizer
 
 if TYPE_CHECKING:
     from localize import Localizer
+    from localize.signals.noise_model import NoiseChoice
     from studies.evaluation.headline import Headline
 
 _EVALUATION = defaults_of(evaluate_localizer)
@@ -197,7 +198,8 @@ def evaluate(
     Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
     """
     with named(touches_per_point="--touches", microphone_noise="--noise"), display_on_stderr() as display:
-        results = evaluate_localizer(model, library, out, touches=touches, noise=noise, seed=seed, display=display)
+        level: NoiseChoice = "design" if noise is None else noise
+        results = evaluate_localizer(model, library, out, touches=touches, noise=level, seed=seed, display=display)
     _show_evaluations(results)
     if out is not None:
         from studies.evaluation.evaluation_report import FILES

@@ -210,6 +210,8 @@ _OPTIONS = {
     "temperature_c": "temperature",
     "frequency": "frequencies",
     "touches_per_point": "touches",
+    "rejected_fraction": "reject",
+    "loudest_sound_db": "ambient",
     "base_samples": "base",
     "library_size": "library",
     "formats": "format",

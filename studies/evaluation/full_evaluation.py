@@ -19,11 +19,12 @@ from acoustic_fem.scatter.as_built_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.ground.refusal import Refusal
 from localize.signals.array_response import ArrayResponse
+from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
 from studies.test_rig.virtual_rig import HEARD, Rig
 
 if TYPE_CHECKING:
-    from localize.evaluation.accuracy import Evaluation, Locator
+    from localize.evaluation.accuracy import Evaluation
     from localize.evaluation.conditions import Outcome
 
 Progress = Callable[[str, float], None]

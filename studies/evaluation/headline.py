@@ -13,9 +13,10 @@ from typing import Any
 
 from acoustic_fem import Library
 from localize import evaluate
-from localize.evaluation.accuracy import Evaluation, Locator
+from localize.evaluation.accuracy import Evaluation
 from localize.evaluation.conditions import Outcome, conditions, evaluate_conditions, evaluate_sensors
 from localize.signals.array_response import ArrayResponse
+from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
 from studies.evaluation.full_evaluation import LEAST, RIG_GROUP, RIGS, Progress, rig_sensors, scattered_sensors
 

@@ -1,5 +1,4 @@
 from .cad_panel import check_figures as check_figures, model_of_array as model_of_array, read_upload as read_upload
-from .comparing import comparison as comparison
 from .curves import (
     CURVES as CURVES,
     Curves as Curves,
@@ -19,6 +18,7 @@ from .exploring import (
 from .export_files import EXPORTS as EXPORTS, make_export as make_export
 from .form import (
     addable_tables as addable_tables,
+    comparison as comparison,
     form_of as form_of,
     removable_tables as removable_tables,
     stated_values as stated_values,

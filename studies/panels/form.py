@@ -141,3 +141,23 @@ def _entry(name: str, value: Any, design: ArrayDesign) -> dict[str, Any]:
 def _suggestions(last: str, design: ArrayDesign) -> list[str]:
     """Names that a text may be, where the package knows them."""
     return sorted({**MATERIALS, **design.materials}) if last.endswith(_MATERIAL) else []
+
+
+def comparison(design: ArrayDesign, other: ArrayDesign) -> list[dict[str, Any]]:
+    """Fields that two designs do not have alike, in the order of the form.
+
+    Args:
+        design: one design.
+        other: another.
+
+    Returns:
+        For each field its ``name``, ``unit``, and the value ``here`` and ``there``; None where there is none.
+    """
+    units = {entry["name"]: entry["unit"] for each in (other, design) for entry in form_of(each)}
+    here, there = flat_values(design), flat_values(other)
+    names = [*here, *(name for name in there if name not in here)]
+    return [
+        {"name": name, "unit": units[name], "here": here.get(name), "there": there.get(name)}
+        for name in names
+        if here.get(name) != there.get(name)
+    ]

@@ -10,7 +10,7 @@ from typing import Any
 from geometry.design.array_design import ArrayDesign
 from localize.live.listener import Heard
 from localize.live.sound_device import input_devices
-from studies.listening.live import LiveInput, LiveSession, listen
+from studies.inference.live import LiveInput, LiveSession, listen
 from studies.panels.touching import decoder_of
 
 #: Significant digits of the pressures that are sent.
@@ -66,10 +66,10 @@ def listen_live(
             count = min(max(round(1000 * (event["time"] - before)), 0), session.recent.shape[1])
             newest = session.recent[:, session.recent.shape[1] - count :]
             event["samples"] = [[float(f"{value:.{_DIGITS}g}") for value in each] for each in newest]
-            event["microphones"] = list(session.microphones)
+            event["microphones"] = list(session.array.microphones)
             before = event["time"]
         notify(json.dumps(event, separators=(",", ":")))
 
     given = LiveInput(device=device, replay=replay, full_scale=full_scale)
-    found = listen(decoder_of(design).library, given, hear=hear)
+    found = listen(decoder_of(design).model, given, hear=hear)
     return {"seconds": found.seconds, "touches": found.touches, "samples_lost": found.samples_lost}

@@ -14,7 +14,7 @@ import numpy as np
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
-from studies.listening.opening import library_there
+from localize.model.opened_model import open_library
 from studies.panels.touching import decode, decoder_of, without_folder
 
 #: Files of a recognizer's folder.
@@ -110,12 +110,13 @@ def with_kinds(
     from localize import load_recognizer
     from localize.recognition.filter_bank import Ear
 
-    decoder, recognizer = decoder_of(design), load_recognizer(model)
-    if (recognizer.design, recognizer.microphones) != (design.name, decoder.localizer.microphones):
+    found_model, recognizer = decoder_of(design).model, load_recognizer(model)
+    array = found_model.locator.array
+    if (recognizer.design, recognizer.microphones) != (design.name, array.microphones):
         raise Refusal(
             kind=Kind.MISMATCH,
             problem=f"the recognizer is of {recognizer.design} with {', '.join(recognizer.microphones)}, not of "
-            f"{design.name} with {', '.join(decoder.localizer.microphones)}",
+            f"{design.name} with {', '.join(array.microphones)}",
         )
     signals = np.frombuffer(found["signals"], "<f4").reshape(len(found["microphones"]), -1).astype(np.float64)
     kinds = [
@@ -126,8 +127,6 @@ def with_kinds(
             recognizer.labels[int(each.probability.argmax())],
             each.probability.max(),
         ]
-        for each in Ear(library_there(decoder.library, None), recognizer).touches(
-            signals, None, None, decoder.localizer
-        )
+        for each in Ear(open_library(found_model), recognizer).touches(signals, None, None, found_model.locator)
     ]
     return {**found, "kinds": kinds}

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
@@ -21,15 +22,13 @@ from localize import Decision, gesture_of, read_recording, touches_of
 from localize.contacts import Contact
 from localize.contacts.contact import MOVING, surface_of
 from localize.contacts.finger_gestures import double_tap, press, slide, tap
+from localize.model.opened_model import Model, open_model, opened_as_designed
 from localize.signals.array_response import response_of
 from localize.tracking import tracks_of
-from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.panels.curves import quick_library
-from studies.run.library_files import solve_library
 
 if TYPE_CHECKING:
-    from localize import BayesDecoder, Localizer, OnnxLocalizer
     from localize.contacts import ContactRecorder
 
 #: Kinds of simulated touches.
@@ -42,11 +41,9 @@ SLIDE_SPEED, LONGEST_SLIDE = 60.0, 600.0
 
 @dataclass(frozen=True, eq=False)
 class DesignDecoder:
-    """Decoder and recorder of a design, with the folder of its library."""
+    """Model and recorder of a design, by its quick library."""
 
-    folder: TemporaryDirectory[str]
-    library: Path
-    localizer: Localizer | BayesDecoder | OnnxLocalizer
+    model: Model
     recorder: ContactRecorder
     fidelity: QuickFidelity
     """Fidelity of the library."""
@@ -118,9 +115,9 @@ def paths_of(decoder: DesignDecoder, signals: NDArray[np.float64]) -> list[dict[
         Of each path ``places``: time (s), x, y and their standard deviation (mm), 16 ms apart; ``gesture``: its kind
         in words; ``length``, mm.
     """
-    locator, tracker = open_tracker(decoder.library, Decoding(), MOVING)
+    model = opened_as_designed(decoder.model)
     found = []
-    for each in tracks_of(open_stream(decoder.library, locator, Decoding(), frames=True), tracker, signals):
+    for each in tracks_of(model.stream(frames=True), model.tracker(MOVING), signals):
         gesture = gesture_of(each)
         found.append(
             {
@@ -152,7 +149,7 @@ def replay_recording(design: ArrayDesign, content: bytes, name: str, full_scale:
         path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9._-]', '_', Path(name).stem)[:60] or 'recording'}.wav"
         path.write_bytes(content)
         try:
-            recording = read_recording(path, decoder.localizer.microphones, full_scale)
+            recording = read_recording(path, decoder.model.locator.microphones, full_scale)
         except Refusal as error:
             raise without_folder(error, folder) from None
     if recording.seconds > LONGEST:
@@ -180,12 +177,12 @@ def decode(decoder: DesignDecoder, signals: NDArray[np.float64]) -> dict[str, An
         ``decisions``: end of the frame (s), state, point and its probability, 16 ms apart; ``touches``: start and end
         (s), point, probability and level (Pa rms); ``fidelity`` of the library, in words.
     """
-    stream = open_stream(decoder.library, decoder.localizer, Decoding())
-    events = stream.push(signals)
-    found = touches_of(events, decoder.localizer)
+    array = decoder.model.locator.array
+    events = decoder.model.stream().push(signals)
+    found = touches_of(events, array)
     return {
         "signals": np.asarray(signals, "<f4").tobytes(),
-        "microphones": list(decoder.localizer.microphones),
+        "microphones": list(array.microphones),
         "samples": int(signals.shape[1]),
         "decisions": [
             [event.time, event.state, event.point, event.probability] for event in events if isinstance(event, Decision)
@@ -213,19 +210,17 @@ def _fidelity(design: ArrayDesign) -> QuickFidelity:
 
 
 def decoder_of(design: ArrayDesign) -> DesignDecoder:
-    """What listens to a design, by its quick library."""
-    return _ears(design.model_dump_json())
+    """Model of a design, by its quick library, with a recorder of simulated contacts."""
+    return _decoder_of(design.model_dump_json())
 
 
 @lru_cache(maxsize=2)
-def _ears(design_json: str) -> DesignDecoder:
-    """What listens to a design: its decoder takes a second to be made."""
+def _decoder_of(design_json: str) -> DesignDecoder:
+    """Model of a design, which takes a second to be made."""
     from localize.contacts import ContactRecorder
 
     design = ArrayDesign.model_validate_json(design_json, strict=False)
-    folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
-    path = Path(folder.name) / "library.nc"
     fidelity = _fidelity(design)
-    library = solve_library(design, path, fidelity=fidelity.name, frequency=LIBRARY_FREQUENCIES)
+    library = acoustic_fem.solve(design, LIBRARY_FREQUENCIES, fidelity=fidelity.name)
     recorder = ContactRecorder(library, microphone_noise="design")
-    return DesignDecoder(folder, path, open_localizer(path, Decoding()), recorder, fidelity)
+    return DesignDecoder(open_model(library), recorder, fidelity)

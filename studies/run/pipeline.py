@@ -34,8 +34,9 @@ from geometry.printing.printability import PrintReport
 from localize import BayesDecoder, TrainingPlan
 from localize.decoders.tolerant import tolerant_decoder
 from localize.signals.array_response import response_of
+from localize.signals.locator import Locator
 from localize.signals.stimulus import BAND
-from studies.metrics.pairs import disagreement, worst_heard
+from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output import response_figures as draw
 from studies.output.display import Display, Report
@@ -51,7 +52,6 @@ from studies.run.validity import model_validity
 
 if TYPE_CHECKING:
     from localize import Localizer
-    from localize.evaluation.accuracy import Locator
     from studies.evaluation.headline import Headline
 
 #: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:

@@ -13,11 +13,10 @@ from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import prototype, write_design
 from geometry.ground.refusal import Kind, Refusal
-from studies.panels.comparing import comparison
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
-from studies.panels.form import addable_tables, flat_values, form_of, removable_tables, stated_values
+from studies.panels.form import addable_tables, comparison, flat_values, form_of, removable_tables, stated_values
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.messages import MessageError, packed, text_of, written
 from studies.studio.stage import Job, Stage, notifier, outcome, progress

@@ -14,9 +14,9 @@ import hashlib
 import platform
 import queue
 import sys
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
@@ -56,15 +56,13 @@ class _Task:
     arguments: tuple[Any, ...]
     deaths: int = 0
     done: bool = False
-    attempts: list[_Attempt] = field(default_factory=list)
 
 
 @dataclass(eq=False)
 class _Attempt:
     """Task in the hands of one worker."""
 
-    task: _Task | None
-    """Task; None: the worker is asked what is installed."""
+    task: _Task
     worker: _Worker
     future: Any
     passed_on: bool = False
@@ -81,8 +79,6 @@ class _Worker:
     """When the scheduler last heard of it, by the scheduler's clock."""
     heard: float
     """When that last changed, by the clock of this process."""
-    given: list[_Attempt] = field(default_factory=list)
-    """What it was given, the first first."""
     same: bool | None = None
     """Whether it has what this process has; None: not known yet."""
 
@@ -105,11 +101,15 @@ class Cluster:
         self._client, self._name, self._own = client, name, own
         self._patience = PATIENCE if patience is None else patience
         self._crew: dict[str, _Worker] = {}
+        #: What the workers were given, the first first.
+        self._given: list[_Attempt] = []
+        #: Tasks that are to be given once more.
+        self._again: deque[_Task] = deque()
         self._answers: queue.SimpleQueue[tuple[_Attempt, Any, BaseException | None]] = queue.SimpleQueue()
         self._news: tuple[float, dict[str, Any]] = monotonic(), {}
         self._read = -1.0
         self._looked = self._back = self._manned = monotonic()
-        self._refused = ""
+        self._rejected = ""
         #: What is to be known of the workers, each once.
         self.notes: dict[str, None] = {}
         client.loop.add_callback(self._ask_again_and_again)
@@ -126,6 +126,21 @@ class Cluster:
                     pass  # the client says what is the matter
             await asyncio.sleep(WATCH)
 
+    async def _ask_installed(self, worker: _Worker) -> None:
+        """Take or reject a worker by what is installed there."""
+        try:
+            found = (await self._client.run(installed, workers=[worker.address]))[worker.address]
+        except Exception as error:
+            differs = f"cannot load this version of acoustic-fem ({type(error).__name__}: {said_by(error)})"
+        else:
+            here = installed()
+            parts = [f"{name} {found.get(name)} (here {here[name]})" for name in here if found.get(name) != here[name]]
+            differs = "has " + ", ".join(parts) if parts else ""
+        if differs:
+            self._rejected = f"worker {worker.address} is not used: it {differs}"
+            self.notes = {**self.notes, self._rejected: None}  # the caller may be reading them
+        worker.same = not differs
+
     async def _follow(self, attempt: _Attempt) -> None:
         """Wait for a result, each for itself: one that does not come keeps no other back."""
         try:
@@ -141,34 +156,39 @@ class Cluster:
     ) -> Iterator[tuple[int, Any]]:
         """Results as they come; see :meth:`studies.sweep.workers.Workers.run`."""
         waiting = (_Task(number, arguments) for number, arguments in enumerate(tasks))
-        again: deque[_Task] = deque()
         live: set[_Task] = set()
+        self._again.clear()
         self._manned, ended, more = monotonic(), 0, True
 
         def finish(task: _Task) -> None:
             live.remove(task)
             task.done = True
-            for attempt in task.attempts:  # also where others still work on it
+            for attempt in [each for each in self._given if each.task is task]:  # also where others still work on it
                 self._drop(attempt)
 
         try:
             while live or more:
-                again += self._look()
+                self._look()
                 for task in [task for task in live if task.deaths >= DEATHS]:
                     finish(task)
                     if lost is None:
                         ended += 1
                     else:
                         yield task.number, lost(*task.arguments)
-                again = deque(task for task in again if not task.done)
-                while (more or again) and (worker := self._free()) is not None:
-                    given = again.popleft() if again else next(waiting, None)
+                while (more or self._again) and (worker := self._free()) is not None:
+                    given = self._again.popleft() if self._again else next(waiting, None)
                     if given is None:
                         more = False
                         break
+                    if given.done:
+                        continue
                     live.add(given)
-                    self._give(worker, given, _by_a_worker, function, *given.arguments)
-                if live and (answer := self._answer()) is not None:
+                    attempt = _Attempt(given, worker, self._client.submit(
+                        _by_a_worker, function, *given.arguments, pure=False, workers=[worker.address]
+                    ))  # fmt: skip
+                    self._given.append(attempt)
+                    self._client.loop.add_callback(self._follow, attempt)
+                if (live or more) and (answer := self._answer()) is not None:
                     task, result = answer
                     if isinstance(result, Refusal):
                         raise result
@@ -181,29 +201,18 @@ class Cluster:
             problem = f"{counted(ended, 'task')} ended several workers each, which may lack memory"
             raise WorkersLost(problem, kind=Kind.STOPPED)
 
-    def _give(self, worker: _Worker, task: _Task | None, function: Callable[..., Any], *arguments: Any) -> None:
-        future = self._client.submit(function, *arguments, pure=False, workers=[worker.address])
-        attempt = _Attempt(task, worker, future)
-        worker.given.append(attempt)
-        if task is not None:
-            task.attempts.append(attempt)
-        self._client.loop.add_callback(self._follow, attempt)
-
     def _drop(self, attempt: _Attempt) -> None:
-        if attempt in attempt.worker.given:
-            attempt.worker.given.remove(attempt)
+        self._given.remove(attempt)
         attempt.future.release()
 
     def _free(self) -> _Worker | None:
         """The worker with the most room, of those that are known to be like this process and are heard."""
         asked = any(worker.same is None and not worker.silent for worker in self._crew.values())
         ahead = 1 if asked else AHEAD  # who answers first must not take what others could begin at once
-        free = [
-            worker
-            for worker in self._crew.values()
-            if worker.same and not worker.silent and len(worker.given) < ahead * worker.threads
-        ]
-        return min(free, key=lambda worker: len(worker.given) / worker.threads, default=None)
+        load = Counter(attempt.worker.address for attempt in self._given)
+        crew = [worker for worker in self._crew.values() if worker.same and not worker.silent]
+        free = min(crew, key=lambda worker: load[worker.address] / worker.threads, default=None)
+        return free if free is not None and load[free.address] < ahead * free.threads else None
 
     def _answer(self) -> tuple[_Task, Any] | None:
         """The next task that has a result, and that; None where none comes soon."""
@@ -213,21 +222,22 @@ class Cluster:
             attempt, result, error = self._answers.get(timeout=WATCH / 4)
         except queue.Empty:
             return None
-        if attempt not in attempt.worker.given or isinstance(error, KilledWorker):
-            return None  # it was dropped before, or will be when the scheduler says that its worker is gone
+        if attempt not in self._given:
+            return None  # it was dropped before
         self._drop(attempt)
-        if attempt.task is None:
-            self._compare_installed(attempt.worker, result, error)
-            return None
         gone = error is not None and self._client.status != "running"
         if gone or isinstance(error, (asyncio.CancelledError, concurrent.futures.CancelledError)):
             raise WorkersLost(CONNECTION_LOST, kind=Kind.STOPPED)
+        if isinstance(error, KilledWorker):
+            attempt.task.deaths += 1
+            self._again.append(attempt.task)
+            return None
         if error is not None:
             raise error
         return attempt.task, result
 
-    def _look(self) -> Iterator[_Task]:
-        """Note who came, went or fell silent; the tasks that others must take over.
+    def _look(self) -> None:
+        """Note who came, went or fell silent, and whose tasks others must take over.
 
         Raises:
             WorkersLost: the scheduler is gone or silent, or there have been no workers for a while.
@@ -243,21 +253,17 @@ class Cluster:
             raise WorkersLost(f"{self._name} has not answered for {SCHEDULER_SILENCE:g} s", kind=Kind.STOPPED)
         if when != self._read:
             self._read = when
-            yield from self._compare(known, now)
-        for worker in self._crew.values():
-            if not worker.silent:
-                continue
-            for attempt in worker.given:
-                if attempt.task is not None and not attempt.passed_on:
-                    attempt.passed_on = True
-                    self.notes[f"worker {worker.address} was silent for {SILENCE:g} s: others took over its tasks"] = (
-                        None
-                    )
-                    yield attempt.task
+            self._compare(known, now)
+        for attempt in self._given:
+            if attempt.worker.silent and not attempt.passed_on:
+                attempt.passed_on = True
+                note = f"worker {attempt.worker.address} was silent for {SILENCE:g} s: others took over its tasks"
+                self.notes = {**self.notes, note: None}
+                self._again.append(attempt.task)
         if any(worker.same and not worker.silent for worker in self._crew.values()):
             self._manned = now
         elif now - self._manned > self._patience:
-            why = f": {self._refused}" if self._refused else ""
+            why = f": {self._rejected}" if self._rejected else ""
             raise WorkersLost(f"there have been no workers for {self._patience:.0f} s{why}", kind=Kind.STOPPED)
 
     def _return(self, now: float) -> None:
@@ -266,40 +272,25 @@ class Cluster:
         for worker in self._crew.values():
             worker.heard = now
 
-    def _compare(self, known: dict[str, Any], now: float) -> Iterator[_Task]:
-        """Bring the crew to what the scheduler says; the tasks of those that are gone."""
+    def _compare(self, known: dict[str, Any], now: float) -> None:
+        """Bring the crew to what the scheduler says; others take over the tasks of those that are gone."""
         for address in [address for address in self._crew if address not in known]:
             worker = self._crew.pop(address)
-            for place, attempt in enumerate(list(worker.given)):
+            for place, attempt in enumerate([each for each in self._given if each.worker is worker]):
                 self._drop(attempt)
-                if (task := attempt.task) is None:
-                    continue
-                task.deaths += place < worker.threads  # what it was at; the others waited beside it
+                attempt.task.deaths += place < worker.threads  # what it was at; the others waited beside it
                 if not attempt.passed_on:
-                    yield task
+                    self._again.append(attempt.task)
         for address, about in known.items():
             running = about["status"] == "running"
             if address not in self._crew:
                 worker = _Worker(address, about["nthreads"], about["last_seen"], now, same=True if self._own else None)
                 self._crew[address] = worker
                 if not self._own:
-                    self._give(worker, None, installed)
+                    self._client.loop.add_callback(self._ask_installed, worker)
             worker = self._crew[address]
             if running and about["last_seen"] != worker.seen:
                 worker.seen, worker.heard = about["last_seen"], now
-
-    def _compare_installed(self, worker: _Worker, found: dict[str, str], error: BaseException | None) -> None:
-        """Take or refuse a worker by what is installed there."""
-        if error is not None:
-            differs = f"cannot load this version of acoustic-fem ({type(error).__name__}: {said_by(error)})"
-        else:
-            here = installed()
-            parts = [f"{name} {found.get(name)} (here {here[name]})" for name in here if found.get(name) != here[name]]
-            differs = "has " + ", ".join(parts) if parts else ""
-        worker.same = not differs
-        if differs:
-            self._refused = f"worker {worker.address} is not used: it {differs}"
-            self.notes[self._refused] = None
 
 
 # -- what a worker runs -----------------------------------------------------------------------------

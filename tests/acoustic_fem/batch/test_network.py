@@ -7,6 +7,8 @@ from dataclasses import fields, replace
 import mpmath
 import numpy as np
 import pytest
+from geometry.ground.refusal import Kind
+from refusals import refused
 import torch
 from hypothesis import given, settings, strategies as st
 from random_networks import every_node_at_once, random_parameters, topologies
@@ -296,7 +298,7 @@ def test_designs_of_one_wiring_make_a_batch():
     band = [1.0, 10.0, 100.0]
     transfer = batch_transfer_function(ArrayParameters.from_designs(designs, AIR), Topology.of(design), band, AIR)
     for row, each in zip(transfer, designs, strict=True):
-        library = acoustic_fem.solve(each, band, "lumped", medium=AIR)
+        library = acoustic_fem.solve(each, band, "lumped", AIR)
         np.testing.assert_allclose(row, library.transfer_function.values, rtol=1e-10)
 
 
@@ -394,36 +396,31 @@ def test_second_derivatives_through_a_cavity_are_refused():
 
 # -- what is refused --------------------------------------------------------------------------------
 @pytest.mark.parametrize(
-    ("frequency", "message"),
-    [
-        ([0.0, 1.0], r"frequency = 0 Hz must be between 0\.001 and 2000 Hz"),
-        ([-1.0], r"frequency = -1 Hz must be between"),
-        ([2.0, 1.0], r"frequency must ascend: 1 Hz follows 2 Hz"),
-        ([], r"frequency has shape \(0,\)"),
-    ],
+    ("frequency", "kind"),
+    [([0.0, 1.0], Kind.OUT_OF_RANGE), ([2.0, 1.0], Kind.OUT_OF_RANGE), ([], Kind.WRONG_TYPE)],
 )
-def test_bad_frequencies_are_refused(frequency, message):
+def test_bad_frequencies_are_refused(frequency, kind):
     design = prototype("array-2x6")
-    with pytest.raises(ValueError, match=message):
+    with refused(kind, "frequency"):
         batch_response(ArrayParameters.from_design(design, AIR), Topology.of(design), frequency, AIR)
 
 
 @pytest.mark.parametrize(
-    ("change", "message"),
+    ("field", "values", "kind"),
     [
-        ({"tube_radius": np.full((1, 1), 2e-4)}, r"tube_radius has shape \(1, 1\); it must be \(1, 2\)"),
-        ({"membrane_share": np.ones((1, 1))}, r"membrane_share has shape \(1, 1\); it must be \(1, 1, n_mode\)"),
-        ({"membrane_share": np.ones((1, 1, 2))}, r"membrane_share has 2 modes and membrane_frequency 6"),
-        ({"cavity_height": np.full((1, 1), -1e-3)}, r"cavity_height = -0\.001 must be finite and above 0"),
-        ({"membrane_loss": np.full((1, 1), np.nan)}, r"membrane_loss = nan must be finite and at least 0"),
-        ({"back_volume": np.full((1, 1), 2, dtype=np.float32)}, r"back_volume is float32; it must be float64"),
-        ({"back_volume": torch.ones(1, 1)}, r"back_volume is a Tensor; all fields must be arrays of numpy"),
+        ("tube_radius", np.full((1, 1), 2e-4), Kind.WRONG_TYPE),
+        ("membrane_share", np.ones((1, 1)), Kind.WRONG_TYPE),
+        ("membrane_share", np.ones((1, 1, 2)), Kind.MISMATCH),
+        ("cavity_height", np.full((1, 1), -1e-3), Kind.OUT_OF_RANGE),
+        ("membrane_loss", np.full((1, 1), np.nan), Kind.OUT_OF_RANGE),
+        ("back_volume", np.full((1, 1), 2, dtype=np.float32), Kind.WRONG_TYPE),
+        ("back_volume", torch.ones(1, 1), Kind.WRONG_TYPE),
     ],
 )
-def test_parameters_that_do_not_fit_are_refused(change, message):
+def test_parameters_that_do_not_fit_are_refused(field, values, kind):
     design = prototype("array-2x6")
-    parameters = replace(ArrayParameters.from_design(design, AIR), **change)
-    with pytest.raises(ValueError, match=message):
+    parameters = replace(ArrayParameters.from_design(design, AIR), **{field: values})
+    with refused(kind, field):
         batch_response(parameters, Topology.of(design), BAND, AIR)
 
 
@@ -431,50 +428,49 @@ def test_air_that_does_not_fit_is_refused():
     design = prototype("array-2x6")
     parameters, topology = scaled(ArrayParameters.from_design(design, AIR), 3), Topology.of(design)
     air = MediumParameters.from_media([AIR, AIR])
-    with pytest.raises(ValueError, match=r"medium\.density has shape \(2,\); it must be \(3,\) or \(1,\)"):
+    with refused(Kind.WRONG_TYPE, "medium.density"):
         batch_response(parameters, topology, BAND, air)
-    with pytest.raises(ValueError, match=r"medium\.gamma must be finite and above 0"):
+    with refused(Kind.OUT_OF_RANGE, "medium.gamma"):
         batch_response(parameters, topology, BAND, replace(MediumParameters.from_media([AIR]), gamma=np.zeros(1)))
-    with pytest.raises(ValueError, match=r"medium\.density must be a float64 array of torch"):
+    with refused(Kind.WRONG_TYPE, "medium.density"):
         batch_response(parameters.tensors(), topology, BAND, air)
 
 
 @pytest.mark.parametrize(
-    ("lines", "message"),
+    ("lines", "field", "kind"),
     [
-        ((LineWiring(0, 2, (0, 0), (0,)),), r"lines\.0 joins microphones 0 and 2; must be two of 0 to 1"),
-        ((LineWiring(1, 1, (0, 0), (0,)),), r"lines\.0 joins microphones 1 and 1"),
-        ((LineWiring(0, 1, (0,), (0,)),), r"lines\.0 has 1 point and 1 tube"),
-        ((), r"microphone 1 is not joined to microphone 0"),
+        ((LineWiring(0, 2, (0, 0), (0,)),), "lines.1", Kind.OUT_OF_RANGE),
+        ((LineWiring(1, 1, (0, 0), (0,)),), "lines.1", Kind.OUT_OF_RANGE),
+        ((LineWiring(0, 1, (0,), (0,)),), "lines.1", Kind.MISMATCH),
+        ((), "lines", Kind.CONFLICT),
     ],
 )
-def test_wirings_that_are_no_array_are_refused(lines, message):
-    with pytest.raises(ValueError, match=message):
+def test_wirings_that_are_no_array_are_refused(lines, field, kind):
+    with refused(kind, field):
         Topology((0, 0), lines, ("tube",))
 
 
 def test_a_batch_takes_any_mounting_and_refuses_a_stretch_whose_tension_has_no_loss():
     design = prototype("line-2").with_values({"membrane.mounting": "clamped"})
-    library = acoustic_fem.solve(design, BAND[1:3], "lumped", medium=AIR)
+    library = acoustic_fem.solve(design, BAND[1:3], "lumped", AIR)
     transfer = batch_transfer_function(ArrayParameters.from_design(design, AIR), Topology.of(design), BAND[1:3], AIR)
     np.testing.assert_allclose(transfer[0], library.transfer_function.values, rtol=1e-10)
-    message = r"membrane\.stretch = 1\.2 must be 1 in a batch: the tension has no loss.*; solve\(\) takes it"
-    with pytest.raises(ValueError, match=message):
+    with refused(Kind.OUT_OF_RANGE, "membrane.stretch", 1.2):
         ArrayParameters.from_design(design.with_values({"membrane.stretch": 1.2}))
 
 
 def test_designs_of_different_wiring_are_no_batch():
     designs = [prototype("array-2x6"), prototype("glove")]
-    with pytest.raises(ValueError, match=r"designs\.1 \(glove\) is not wired as designs\.0 \(array-2x6\)"):
+    with refused(Kind.MISMATCH, "designs.2"):
         ArrayParameters.from_designs(designs)
-    with pytest.raises(ValueError, match="designs is empty"):
+    with refused(Kind.MISSING, "designs"):
         ArrayParameters.from_designs([])
 
 
 def test_the_warnings_of_the_lumped_fidelity_are_given():
     design = prototype("array-2x6")
     parameters, topology = ArrayParameters.from_design(design, AIR), Topology.of(design)
-    with pytest.warns(UserWarning, match=r"shear number a sqrt\(w/nu\) = 6.* is above 3"):
+    with pytest.warns(UserWarning, match=r"shear number a sqrt\(w/nu\) = 6.* is above 5"):
         batch_response(parameters, topology, [2000.0], AIR)
     soft = replace(parameters, membrane_frequency=parameters.membrane_frequency / 100)
     with pytest.warns(UserWarning, match=r"membrane: 100 Hz is above half of the highest mode that is kept"):

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from geometry.ground.refusal import Kind
+from refusals import refused
 from hypothesis import given, strategies as st
 from reference_data import AIR, rows
 from scipy.special import jn_zeros
@@ -98,17 +100,12 @@ def test_the_shape_of_the_frequency_is_kept():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ((-1e-3, 1e-3, 1.0), "radius = -0.001 m"),
-        ((1e-3, 0, 1.0), "height = 0 m"),
-        ((1e-3, 1e-3, 0), "frequency = 0 Hz"),
-    ],
+    ("arguments", "field", "value"),
+    [((-1e-3, 1e-3, 1.0), "radius", -1e-3), ((1e-3, 0, 1.0), "height", 0), ((1e-3, 1e-3, 0), "frequency", 0)],
 )
-def test_a_value_that_is_not_positive_is_refused_by_name(arguments, message):
-    with pytest.raises(ValueError) as error:
+def test_a_value_that_is_not_positive_is_refused_by_name(arguments, field, value):
+    with refused(Kind.OUT_OF_RANGE, field, value):
         closed_forms.closed_cylinder_compliance(*arguments, AIR)
-    assert message in str(error.value)
 
 
 # -- shapes without a closed form -----------------------------------------------------------------------
@@ -181,9 +178,7 @@ def test_boxes_and_domes_go_from_isothermal_to_adiabatic(shape):
 
 def test_a_batch_refuses_a_cavity_that_is_no_cylinder_by_name():
     design = geometry.prototype("array-2x6").with_values({"resonator.shape": "dome"})
-    with pytest.raises(
-        ValueError, match=r"resonator\.shape = 'dome' must be 'cylinder' in a batch.*solve\(\) takes it"
-    ):
+    with refused(Kind.OUT_OF_RANGE, "resonator.shape", "dome"):
         ArrayParameters.from_design(design)
 
 

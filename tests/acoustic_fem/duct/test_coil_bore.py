@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from geometry.ground.refusal import Kind
+from refusals import refused
 import scipy.sparse as sp
 import skfem
 from reference_data import AIR
@@ -162,14 +164,14 @@ def test_a_smooth_bore_of_the_effective_radius_is_the_spring_but_for_its_grooves
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
+    ("arguments", "field", "value"),
     [
-        ((0.6e-3, 0.0), "wire_diameter = 0 m"),
-        ((0.6e-3, 0.2e-3), "must be below a quarter of outer_diameter"),
-        ((0.6e-3, 0.08e-3, 1), "refinement = 1"),
-        ((0.6e-3, 0.08e-3, 8, 0.0), "cusp = 0 rad"),
+        ((0.6e-3, 0.0), "wire_diameter", 0.0),
+        ((0.6e-3, 0.2e-3), "wire_diameter", 0.2e-3),
+        ((0.6e-3, 0.08e-3, 1), "refinement", 1),
+        ((0.6e-3, 0.08e-3, 8, 0.0), "cusp", 0.0),
     ],
 )
-def test_an_impossible_spring_is_refused(arguments, message):
-    with pytest.raises(ValueError, match=message):
+def test_an_impossible_spring_is_refused(arguments, field, value):
+    with refused(Kind.OUT_OF_RANGE, field, value):
         CoilBore(*arguments)

@@ -7,6 +7,8 @@ import mpmath
 import numpy as np
 import openwind_ladder
 import pytest
+from geometry.ground.refusal import Kind
+from refusals import refused
 from hypothesis import given, strategies as st
 from reference_data import AIR, column
 
@@ -125,18 +127,17 @@ def test_radius_length_and_frequency_broadcast():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
+    ("arguments", "field"),
     [
-        ((0.0, 0.01, 10.0), "radius = 0 m"),
-        ((1e-4, -0.01, 10.0), "length = -0.01 m"),
-        ((1e-4, 0.01, [1.0, 0.0]), "frequency = 0 Hz"),
-        ((1e-4, 0.01, float("nan")), "frequency = nan Hz"),
+        ((0.0, 0.01, 10.0), "radius"),
+        ((1e-4, -0.01, 10.0), "length"),
+        ((1e-4, 0.01, [1.0, 0.0]), "frequency"),
+        ((1e-4, 0.01, float("nan")), "frequency"),
     ],
 )
-def test_a_value_that_is_not_positive_is_refused_by_name(arguments, message):
-    with pytest.raises(ValueError) as error:
+def test_a_value_that_is_not_positive_is_refused_by_name(arguments, field):
+    with refused(Kind.OUT_OF_RANGE, field):
         plane_wave.port_admittance(*arguments, AIR)
-    assert message in str(error.value)
 
 
 def exact_per_length(radius, frequency):
@@ -219,15 +220,15 @@ def test_a_user_line_with_the_constants_of_a_bore_is_that_bore():
 
 
 def test_a_user_line_refuses_gain_and_values_for_other_frequencies():
-    with pytest.raises(ValueError, match="gamma = -1"):
+    with refused(Kind.OUT_OF_RANGE, "gamma", -1.0):
         plane_wave.UserLine(-1.0, 1e8).series_impedance(10.0, AIR)
-    with pytest.raises(ValueError, match=r"zc has shape \(2,\), the frequencies have \(3,\)"):
+    with refused(Kind.MISMATCH, "zc"):
         plane_wave.UserLine(1.0, [1e8, 2e8]).shunt_admittance([1.0, 2.0, 3.0], AIR)
 
 
 @pytest.mark.parametrize(("series", "shunt", "name"), [(0.0, 1e-9, "series"), (1e8, np.nan, "shunt")])
 def test_a_two_port_refuses_values_without_meaning(series, shunt, name):
-    with pytest.raises(ValueError, match=name):
+    with refused(Kind.OUT_OF_RANGE, name):
         plane_wave.two_port(series, shunt, 0.01)
 
 
@@ -255,20 +256,20 @@ def test_a_very_thick_tube_tends_to_a_hole_in_an_infinite_body():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
+    ("arguments", "field", "value"),
     [
-        ((1e-3, 1e-3, 1e8), "outer_radius = 0.001 m must be above inner_radius"),
-        ((1e-3, 2e-3, 1e8, 0.6), "poisson_ratio = 0.6"),
-        ((1e-3, 2e-3, 1e8, 0.4, 0.0, "loose"), "axial = 'loose'"),
+        ((1e-3, 1e-3, 1e8), "outer_radius", 1e-3),
+        ((1e-3, 2e-3, 1e8, 0.6), "poisson_ratio", 0.6),
+        ((1e-3, 2e-3, 1e8, 0.4, 0.0, "loose"), "axial", "loose"),
     ],
 )
-def test_an_impossible_tube_wall_is_refused(arguments, message):
-    with pytest.raises(ValueError, match=message):
+def test_an_impossible_tube_wall_is_refused(arguments, field, value):
+    with refused(Kind.OUT_OF_RANGE, field, value):
         plane_wave.tube_compliance(*arguments)
 
 
 def test_a_wall_that_gives_energy_is_refused():
-    with pytest.raises(ValueError, match="compliance"):
+    with refused(Kind.OUT_OF_RANGE, "compliance", 1e-12 + 1e-13j):
         plane_wave.CompliantWall(CircularSection(1e-3), 1e-12 + 1e-13j)
 
 

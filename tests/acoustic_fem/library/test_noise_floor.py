@@ -4,6 +4,8 @@ import dataclasses
 
 import numpy as np
 import pytest
+from geometry.ground.refusal import Kind
+from refusals import refused
 from hypothesis import given, settings, strategies as st
 from reference_data import AIR
 
@@ -225,35 +227,35 @@ def test_a_symmetric_line_has_mirrored_limits():
 # -- bad input -----------------------------------------------------------------------------------------
 def test_a_library_without_microphone_impedance_is_refused(library):
     old = dataclasses.replace(library, microphone_impedance=None)
-    with pytest.raises(ValueError, match="the library has no microphone_impedance"):
+    with refused(Kind.MISSING, "microphone_impedance"):
         noise_density(old)
 
 
 @pytest.mark.parametrize(
-    ("call", "message"),
+    ("call", "field", "kind"),
     [
-        (lambda x: x.touch_response("tickle"), "touch = 'tickle' must be one of: displacement, force, pressure"),
-        (lambda x: x.touch_response("force", contact_radius=1.0), "contact_radius = 1 m must be between"),
-        (lambda x: noise_density(x, "inside"), "noise_at = 'inside' must be one of: front, output"),
-        (lambda x: detection_limits(x, (0.5, 50)), r"band = \(0.5, 50\) Hz must ascend and lie within"),
-        (lambda x: detection_limits(x, (50, 20)), r"band = \(50, 20\) Hz must ascend"),
-        (lambda x: detection_limits(x, (np.nan, 20)), "band = nan Hz"),
-        (lambda x: detection_limits(x, (1, 100), 999), "snr_db = 999 dB must be between -100 and 200 dB"),
-        (lambda x: detectable_density(x, "force", microphones=["Z"]), "microphones: 'Z' must be one of: A"),
-        (lambda x: detectable_density(x, "force", microphones=[]), r"microphones = \[\] must name at least one"),
-        (lambda x: matched_filter_snr(x, "force", [1.0, 2.0], (1, 9)), r"spectrum has shape \(2,\); it must be one"),
-        (lambda x: matched_filter_snr(x, "force", np.inf, (1, 9)), "spectrum has shape"),
+        (lambda x: x.touch_response("tickle"), "touch", Kind.OUT_OF_RANGE),
+        (lambda x: x.touch_response("force", contact_radius=1.0), "contact_radius", Kind.OUT_OF_RANGE),
+        (lambda x: noise_density(x, "inside"), "noise_at", Kind.OUT_OF_RANGE),
+        (lambda x: detection_limits(x, (0.5, 50)), "band", Kind.OUT_OF_RANGE),
+        (lambda x: detection_limits(x, (50, 20)), "band", Kind.OUT_OF_RANGE),
+        (lambda x: detection_limits(x, (np.nan, 20)), "band", Kind.OUT_OF_RANGE),
+        (lambda x: detection_limits(x, (1, 100), 999), "snr_db", Kind.OUT_OF_RANGE),
+        (lambda x: detectable_density(x, "force", microphones=["Z"]), "microphones", Kind.UNKNOWN),
+        (lambda x: detectable_density(x, "force", microphones=[]), "microphones", Kind.OUT_OF_RANGE),
+        (lambda x: matched_filter_snr(x, "force", [1.0, 2.0], (1, 9)), "spectrum", Kind.WRONG_TYPE),
+        (lambda x: matched_filter_snr(x, "force", np.inf, (1, 9)), "spectrum", Kind.WRONG_TYPE),
     ],
 )
-def test_bad_input_is_refused_by_name(library, call, message):
-    with pytest.raises(ValueError, match=message):
+def test_bad_input_is_refused_by_name(library, call, field, kind):
+    with refused(kind, field):
         call(library)
 
 
 def test_impedances_that_are_not_square_and_cold_networks_are_refused():
-    with pytest.raises(ValueError, match=r"impedance has shape \(2, 3\)"):
+    with refused(Kind.WRONG_TYPE, "impedance"):
         thermal_covariance(np.ones((2, 3)), 300)
-    with pytest.raises(ValueError, match="temperature = 0 K"):
+    with refused(Kind.OUT_OF_RANGE, "temperature", 0.0):
         thermal_covariance(np.ones((2, 2)), 0)
 
 

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from geometry.ground.refusal import Kind
+from refusals import refused
 from hypothesis import given, settings, strategies as st
 from reference_data import rows
 from scipy.special import i0, ive, j0, jn_zeros
@@ -383,20 +385,20 @@ def test_a_stiffer_membrane_changes_the_array_by_its_compliance_alone(change):
 
 
 @pytest.mark.parametrize(
-    ("change", "message"),
+    ("change", "named"),
     [
-        ({"membrane.mounting": "glued"}, "membrane.mounting = 'glued' must be one of 'rim', 'clamped'"),
-        ({"membrane.stretch": 2.0}, "membrane.stretch = 2 must be between 1 and 1.9"),
+        ({"membrane.mounting": "glued"}, "membrane.mounting = 'glued'"),
+        ({"membrane.stretch": 2.0}, "membrane.stretch = 2"),
         (
             {"membrane.thickness": 0.05, "resonator.cavity_diameter": 8.0, "membrane.stretch": 1.2},
-            "membrane.stretch = 1.2 must be at most 1.11803, where membrane.thickness (0.05 mm) is thinned to 0.04 mm",
+            "membrane.stretch = 1.2 must be at most 1.11803",
         ),
     ],
 )
-def test_a_membrane_that_cannot_be_held_so_is_refused_by_field(change, message):
+def test_a_membrane_that_cannot_be_held_so_is_refused_by_field(change, named):
     with pytest.raises(DesignError) as error:
         prototype("array-2x6").with_values(change)
-    assert message in str(error.value)
+    assert named in str(error.value)
 
 
 def test_the_largest_stretch_that_the_rules_allow_can_be_solved():
@@ -405,36 +407,34 @@ def test_the_largest_stretch_that_the_rules_allow_can_be_solved():
 
 
 @pytest.mark.parametrize(
-    ("changes", "message"),
+    ("field", "value", "also", "kind"),
     [
-        ({"radius": 0.0}, "radius = 0 m"),
-        ({"thickness": 2.9e-5}, "thickness = 2.9e-05 m must be between 3e-05 and 0.006 m"),
-        ({"youngs_modulus": -1.0}, "youngs_modulus = -1 Pa"),
-        ({"poisson_ratio": 0.5}, "poisson_ratio = 0.5 must be between 0.01 and 0.49999"),
-        ({"rim_width": 1e-6}, "rim_width = 1e-06 m must be between 1.5e-05 and 0.15 m"),
-        ({"rim_width": 1e-3, "glue_width": 2e-3}, "glue_width = 0.002 m must be between 1.5e-05 and 0.001 m"),
-        ({"glue_width": 1e-3}, "glue_width = 0.001 m needs a rim"),
-        ({"tension": -1.0}, "tension = -1 N/m must be between 0 and 3000 N/m"),
-        ({"tension": np.nan}, "tension = nan N/m must be between 0 and 3000 N/m"),
-        ({"stretch": 0.9}, "stretch = 0.9 must be between 1 and 1.9"),
-        ({"stretch": 1.1, "tension": 1.0}, "stretch = 1.1 must not be given beside tension = 1 N/m"),
-        ({"contact_radius": 3e-3}, "contact_radius = 0.003 m must be between 6e-05 and 0.0027 m"),
+        ("radius", 0.0, {}, Kind.OUT_OF_RANGE),
+        ("thickness", 2.9e-5, {}, Kind.OUT_OF_RANGE),
+        ("youngs_modulus", -1.0, {}, Kind.OUT_OF_RANGE),
+        ("poisson_ratio", 0.5, {}, Kind.OUT_OF_RANGE),
+        ("rim_width", 1e-6, {}, Kind.OUT_OF_RANGE),
+        ("glue_width", 2e-3, {"rim_width": 1e-3}, Kind.OUT_OF_RANGE),
+        ("glue_width", 1e-3, {}, Kind.CONFLICT),
+        ("tension", -1.0, {}, Kind.OUT_OF_RANGE),
+        ("tension", np.nan, {}, Kind.OUT_OF_RANGE),
+        ("stretch", 0.9, {}, Kind.OUT_OF_RANGE),
+        ("stretch", 1.1, {"tension": 1.0}, Kind.CONFLICT),
+        ("contact_radius", 3e-3, {}, Kind.OUT_OF_RANGE),
     ],
 )
-def test_an_impossible_disc_is_refused_by_name(changes, message):
+def test_an_impossible_disc_is_refused_by_name(field, value, also, kind):
+    changes = {field: value, **also}
     options = {name: value for name, value in changes.items() if hasattr(DiscOptions(), name)}
     plain = {name: value for name, value in changes.items() if name not in options}
     arguments = {"radius": 3e-3, "thickness": 0.3e-3, "youngs_modulus": 5e5, **plain}
-    with pytest.raises(ValueError) as error:
+    with refused(kind, field):
         solve_disc(**arguments, options=DiscOptions(**options))
-    assert message in str(error.value)
 
 
-@pytest.mark.parametrize(
-    ("frequency", "loss", "message"), [(0.0, 0.1, "frequency = 0 Hz"), (1.0, 2.0, "loss_factor = 2")]
-)
-def test_an_impossible_frequency_or_loss_is_refused(frequency, loss, message):
-    with pytest.raises(ValueError, match=message):
+@pytest.mark.parametrize(("frequency", "loss", "field"), [(0.0, 0.1, "frequency"), (1.0, 2.0, "loss_factor")])
+def test_an_impossible_frequency_or_loss_is_refused(frequency, loss, field):
+    with refused(Kind.OUT_OF_RANGE, field):
         solve_disc(3e-3, 0.3e-3, 5e5).compliance(frequency, Rubber(loss))
 
 

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from geometry.ground.refusal import Kind
+from refusals import refused
 from coarse_discs import coarse_discs
 
 from acoustic_fem.membrane.disc import DiscOptions, design_disc, solve_disc
@@ -130,21 +132,17 @@ def test_a_design_gives_its_shape_to_the_acoustics():
 
 
 @pytest.mark.parametrize(
-    ("changes", "message"),
+    ("changes", "field", "kind"),
     [
-        ({"rim_height": 1e-3}, "rim_height = 0.001 m needs a rim"),
-        ({"rim_width": 1e-3, "rim_height": 7e-3}, "rim_height = 0.007 m must be between 0 and 0.006 m"),
-        ({"boss_height": 1e-3}, "boss_radius = 0 m and boss_height = 0.001 m must be given together"),
-        ({"boss_radius": 2.8e-3, "boss_height": 1e-3}, "boss_radius = 0.0028 m must be between 0.0003 and 0.0027 m"),
-        (
-            {"boss_radius": 1e-3, "boss_height": 1e-3, "contact_radius": 1.1e-3},
-            "contact_radius = 0.0011 m must be between 6e-05 and 0.001 m",
-        ),
-        ({"rim_width": 1e-3, "rim_height": 1e-3, "stretch": 1.1}, "only a flat disc is stretched evenly"),
-        ({"boss_radius": 1e-3, "boss_height": 1e-3, "tension": 1.0}, "only a flat disc is stretched evenly"),
+        ({"rim_height": 1e-3}, "rim_height", Kind.CONFLICT),
+        ({"rim_width": 1e-3, "rim_height": 7e-3}, "rim_height", Kind.OUT_OF_RANGE),
+        ({"boss_height": 1e-3}, "boss_radius", Kind.CONFLICT),
+        ({"boss_radius": 2.8e-3, "boss_height": 1e-3}, "boss_radius", Kind.OUT_OF_RANGE),
+        ({"boss_radius": 1e-3, "boss_height": 1e-3, "contact_radius": 1.1e-3}, "contact_radius", Kind.OUT_OF_RANGE),
+        ({"rim_width": 1e-3, "rim_height": 1e-3, "stretch": 1.1}, "rim_height", Kind.CONFLICT),
+        ({"boss_radius": 1e-3, "boss_height": 1e-3, "tension": 1.0}, "boss_height", Kind.CONFLICT),
     ],
 )
-def test_a_shape_that_cannot_be_solved_is_refused_by_name(changes, message):
-    with pytest.raises(ValueError) as error:
+def test_a_shape_that_cannot_be_solved_is_refused_by_name(changes, field, kind):
+    with refused(kind, field):
         solve_disc(3e-3, 0.5e-3, 1e6, rim_width=changes.pop("rim_width", 0.0), options=DiscOptions(**changes))
-    assert message in str(error.value)

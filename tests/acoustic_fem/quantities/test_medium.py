@@ -4,6 +4,8 @@ import dataclasses
 import math
 
 import pytest
+from geometry.ground.refusal import Kind
+from refusals import refused
 from reference_data import AIR
 
 from acoustic_fem.quantities.medium import GAS_CONSTANT, MOLAR_MASS_AIR, Medium, saturation_pressure
@@ -47,24 +49,16 @@ def test_dry_air_is_an_ideal_gas_consistent_in_density_and_gamma():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ({"temperature_c": -21}, "temperature_c = -21 degC must be between -20 and 60 degC"),
-        ({"temperature_c": math.nan}, "temperature_c = nan"),
-        ({"humidity": 1.01}, "humidity = 1.01 must be between 0 and 1"),
-        ({"pressure": 1013.25}, "pressure = 1013.25 Pa must be between 50000 and 120000 Pa"),
-    ],
+    ("field", "value"), [("temperature_c", -21), ("temperature_c", math.nan), ("humidity", 1.01), ("pressure", 1013.25)]
 )
-def test_a_state_outside_the_range_is_refused_by_name(arguments, message):
-    with pytest.raises(ValueError) as error:
-        Medium.at(**arguments)
-    assert message in str(error.value)
+def test_a_state_outside_the_range_is_refused_by_name(field, value):
+    with refused(Kind.OUT_OF_RANGE, field):
+        Medium.at(**{field: value})
 
 
 @pytest.mark.parametrize(
     ("field", "value"), [("density", 0), ("viscosity", -1e-5), ("conductivity", math.inf), ("gamma", 0.9)]
 )
 def test_an_impossible_gas_is_refused_by_name(field, value):
-    with pytest.raises(ValueError) as error:
+    with refused(Kind.OUT_OF_RANGE, field, value):
         dataclasses.replace(AIR, **{field: value})
-    assert str(error.value).startswith(f"{field} = ")

@@ -15,7 +15,7 @@ import geometry
 import localize
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library
-from localize.decoders.likelihood import NOISE_SHARE
+from localize.decoders.options import DecoderOptions
 from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, passed
 from localize.recalibration.parameter_search import value_and_slope
 from localize.recalibration.rejections import gaps, likeliest_order, numbers
@@ -73,7 +73,7 @@ def test_spectra_that_fall_and_a_high_pass_explain_what_fingers_do() -> None:
 
 def test_the_likelihood_ranks_points_as_the_decoder_does() -> None:
     frames, points = touches(truth(), 120)
-    likelihood = MarginalLikelihood(GRID, frames, NOISE_SHARE * NOISE)
+    likelihood = MarginalLikelihood(GRID, frames, DecoderOptions.noise_fraction * NOISE)
     share = likelihood.evidence(truth().transfer_function).share
     assert np.allclose(share.sum(1), 1)
     decoder = localize.BayesDecoder(truth(), NOISE)

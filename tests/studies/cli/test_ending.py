@@ -21,7 +21,7 @@ import geometry
 from acoustic_fem.numerics.processors import cores
 from localize.live.listener import Latencies
 from studies.cli import app
-from studies.listening.live import LiveSummary
+from studies.inference.live import LiveSummary
 
 ROOT = Path(__file__).parents[3]
 STUDY = """

@@ -39,8 +39,11 @@ def test_the_verb_writes_what_the_call_writes(
     for name in ("calibration/point-2.wav", "touches/point-02-taps-1.wav", "touches/touches.toml"):
         assert (tmp_path / "verb" / name).read_bytes() == (tmp_path / "call" / name).read_bytes()
     assert [Path(line).name for line in told.out.splitlines()[:4]] == [
-        "calibration.toml", "touches.toml", "truth.json", "truth.nc",
-    ]  # fmt: skip
+        "calibration.toml",
+        "touches.toml",
+        "truth.json",
+        "truth.nc",
+    ]
     assert "2 Pa, which locate and recalibrate take as --full-scale" in " ".join(told.out.split())
     refused = command("rig", tmp_path / "row.toml", "--out", tmp_path / "other", "--altitude", 9000)
     assert refused.code == 1

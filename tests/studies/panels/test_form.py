@@ -9,8 +9,7 @@ import pytest
 from geometry import DesignError, prototype
 from geometry.design.array_design import validated
 from geometry.schema.declared_fields import field_named
-from studies.panels.comparing import comparison
-from studies.panels.form import addable_tables, flat_values, form_of, removable_tables, stated_values
+from studies.panels.form import addable_tables, comparison, flat_values, form_of, removable_tables, stated_values
 
 ARRAY = prototype("array-2x6")
 

@@ -16,7 +16,7 @@ from localize import Decision
 from localize.contacts.contact import surface_of
 from localize.live import sound_device
 from studies import locate_recording, solve_library
-from studies.listening.tracked import track_recording
+from studies.inference.tracked import track_recording
 from studies.panels.live_panel import listen_live, sound_cards
 from studies.panels.touching import TOUCHES, membranes, replay_recording, simulate_slide, simulate_touch
 

@@ -10,7 +10,7 @@ import pytest
 from browser import PAINTED, ROOT, Studio, downloaded, field, give, opened, studio, until
 
 from geometry import prototype
-from studies.panels.comparing import comparison
+from studies.panels.form import comparison
 
 pytestmark = pytest.mark.slow
 #: What this page keeps of its design.

@@ -20,9 +20,9 @@ import acoustic_fem
 from geometry import prototype, save_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.size import array_size
-from studies.panels.comparing import comparison
 from studies.panels.curves import CURVES, curves_of, quick_library
 from studies.panels.exploring import run_study, study_figures
+from studies.panels.form import comparison
 from studies.panels.points import figure_words, mis_made_figures, point_figures
 from studies.panels.touching import touched
 from studies.study import METRICS, load_study

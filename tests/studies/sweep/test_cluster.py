@@ -183,7 +183,7 @@ def test_a_worker_that_is_stopped_or_killed_changes_nothing(
     assert len(events(out, "block")) == BLOCKS
     notes = [str(event["note"]) for event in events(out, "note")]
     silent = re.escape(cluster.host("w1").address)
-    assert any(re.match(rf"worker tcp://{silent}:\d+ was not heard for 2 s", note) for note in notes), notes
+    assert any(re.match(rf"worker tcp://{silent}:\d+ was silent for 2 s", note) for note in notes), notes
     assert_same_store(out, alone[1])
     cluster.workers["w2"].wait()
     cluster.start_worker("w2")

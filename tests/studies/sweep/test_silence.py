@@ -37,7 +37,7 @@ def manned(clock: Clock) -> Cluster:
     """A cluster with one worker that was heard of just now."""
     found = Cluster(Client(), "scheduler", own=True)
     told(found, clock, 1.0)
-    list(found._look())
+    found._look()
     return found
 
 
@@ -52,13 +52,13 @@ def watched(team: Cluster, clock: Clock, seconds: float, answers: bool) -> None:
         clock.now += 1.0
         if answers:
             told(team, clock, 1.0)
-        list(team._look())
+        team._look()
 
 
 def test_a_process_that_was_stopped_blames_nobody(clock: Clock) -> None:
     team = manned(clock)
     clock.now += 10 * SILENCE
-    list(team._look())
+    team._look()
     assert team._free() is not None
     watched(team, clock, SILENCE / 2, answers=True)
     assert team._free() is not None

@@ -100,7 +100,7 @@ def _options() -> Iterator[Words]:
         ("--full-scale", ("0", "-1", "nan", "inf", "1e300")),
         ("--noise", ("-1", "nan", "inf", "1e300")),
         ("--ambient", ("-1", "nan", "500", "a")),
-        ("--refuse", ("-1", "2", "nan", "0")),
+        ("--reject", ("-1", "2", "nan", "0")),
         ("--library", ("nowhere.nc", "touches.wav", "design.toml", "localizer")),
     ):
         for value in values:

@@ -10,23 +10,21 @@ from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TypeAlias
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_lines
-from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_tracker
+from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
+from localize.live.events import Decision, Fault, TouchEvent
+from localize.live.listener import Heard, Latencies, LiveListener, Notice
+from localize.live.recorder import LiveRecorder
+from localize.live.sound_device import DeviceSource
+from localize.live.sources import ReplaySource, Source
+from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
+from localize.signals.locator import ArrayFacts
+from localize.signals.resampling import check_full_scale
 from studies.output.folders import check_new_file
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    from localize import SensorFit
-    from localize.live.listener import Heard, Latencies, LiveListener
-    from localize.live.recorder import LiveRecorder
-    from localize.live.sources import Source
-    from localize.live.spare import StreamLocator
-    from localize.live.touches import Array as TouchedArray
 
 
 @dataclass(frozen=True)
@@ -44,40 +42,31 @@ class LiveInput:
 
     def __post_init__(self) -> None:
         if self.device is not None and self.replay is not None:
-            raise Refusal("`device` must not be given beside `replay`")
+            problem = ("must not be given beside ", Field("replay"))
+            raise Refusal(problem, kind=Kind.CONFLICT, field="device")
+        check_full_scale(self.full_scale)
 
-    def open(self, locator: StreamLocator) -> Source:
-        """Source of a locator's microphones, not listened to yet."""
-        from localize.live.sound_device import DeviceSource
-        from localize.live.sources import ReplaySource
-
+    def open(self, microphones: tuple[str, ...]) -> Source:
+        """Source of the microphones of these names, not listened to yet."""
         if self.replay is not None:
-            return ReplaySource(self.replay, locator.microphones, self.full_scale, self.channels)
-        return DeviceSource(locator.microphones, self.device, self.full_scale, self.channels)
+            return ReplaySource(self.replay, microphones, self.full_scale, self.channels)
+        return DeviceSource(microphones, self.device, self.full_scale, self.channels)
 
 
 class LiveSession:
-    """Session of listening, for whoever shows it.
+    """Live session, for whoever shows it.
 
     Args:
         listener: joins the source to the stream.
-        array: what its points are.
-        recorder: writes what comes in.
-        assumes: what the localizer takes for granted of the sensor, in words.
+        model: names the points.
     """
 
-    def __init__(
-        self, listener: LiveListener, array: TouchedArray, recorder: LiveRecorder | None = None, assumes: str = ""
-    ) -> None:
-        from localize.live.listener import Latencies
-
-        self._listener, self._recorder = listener, recorder
-        self.array = array
-        """Array with the lines and places of its points."""
-        self.microphones = listener.stream.locator.microphones
-        """Names of the microphones."""
-        self.assumes = assumes
-        """What the localizer takes for granted of the sensor, in words."""
+    def __init__(self, listener: LiveListener, model: Model) -> None:
+        self._listener = listener
+        self.array: ArrayFacts = model.locator.array
+        """Array with the lines and places of its points, and the names of its microphones."""
+        self.assumptions = model.assumptions
+        """What the model assumes of the sensor, in words."""
         self.latencies = Latencies()
         """Latencies of the decisions so far."""
 
@@ -89,21 +78,21 @@ class LiveSession:
     @property
     def recordings(self) -> tuple[Path, ...]:
         """Files that were recorded so far."""
-        return () if self._recorder is None else tuple(self._recorder.paths)
+        return self._listener.recordings
 
     @property
-    def recent(self) -> NDArray[np.float64]:
+    def recent(self) -> Array:
         """Newest samples at 1 kHz; (n_microphone, n) float64, Pa."""
         return self._listener.recent
 
 
-Hear = Callable[["LiveSession", "Heard", str], bool | None]
+Hear: TypeAlias = Callable[[LiveSession, Heard, str], bool | None]
 """Takes the session, an event and its line of JSON; listening ends where it says False."""
 
 
 @dataclass(frozen=True, eq=False)
 class LiveSummary:
-    """Counts of all that was heard."""
+    """Counts of a live session."""
 
     seconds: float
     """Time that was listened, s."""
@@ -119,17 +108,16 @@ class LiveSummary:
     """Latencies of the decisions, from the last sample of their frame to the end of what was done with them."""
     recordings: tuple[Path, ...]
     """Files that were recorded."""
-    assumes: str
-    """What the localizer takes for granted of the sensor, in words."""
-    doubt: str | None = None
-    """Reason to doubt what was told: the sensor does not fit the library; as of
-    :attr:`studies.listening.recorded.LocatedTouches.doubt`."""
+    assumptions: str
+    """What the model assumes of the sensor, in words."""
+    warning: str | None = None
+    """Reason to distrust the touches: the sensor does not fit the library; as of :class:`LocatedTouches`."""
     unrecorded: str = ""
     """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
 
 
 def listen(
-    model: str | os.PathLike[str],
+    model: ModelSource,
     source: LiveInput | None = None,
     out: str | os.PathLike[str] | None = None,
     *,
@@ -143,31 +131,37 @@ def listen(
     A sound card that is unplugged is waited for.
 
     Args:
-        model: the folder of a trained localizer, an ONNX file, or a library for the model-based decoder, which expects
-            the tolerances of manufacturing where the library is not a calibrated one.
+        model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
         source: where samples come from; by default the system's sound card.
         out: a file for a line of JSON for every frame, 16 ms apart, written as it comes; an earlier one is replaced.
         record: a new WAV file for what comes in, at the rate at which it does; readable even if the program is killed.
-        decoding: how signals are read, and what is told beside the point.
-        radius: of a contact whose place on the surface is told beside its point, and what it did when its path has
-            ended, for a library as model, mm; by default neither is.
+        decoding: how the model is opened, and what is reported beside the point; by default as it is.
+        radius: of a contact whose place on the surface is reported beside its point, and its gesture when its path has
+            ended, mm; needs a library. By default neither is.
         hear: called with every event.
 
     Raises:
         Refusal: a file that cannot be written or read, options that do not go together, or no such sound card.
         OSError: a disk that is full: the lines cannot be written, or the recording cannot be begun.
     """
-    lines = None if out is None else Path(out)
-    from localize import BayesDecoder
-    from localize.evaluation.goodness_of_fit import LoudFrames, sensor_fit
-
-    heard_from, given = source or LiveInput(), decoding or Decoding()
-    reads = (model, heard_from.replay, given.library)
-    check_new_file(lines, ".jsonl", reads=reads)
-    check_new_file(None if record is None else Path(record), ".wav", kept="a recording", option="record")
-    if lines is not None and record is not None and lines.resolve() == Path(record).resolve():
-        raise Refusal(f"{lines}: out and record must be two files")
-    listener, session = _opened(Path(model), heard_from, record, given, radius)
+    lines, kept, heard_from = (
+        None if out is None else Path(out),
+        None if record is None else Path(record),
+        source or LiveInput(),
+    )
+    beside = None if decoding is None else decoding.library
+    check_new_file(lines, ".jsonl", reads=(*files_of(model), heard_from.replay, *files_of(beside)))
+    check_new_file(kept, ".wav", kept="a recording", option="record")
+    if lines is not None and kept is not None and lines.resolve() == kept.resolve():
+        problem = ("must be another file than ", Field("record"))
+        raise Refusal(problem, kind=Kind.CONFLICT, field="out", value=str(lines))
+    found = opened(model, decoding)
+    samples = heard_from.open(found.locator.microphones)
+    recorder = None
+    if kept is not None:
+        recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.full_scale)
+    listener = found.listen(samples, recorder, radius)
+    session = LiveSession(listener, found)
     counts, loud = _Counts(), LoudFrames()
     with ExitStack() as stack:
         stack.enter_context(_nothing_freed())
@@ -188,31 +182,8 @@ def listen(
                     break
         except KeyboardInterrupt:
             pass
-    locator = listener.stream.locator
-    fit = sensor_fit(locator, loud.frames, listener.stream.noise) if isinstance(locator, BayesDecoder) else None
+    fit = sensor_fit(found.locator, loud.frames, listener.stream.noise)
     return counts.summary(session, fit, listener.stopped)
-
-
-def _opened(
-    model: Path, source: LiveInput, record: str | os.PathLike[str] | None, decoding: Decoding, radius: float | None
-) -> tuple[LiveListener, LiveSession]:
-    """What listens, and what is told of it; nothing is heard or written yet."""
-    from localize.live.listener import LiveListener
-    from localize.live.recorder import LiveRecorder
-    from localize.live.touches import TouchTracker
-    from localize.signals.resampling import check_full_scale
-    from localize.tracking import GestureTracker
-
-    check_full_scale(source.full_scale)
-    locator = open_localizer(model, decoding)
-    samples = source.open(locator)
-    stream = open_stream(model, locator, decoding, samples.limit, frames=True)
-    recorder = None
-    if record is not None:
-        recorder = LiveRecorder(Path(record), samples.rate, len(locator.microphones), source.full_scale)
-    places = () if radius is None else (GestureTracker(open_tracker(model, decoding, radius)[1]),)
-    listener = LiveListener(samples, stream, recorder, trackers=(TouchTracker(locator), *places))
-    return listener, LiveSession(listener, locator, recorder, assumed_by(model, locator, decoding))
 
 
 @contextmanager
@@ -237,9 +208,6 @@ class _Counts:
 
     def take(self, heard: Heard) -> None:
         """Count an event."""
-        from localize.live.events import Decision, Fault, TouchEvent
-        from localize.live.listener import Notice
-
         event = heard.event
         if isinstance(event, Decision):
             self._states[event.state] += 1
@@ -261,7 +229,7 @@ class _Counts:
             self._lost,
             session.latencies,
             session.recordings,
-            session.assumes,
-            None if fit is None else fit.doubt,
+            session.assumptions,
+            None if fit is None else fit.warning,
             unrecorded,
         )

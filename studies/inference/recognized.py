@@ -6,11 +6,18 @@ import json
 import os
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from geometry.ground.refusal import Refusal
+from acoustic_fem.sound.sound_file import check_sound_there
+from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.whole_files import write_text
-from studies.listening.opening import Decoding, library_there, open_localizer
+from localize.model.opened_model import Decoding, ModelSource, files_of, open_library, opened
+from localize.recordings.recording import read_recording
+from studies.inference.pulse_reading import check_point
 from studies.output.folders import check_new_file
+
+if TYPE_CHECKING:
+    from localize.recognition.recognizer import Recognizer
 
 
 @dataclass(frozen=True)
@@ -30,8 +37,8 @@ class RecognizedTouch:
 
 
 def recognize_recording(
-    model: str | os.PathLike[str],
-    library: str | os.PathLike[str],
+    model: str | os.PathLike[str] | Recognizer,
+    library: ModelSource,
     recording: str | os.PathLike[str],
     out: str | os.PathLike[str] | None = None,
     *,
@@ -43,8 +50,8 @@ def recognize_recording(
     """Touches of a recording by their kind, in the order of time.
 
     Args:
-        model: the folder of a recognizer.
-        library: that of the array; where no point is given, the model-based decoder names it by this.
+        model: a recognizer, or its folder.
+        library: of the array: a path, a library or an open model; where no point is given, its decoder names it.
         recording: see :func:`localize.read_recording`.
         out: a file for a line of JSON for every touch.
         point: that is touched, from 1; by default that which is named.
@@ -59,35 +66,38 @@ def recognize_recording(
             speed; no speed, and what is heard is no straight slide.
     """
     path = None if out is None else Path(out)
-    check_new_file(path, ".jsonl", reads=(model, library, recording))
-    from acoustic_fem.sound.sound_file import check_sound_there
-    from localize import load_recognizer, read_recording
-    from localize.recognition.filter_bank import Ear
-    from localize.recognition.handwriting import WRITTEN
-
+    check_new_file(path, ".jsonl", reads=(*files_of(model), *files_of(library), recording))
     check_sound_there(recording)
-    recognizer = load_recognizer(model)
-    given = decoding or Decoding()
-    localizer = open_localizer(Path(library), given)
-    if localizer.microphones != recognizer.microphones or localizer.design != recognizer.design:
-        raise Refusal(
-            f"{model}: is of {recognizer.design} with the microphones {', '.join(recognizer.microphones)}, {library} "
-            f"of {localizer.design} with {', '.join(localizer.microphones)}; they must be of one array"
+    from localize.recognition.filter_bank import Ear  # torch, which recognizers need
+    from localize.recognition.handwriting import WRITTEN
+    from localize.recognition.recognizer import Recognizer, load_recognizer
+
+    recognizer = model if isinstance(model, Recognizer) else load_recognizer(model)
+    opened_library = opened(library, decoding)
+    array, given = opened_library.locator.array, opened_library.decoding
+    if array.microphones != recognizer.microphones or array.design != recognizer.design:
+        problem = (
+            f"is of {recognizer.design} with the microphones {', '.join(recognizer.microphones)}, the library of "
+            f"{array.design} with {', '.join(array.microphones)}; they must be of one array"
         )
+        raise Refusal(problem, kind=Kind.MISMATCH, field="model")
     if recognizer.subject == WRITTEN:
         for name, value in (("point", point), ("ambient", given.ambient)):
             if value is not None:
-                raise Refusal(f"{name} = {value:g} is of no use: {model} tells letters, of the path over all points")
+                problem = "is of no use: letters are recognized from the path over all points"
+                raise Refusal(problem, kind=Kind.CONFLICT, field=name, value=value)
     if recognizer.at_usual_speed and speed is None and point is not None:
-        raise Refusal("`speed` must be given where `point` is: else it is told by the points that a slide passes")
+        beside = ("must be given where ", Field("point"), " is: else it comes from the points that a slide passes")
+        raise Refusal(beside, kind=Kind.MISSING, field="speed")
     if speed is not None and not recognizer.at_usual_speed:
-        raise Refusal(f"speed = {speed:g} is of no use: {model} was trained without speeds")
-    if point is not None and not 1 <= point <= len(localizer.line):
-        raise Refusal(f"point = {point} must be from 1 to {len(localizer.line)}, the points of the array")
+        problem = "is of no use: the recognizer was trained without speeds"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="speed", value=speed)
+    check_point(point, array.point_count)
     heard = read_recording(Path(recording), recognizer.microphones, full_scale)
-    ear = Ear(library_there(library, given.air), recognizer, given.noise)
+    noise = None if given.noise == "design" else given.noise
+    ear = Ear(open_library(opened_library), recognizer, noise)
     found = []
-    for each in ear.touches(heard.signals, None if point is None else point - 1, speed, localizer):
+    for each in ear.touches(heard.signals, None if point is None else point - 1, speed, opened_library.locator):
         best = int(each.probability.argmax())
         kind = recognizer.labels[best]
         found.append(RecognizedTouch(each.start, each.end, each.point + 1, kind, float(each.probability[best])))

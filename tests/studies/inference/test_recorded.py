@@ -2,29 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from localize import Decision, Fault, Touch
-from studies.listening.recorded import LocatedTouches, draw_touches
+from localize import ArrayFacts, Decision, Fault, Touch
+from studies.inference.recorded import LocatedTouches, draw_touches
 
-
-@dataclass
-class Row:
-    """An array of points in one line."""
-
-    line = np.zeros(6, int)
-    place = np.arange(6)
+ROW = ArrayFacts("row", ("left", "right"), np.zeros(6, int), np.arange(6))
 
 
 def located(seconds: float) -> LocatedTouches:
     frames = [Decision(1.0 + 0.016 * k, "touch", 0.5, 4, 0.9) for k in range(10)]
     events = (*frames, Decision(2.0, "no touch", 0.0), Fault(0.5, "dead channel", "left"))
-    return LocatedTouches((Touch(1.0, 1.144, 4, 0.99, 0.5),), events, Row(), seconds, "row", "nothing")
+    touches = (Touch(1.0, 1.144, 4, 0.99, 0.5),)
+    return LocatedTouches(array=ROW, seconds=seconds, assumptions="nothing", touches=touches, events=events)
 
 
 @pytest.mark.parametrize("seconds", [3.0, 90.0])
@@ -38,10 +32,10 @@ def test_touches_faults_and_single_loud_samples_are_seen(
         figure.savefig(path)
         return path
 
-    monkeypatch.setattr("studies.output.figure_style.save_figure", keep)
+    monkeypatch.setattr("studies.inference.recorded.save_figure", keep)
     signals = np.zeros((2, int(1000 * seconds)))
     signals[0, 1234], signals[1, 2345] = 7.0, -3.0
-    written = draw_touches(located(seconds), signals, ("left", "right"), tmp_path / "touches.png")
+    written = draw_touches(located(seconds), signals, tmp_path / "touches.png")
     assert written.read_bytes().startswith(b"\x89PNG")
     left, right, named, _ = kept[0].axes
     low, high = left.get_ylim()
@@ -59,6 +53,6 @@ def test_touches_faults_and_single_loud_samples_are_seen(
 
 
 def test_a_recording_without_touches_is_drawn(tmp_path: Path) -> None:
-    nothing = LocatedTouches((), (), Row(), 1.0, "row", "nothing")
-    written = draw_touches(nothing, np.zeros((1, 1000)), ("one",), tmp_path / "quiet.png")
+    nothing = LocatedTouches(array=ROW, seconds=1.0, assumptions="nothing", touches=(), events=())
+    written = draw_touches(nothing, np.zeros((2, 1000)), tmp_path / "quiet.png")
     assert written.stat().st_size > 5000

@@ -5,39 +5,37 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from geometry.ground.refusal import Refusal
+import numpy as np
+
+from acoustic_fem.library.transfer_functions import MEASURED
+from acoustic_fem.sound.sound_file import check_sound_there
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
-from studies.listening.opening import Decoding, library_there
+from localize.model.located_touches import RecordingResult
+from localize.model.opened_model import Decoding, ModelSource, files_of, open_library
+from localize.recognition.pulse import PulseReader, PulseReading
+from localize.recordings.recording import read_recording
+from localize.signals.array_response import response_of
 from studies.output.folders import check_new_file, is_own_table
-
-if TYPE_CHECKING:
-    from localize import PulseReading
 
 #: Columns of the waveform, at 1 kHz.
 COLUMNS = ("time (s)", "force (N)")
 
 
-@dataclass(frozen=True, eq=False)
-class RecordedPulse:
+@dataclass(frozen=True, eq=False, kw_only=True)
+class RecordedPulse(RecordingResult):
     """Pulse in a recording."""
 
     reading: PulseReading
-    """What was read: point, waveform, waves and rate."""
-    seconds: float
-    """Length of the recording, s."""
-    design: str
-    """Name of the design whose points are named."""
+    """Point, waveform, waves and rate."""
     force_is_known: bool
-    """Whether the membranes, by which the force is told, are those of the library: those of a calibrated sensor are
-    not measured, and taken as designed."""
-    assumes: str
-    """What is taken for granted of the sensor, in words."""
+    """Whether the membranes, which give the force, are those of the library: a calibration does not measure them, and
+    takes them as designed."""
 
 
 def read_pulse(
-    library: str | os.PathLike[str],
+    library: ModelSource,
     recording: str | os.PathLike[str],
     out: str | os.PathLike[str] | None = None,
     *,
@@ -49,7 +47,7 @@ def read_pulse(
     """Pulse of an artery under a finger that rests on an array, from a recording of its microphones.
 
     Args:
-        library: of the array, with a design; its sensor is decoded as it is.
+        library: of the array, with a design: a path, a library or an open model; its sensor is decoded as it is.
         recording: see :func:`localize.read_recording`; at least 3 s.
         out: a table of the waveform, ``.csv``; an earlier one of a pulse is replaced.
         picture: of the waveform with its waves, ``.png``; an earlier one is replaced.
@@ -64,29 +62,35 @@ def read_pulse(
     given = decoding or Decoding()
     table, drawn = (None if each is None else Path(each) for each in (out, picture))
     kept = None if table is None or is_own_table(table, COLUMNS) else "a table that is none of a pulse"
-    check_new_file(table, ".csv", reads=(library, recording), kept=kept)
-    check_new_file(drawn, ".png", reads=(library, recording), option="picture")
-    from acoustic_fem.library.transfer_functions import MEASURED
-    from acoustic_fem.sound.sound_file import check_sound_there
-    from localize import PulseReader, read_recording
-    from localize.decoders.bayes import assumed_of
-    from localize.signals.array_response import response_of
-
+    check_new_file(table, ".csv", reads=(*files_of(library), recording), kept=kept)
+    check_new_file(drawn, ".png", reads=(*files_of(library), recording), option="picture")
     check_sound_there(recording)
-    response = response_of(library_there(library, given.air))
+    response = response_of(open_library(library, given.air))
+    array = response.array
     if response.force_response is None:
-        raise Refusal(f"{library}: is of no design; the force of a pulse needs its membranes")
-    if point is not None and not 1 <= point <= response.point_count:
-        raise Refusal(f"point = {point} must be from 1 to {response.point_count}, the points of the array")
-    reader = PulseReader(response, "design" if given.noise is None else given.noise)
-    heard = read_recording(Path(recording), response.microphones, full_scale)
-    reading = reader.read(heard.signals, None if point is None else point - 1)
+        problem = "is of no design; the force of a pulse needs its membranes"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")
+    check_point(point, array.point_count)
+    reader = PulseReader(response, given.noise)
+    heard = read_recording(Path(recording), array.microphones, full_scale)
+    reading = reader.read(heard.signals, point)
     if table is not None:
         write_text(table, _rows(reading))
     if drawn is not None:
         draw_pulse(reading, drawn)
-    measured = response.provenance.get("fidelity") == MEASURED
-    return RecordedPulse(reading, heard.seconds, response.name, not measured, assumed_of(response.provenance))
+    return RecordedPulse(
+        array=array,
+        seconds=heard.seconds,
+        assumptions=array.assumptions,
+        reading=reading,
+        force_is_known=array.provenance.get("fidelity") != MEASURED,
+    )
+
+
+def check_point(point: int | None, count: int) -> None:
+    """Refuse a point that an array of so many does not have; None is for the one that is named."""
+    if point is not None and not 1 <= point <= count:
+        raise Refusal(field="point", value=point, allowed=f"from 1 to {count}, the points of the array")
 
 
 def draw_pulse(reading: PulseReading, path: str | os.PathLike[str]) -> Path:
@@ -99,8 +103,6 @@ def draw_pulse(reading: PulseReading, path: str | os.PathLike[str]) -> Path:
     Returns:
         The path.
     """
-    import numpy as np
-
     from studies.output.figure_style import WIDTH, figure_in_style, line_colours, save_figure
 
     time = np.arange(len(reading.waveform)) / 1e3
@@ -113,7 +115,7 @@ def draw_pulse(reading: PulseReading, path: str | os.PathLike[str]) -> Path:
                 there, 1e6 * np.interp(there, time, reading.waveform), "o", color=colour, markersize=4, label=name
             )
         axes.set(xlabel="time  (s)", ylabel="force on the membrane  (uN)")
-        axes.set_title(f"point {reading.point + 1}, {reading.rate:.1f} beats a minute")
+        axes.set_title(f"point {reading.point}, {reading.rate:.1f} beats a minute")
         figure.legend(loc="outside lower center", ncols=3)
         return save_figure(figure, path)
 

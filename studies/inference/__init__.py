@@ -1,4 +1,4 @@
-"""A localizer put to work: on a recording, on microphones that are heard now, as a graph or as C for others.
+"""A localizer put to work: on a recording, on live input, as a graph or as C for others.
 
 Stands on: output.
 """

@@ -35,11 +35,11 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_pulse_is_read_from_a_recording(folder: Path, tmp_path: Path) -> None:
     table, picture = tmp_path / "pulse.csv", tmp_path / "pulse.png"
     found = studies.read_pulse(folder / "library.nc", folder / "pulse.npz", table, picture=picture)
-    assert found.reading.point == 1
+    assert found.reading.point == 2
     assert found.reading.rate == pytest.approx(RATE, abs=3.0)
     assert found.seconds == pytest.approx(6.0, abs=0.01)
     assert found.force_is_known
-    assert "as it was designed, in air of 101.3 kPa" in found.assumes
+    assert "as it was designed, in air of 101.3 kPa" in found.assumptions
     waveform = np.genfromtxt(table, delimiter=",", skip_header=1)
     assert waveform.shape == (len(found.reading.waveform), 2)
     np.testing.assert_allclose(waveform[:, 1], found.reading.waveform, rtol=1e-3)

@@ -7,42 +7,42 @@ import io
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import numpy as np
+
+from acoustic_fem.library.transfer_functions import MEASURED
+from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.whole_files import write_text
 from localize.contacts.contact import MOVING
-from studies.listening.opening import Decoding, open_stream, open_tracker
+from localize.model.located_touches import RecordingResult
+from localize.model.opened_model import Decoding, ModelSource, files_of, opened_as_designed
+from localize.recordings.recording import read_recording
+from localize.signals.array_response import ArrayResponse
+from localize.tracking.path import Track
+from localize.tracking.path_gestures import Gesture, gesture_of
+from localize.tracking.signal_track import tracks_of
+from studies.output.figure_style import figure_in_style, line_colours, save_figure
 from studies.output.folders import check_new_file, is_own_table
-
-if TYPE_CHECKING:
-    from localize import Gesture, Track
-    from localize.signals.array_response import ArrayResponse
 
 #: Columns of the table.
 COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "heard")
 
 
-@dataclass(frozen=True, eq=False)
-class TrackedRecording:
+@dataclass(frozen=True, eq=False, kw_only=True)
+class TrackedRecording(RecordingResult):
     """Paths of a recording."""
 
     tracks: tuple[Track, ...]
     """Paths in the order of time."""
     gestures: tuple[Gesture, ...]
     """Gesture of each path."""
-    seconds: float
-    """Length of the recording, s."""
-    design: str
-    """Name of the design on which the places are."""
     force_is_known: bool
-    """Whether the membranes, by which forces are told, are those of the library: those of a calibrated sensor are
-    not measured, and taken as designed."""
-    assumes: str
-    """What is taken for granted of the sensor, in words."""
+    """Whether the membranes, which give the forces, are those of the library: a calibration does not measure them, and
+    takes them as designed."""
 
 
 def track_recording(
-    library: str | os.PathLike[str],
+    library: ModelSource,
     recording: str | os.PathLike[str],
     out: str | os.PathLike[str] | None = None,
     *,
@@ -54,7 +54,7 @@ def track_recording(
     """Paths of contacts over the surface of an array, from a recording of its microphones.
 
     Args:
-        library: of the array, with a design.
+        library: of the array, with a design: a path, a library or an open model.
         recording: see :func:`localize.read_recording`.
         out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
         picture: of the paths on the array, ``.png``; an earlier one is replaced.
@@ -65,28 +65,27 @@ def track_recording(
     Raises:
         Refusal: a file that cannot be written or read, no library, or a radius out of range.
     """
-    source, given = Path(library), decoding or Decoding()
     table, drawn = (None if each is None else Path(each) for each in (out, picture))
+    reads = (*files_of(library), recording)
     kept = None if table is None or is_own_table(table, COLUMNS) else "a table that is none of paths"
-    check_new_file(table, ".csv", reads=(library, recording), kept=kept)
-    check_new_file(drawn, ".png", reads=(library, recording), option="picture")
-    from acoustic_fem.library.transfer_functions import MEASURED
-    from acoustic_fem.sound.sound_file import check_sound_there
-    from localize import gesture_of, read_recording
-    from localize.tracking import tracks_of
-
+    check_new_file(table, ".csv", reads=reads, kept=kept)
+    check_new_file(drawn, ".png", reads=reads, option="picture")
     check_sound_there(recording)
-    decoder, tracker = open_tracker(source, given, radius)
-    stream = open_stream(source, decoder, given, frames=True)
-    heard = read_recording(Path(recording), decoder.microphones, full_scale)
-    tracks = tuple(tracks_of(stream, tracker, heard.signals))
+    model = opened_as_designed(library, decoding)
+    tracker, array = model.tracker(radius), model.locator.array
+    heard = read_recording(Path(recording), array.microphones, full_scale)
+    tracks = tuple(tracks_of(model.stream(frames=True), tracker, heard.signals))
     if table is not None:
         write_text(table, _rows(tracks))
     if drawn is not None:
         draw_paths(tracks, tracker.response, drawn)
-    measured = tracker.response.provenance.get("fidelity") == MEASURED
     return TrackedRecording(
-        tracks, tuple(map(gesture_of, tracks)), heard.seconds, decoder.design, not measured, decoder.assumes
+        array=array,
+        seconds=heard.seconds,
+        assumptions=model.assumptions,
+        tracks=tracks,
+        gestures=tuple(map(gesture_of, tracks)),
+        force_is_known=array.provenance.get("fidelity") != MEASURED,
     )
 
 
@@ -116,10 +115,7 @@ def draw_paths(tracks: tuple[Track, ...], response: ArrayResponse, path: str | o
     Returns:
         The path.
     """
-    import numpy as np
     from matplotlib.collections import EllipseCollection
-
-    from studies.output.figure_style import figure_in_style, line_colours, save_figure
 
     assert response.position is not None
     assert response.membrane_radius is not None

@@ -8,8 +8,7 @@ from rings import triangle
 
 import acoustic_fem
 import localize
-from localize import Decision, Fault, SoundTest, TouchStream
-from localize.live.spare import Judges
+from localize import Decision, Fault, SoundTest, StreamOptions, TouchStream
 from localize.signals import finger_stimuli
 from localize.signals.array_response import response_of
 
@@ -30,13 +29,10 @@ def touches(array):
     return samples + NOISE * np.random.default_rng(1).standard_normal(samples.shape), made.point.numpy() + 1
 
 
-def listen(array, samples, spare=True, limit=None):
-    def without(names):
-        rest = array.heard_by(names)
-        return Judges(localize.BayesDecoder(rest, NOISE), SoundTest(rest, NOISE))
-
+def listen(array, samples, fallback=True, limit=None):
     decoder = localize.BayesDecoder(array, NOISE)
-    events = TouchStream(decoder, limit=limit, spare=without if spare else None).push(samples)
+    options = StreamOptions(fallback=fallback)
+    events = TouchStream(decoder, limit=limit, sound_test=SoundTest(array, NOISE), options=options).push(samples)
     faults = {(event.kind, event.channel) for event in events if isinstance(event, Fault)}
     states = {event.state for event in events if isinstance(event, Decision)}
     return localize.touches_of(events, decoder), states, faults
@@ -61,10 +57,10 @@ def test_a_dead_microphone_of_three_is_told_and_the_others_go_on(array, touches,
     assert np.mean(found(told, points)) >= 0.9
 
 
-def test_nobody_goes_on_without_being_given_the_means_or_with_one_microphone(array, touches):
+def test_no_stream_goes_on_without_a_fallback_or_with_one_microphone(array, touches):
     samples = touches[0][:, :2000].copy()
     samples[1] = 0.01
-    assert listen(array, samples, spare=False)[1] == {"unreadable"}
+    assert listen(array, samples, fallback=False)[1] == {"unreadable"}
     samples[2] = 0.01
     assert listen(array, samples)[1] == {"unreadable"}
 
@@ -89,6 +85,6 @@ def test_a_hissing_microphone_of_three_is_told_and_left_out(array, touches, chan
     assert "unreadable" not in states
     assert np.mean(found(told, points)) >= 0.9
     # Where nobody goes on without it, nothing is named that the decoder would be sure of.
-    told, states, _ = listen(array, samples + hiss, spare=False)
+    told, states, _ = listen(array, samples + hiss, fallback=False)
     assert told == []
     assert "unreadable" in states
