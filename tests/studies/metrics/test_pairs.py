@@ -24,7 +24,7 @@ from geometry.layout.size import array_size
 from studies.metrics import build, shared
 from studies.metrics.batch_responses import Responses
 from studies.metrics.build import volumes_of
-from studies.metrics.confusion import predict_confusion
+from studies.metrics.confusion import check_grid, predict_confusion
 from studies.metrics.pairs import (
     DECIBEL,
     attenuation,
@@ -123,7 +123,7 @@ def test_the_hardest_pair_comes_first_and_its_equals_are_named() -> None:
 
 
 @pytest.mark.parametrize(
-    ("shape", "lacking"), [((1, 2, 5), "points"), ((3, 1, 5), "microphones"), ((3, 2, 1), "frequencies")]
+    ("shape", "lacking"), [((1, 2, 5), "1 point"), ((3, 1, 5), "1 microphone"), ((3, 2, 1), "1 frequency")]
 )
 def test_too_little_to_compare_is_refused(shape: tuple[int, int, int], lacking: str) -> None:
     with refused(Kind.UNSUITABLE, "transfer_function") as found:

@@ -20,7 +20,7 @@ from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.duct.meshed_section import MeshedSection
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.as_built_sensors import made_fidelity, made_transfer_functions
+from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
 from geometry import Kind
 from studies.cli.app import app
@@ -143,32 +143,35 @@ def test_an_output_that_never_changes_has_no_causes() -> None:
 
 
 def test_scatter_costs_accuracy_and_a_calibrated_sensor_gets_it_back() -> None:
-    found = scatter_effects(DESIGN, GRID, samples=24, base=8, noise=3e-3)
+    found = scatter_effects(DESIGN, GRID, samples=24, base_samples=8, microphone_noise=3e-3)
     mean = {name: values.mean() for name, values in found.accuracy.items()}
     assert mean["nominal"] < mean["calibrated"]
     assert mean["calibrated"] == pytest.approx(found.nominal_accuracy, abs=0.02)
     assert {index.quantity for index in found.sobol["deviation"]} == {t.quantity for t in TOLERANCES}
     largest = [index.quantity for index in found.sobol["deviation"]][:2]
     assert {"membrane_thickness", "modulus_of_batch"} & set(largest)
-    again = scatter_effects(DESIGN, GRID, samples=24, base=0, noise=3e-3)
+    again = scatter_effects(DESIGN, GRID, samples=24, base_samples=0, microphone_noise=3e-3)
     assert np.array_equal(again.transfer_function, found.transfer_function)
     assert again.sobol == {}
     assert found.summary()["fidelity"] == "atlas"
     json.dumps(found.summary(), allow_nan=False)
 
 
-def test_drawn_sensors_are_of_the_atlas_where_that_has_all_of_them_else_lumped_and_it_says_why() -> None:
+def test_drawn_sensors_are_of_the_atlas_where_that_has_all_of_them_else_3d_and_it_says_why() -> None:
     scattered, air = ScatteredDesign(DESIGN), design_air(DESIGN)
-    found = scatter_effects(DESIGN, GRID, samples=4, base=0, noise=3e-3)
-    expected = made_transfer_functions(scattered, scattered.draws(0, 4, 0), GRID, air, "atlas")
+    found = scatter_effects(DESIGN, GRID, samples=4, base_samples=0, microphone_noise=3e-3)
+    draws = scattered.draws(0, 4, 0)
+    expected = AsBuiltSensors(scattered, GRID, air, "atlas").transfer_functions(draws)
     assert np.array_equal(found.transfer_function, expected)
-    assert np.abs(expected / made_transfer_functions(scattered, scattered.draws(0, 4, 0), GRID, air) - 1).max() > 1e-3
+    assert np.abs(expected / AsBuiltSensors(scattered, GRID, air).transfer_functions(draws) - 1).max() > 1e-3
     # tall: heights by radius end at 2.3, bore radii by the distance to the floor at 0.06
     edge = DESIGN.with_values({"resonator.cavity_height": round(2.29 * DESIGN.resonator.cavity_diameter / 2, 3)})
-    found = scatter_effects(edge, GRID, samples=2, base=0, noise=3e-3)
-    assert found.summary()["fidelity"] == "lumped"
-    assert "height of its axis above the floor = 0.05" in found.summary()["outside_atlas"]
-    within = scatter_effects(edge, GRID, samples=2, base=0, noise=3e-3, tolerances=only("length", 0.1))
+    beyond = as_built_fidelity(ScatteredDesign(edge), GRID, air)
+    assert beyond.name == "navier-stokes"
+    assert beyond.outside
+    within = scatter_effects(
+        edge, GRID, samples=2, base_samples=0, microphone_noise=3e-3, tolerances=only("length", 0.1)
+    )
     assert within.summary()["fidelity"] == "atlas"
 
 
@@ -180,11 +183,13 @@ def test_every_drawn_sensor_is_within_what_the_decision_looked_at() -> None:
         scattered, air = ScatteredDesign(design, tolerances), design_air(design)
         drawn = scattered.parameters(scattered.draws(0, 400, 1))
         outside = designs_outside(drawn, scattered.topology, GRID, air).any()
-        assert not (outside and made_fidelity(scattered, GRID, air).name == "atlas")
+        assert not (outside and as_built_fidelity(scattered, GRID, air).name == "atlas")
 
 
 def test_without_scatter_every_sensor_is_the_design() -> None:
-    found = scatter_effects(DESIGN, GRID, samples=2, base=2, tolerances=only("length", 0.0), noise=3e-3)
+    found = scatter_effects(
+        DESIGN, GRID, samples=2, base_samples=2, tolerances=only("length", 0.0), microphone_noise=3e-3
+    )
     assert found.deviation == pytest.approx(np.zeros(2), abs=1e-4)
     assert found.accuracy["nominal"] == pytest.approx(np.full(2, found.nominal_accuracy))
     assert found.sobol["deviation"][0].total == 0
