@@ -22,7 +22,7 @@ OLDEST_PYTHON = (3, 11)
 
 ROOT = Path(__file__).parents[1]
 #: Library as the loader knows it: Debian package.
-LIBRARIES = runpy.run_path(str(ROOT / "geometry" / "system" / "libraries.py"))["LIBRARIES"]
+LIBRARIES = runpy.run_path(str(ROOT / "geometry" / "ground" / "system_libraries.py"))["LIBRARIES"]
 #: Command that some tests run: Debian packages.
 TEST_TOOLS = {
     "chromium": ("chromium",),

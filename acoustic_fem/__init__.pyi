@@ -19,4 +19,5 @@ from .library.netcdf_file import LibraryError as LibraryError
 from .library.solving import solve as solve
 from .library.transfer_functions import Library as Library
 from .quantities.fidelity import FIDELITIES as FIDELITIES
+from .quantities.local_air import LocalAir as LocalAir
 from .quantities.medium import Medium as Medium

@@ -34,7 +34,7 @@ def parts(name: str) -> list[float]:
     model = UpdatedModel(acoustic_fem.solve(design, GRID, "lumped"))
     left = []
     for seed in SEEDS:
-        rig = Rig(design, seed, HiddenScatter())
+        rig = Rig(design, seed, HiddenScatter(), fidelity="lumped")
         true = hidden_parameters(rig, model)
         logarithms = np.array([np.log(true[each][0]) if each in true else 0.0 for each in model.names])
         known = model.transfer_function((logarithms / model.scale)[None])[0]

@@ -60,8 +60,8 @@ def rows_of(name: str, sensors: int) -> list[str]:
             exact_decoder = localize.BayesDecoder(truth, NOISE)
             for kind in KINDS:
                 frames, points = touched(truth, kind, TOUCHES, seed)
-                following.reset()
-                named = [decoder.locate(frames) for decoder in (fixed, following, exact_decoder)]
+                followed, _ = following.follow(frames, following.start)
+                named = [fixed.locate(frames), followed, exact_decoder.locate(frames)]
                 right = [100 * float((each.argmax(1) == points)[SETTLED:].mean()) for each in named]
                 shares.setdefault((drift, kind), []).append(tuple(right))
     rows = []

@@ -15,7 +15,7 @@ import localize
 from acoustic_fem import Library
 from acoustic_fem.scatter import ScatteredDesign, scatter_factors
 from localize.live.events import Decision
-from localize.live.front_end import HIGH_PASS
+from localize.live.options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.finger_stimuli import STIMULI
 
@@ -47,7 +47,7 @@ def decided_in_python(array: Library | ArrayResponse, samples: NDArray[np.float3
     stream = localize.TouchStream(
         localize.BayesDecoder(response, "design"),
         limit=LIMIT,
-        listening=localize.Listening(HIGH_PASS, follow=False, fade=True),
+        options=localize.StreamOptions(HIGH_PASS, follow=False, fade=True),
         sound_test=localize.SoundTest(response, "design"),
     )
     events = [event for k in range(0, samples.shape[1], 4000) for event in stream.push(samples[:, k : k + 4000])]

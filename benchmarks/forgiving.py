@@ -46,7 +46,7 @@ def right(design: ArrayDesign, sensors: int) -> list[tuple[float, float]]:
     """Mean and 5th percentile of touches named right, %, by the nominal and by the tolerant decoder."""
     library = acoustic_fem.solve(design, np.arange(1.0, 501.0), "lumped")
     response, grid = response_of(library), np.arange(1.0, 161.0)
-    rigs = [Rig(design, FIRST + k, PARTS) for k in range(sensors)]
+    rigs = [Rig(design, FIRST + k, PARTS, fidelity="lumped") for k in range(sensors)]
     made = [response.of_sensor(rig.transfer_function(grid), grid) for rig in rigs]
     shares = [judged(decoder, made, "multi-sines")[0] for decoder in decoders_of(library)]
     return [(float(top1.mean()), float(np.quantile(top1, 0.05))) for top1 in shares]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from localize import ArrayResponse
-    from localize.live.spare import StreamLocator
+    from localize.signals.locator import Locator
 
 #: Frames that are decoded before the first one is timed.
 WARM_UP = 50
@@ -32,7 +32,7 @@ class FrameTime:
     """99th percentile of the processor time, ms."""
 
 
-def frame_time(locator: StreamLocator, response: ArrayResponse, frames: int = 2000) -> FrameTime:
+def frame_time(locator: Locator, response: ArrayResponse, frames: int = 2000) -> FrameTime:
     """Time that each frame of touches takes that is pushed through :class:`localize.TouchStream`, 16 samples at a time,
     and is judged as it comes.
 
@@ -47,7 +47,7 @@ def frame_time(locator: StreamLocator, response: ArrayResponse, frames: int = 20
     from localize.signals.frames import FRAME
 
     signals = _continuous(response, FRAME + (WARM_UP + frames) * HOP)
-    stream = TouchStream(locator, listening=AS_IT_COMES)
+    stream = TouchStream(locator, options=AS_IT_COMES)
     begin = FRAME + WARM_UP * HOP
     stream.push(signals[:, :begin])
     wall, processor = [], []

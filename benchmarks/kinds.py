@@ -86,7 +86,7 @@ class Judge:
         for number in range(self.count):
             signals, kind, point, _ = maker.signals("evaluation", number)
             named = int(locator.locate(signals).argmax())
-            window = self.reconstructor.waveform(signals, named).pressure[0]
+            window = self.reconstructor.waveform(signals, named + 1).pressure[0]
             window = window[np.isfinite(window)][-1024:]
             points.append(named == point)
             kinds.append(int(self.recognizer.recognize(window).argmax()) == kind)
@@ -132,12 +132,12 @@ def milliseconds(judge: Judge) -> list[str]:
     """Median times of one decision in a stream: where, the waveform at the newest window, its maps, what."""
     signals, _, point, _ = judge.maker((judge.response,)).signals("evaluation", 0)
     decoder = localize.BayesDecoder(judge.response, 1e-3)
-    window = judge.reconstructor.waveform(signals, point).pressure[0]
+    window = judge.reconstructor.waveform(signals, point + 1).pressure[0]
     window = window[np.isfinite(window)][-1024:]
     maps = maps_of(window[None])
     steps = {
         "where: the model-based decoder, 250 ms": lambda: decoder.locate(signals[:, -250:]),
-        "the waveform of 1,274 samples": lambda: judge.reconstructor.waveform(signals, point),
+        "the waveform of 1,274 samples": lambda: judge.reconstructor.waveform(signals, point + 1),
         "its maps, 2 x 64 x 32": lambda: maps_of(window[None]),
         "what: the network": lambda: judge.recognizer.of_maps(maps),
     }

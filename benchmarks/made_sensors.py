@@ -34,7 +34,7 @@ def made_sensors(response: ArrayResponse, design: str, seeds: Iterable[int]) -> 
         "cavity_response": None if cavity is None else interpolated(cavity, response.frequency, HEARD),
         "sealed": False,
     }
-    rigs = (Rig(geometry.prototype(design), seed) for seed in seeds)
+    rigs = (Rig(geometry.prototype(design), seed, fidelity="lumped") for seed in seeds)
     return tuple(replace(response, transfer_function=each.transfer_function(HEARD), **bare) for each in rigs)
 
 
@@ -47,9 +47,11 @@ def calibrated(design: str, seeds: Iterable[int]) -> tuple[ArrayResponse, ...]:
     """
     found = []
     for seed in seeds:
-        rig = Rig(geometry.prototype(design), seed)
+        rig = Rig(geometry.prototype(design), seed, fidelity="lumped")
         with tempfile.TemporaryDirectory() as folder:
             recordings = Path(folder) / "recordings"
             rig.record(recordings, range(1, rig.design.point_count + 1), Recorder(seconds=30.0))
-            found.append(response_of(calibrate_sensor(recordings, Path(folder) / "library.nc").library))
+            found.append(
+                response_of(calibrate_sensor(recordings, Path(folder) / "library.nc", fidelity="lumped").library)
+            )
     return tuple(found)

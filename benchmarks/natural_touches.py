@@ -9,7 +9,8 @@ import torch
 from numpy.typing import NDArray
 
 import localize
-from localize.live.front_end import HIGH_PASS, HighPass
+from localize.live.front_end import HighPass
+from localize.live.options import HIGH_PASS
 from localize.signals import finger_stimuli
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME

@@ -22,8 +22,9 @@ import geometry
 import studies
 from geometry.ground.whole_files import replace_section
 from localize import Decision, read_recording, touches_of
+from localize.model.opened_model import opened as open_decoding
 from localize.recordings.touch_manifest import Part, read_touch_manifest
-from studies.listening.opening import Decoding, open_localizer, open_stream
+from studies import Decoding
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
@@ -79,7 +80,7 @@ CASES = (
 
 
 def counted(manifest: Path, model: Path, decoding: Decoding, points: int) -> Counts:
-    """What is decided of all recordings of a session, in an order that is drawn, by one decoder and a stream for each.
+    """Decisions on all recordings of a session, in an order that is drawn, by one decoder and a stream for each.
 
     Args:
         manifest: of the session.
@@ -88,15 +89,16 @@ def counted(manifest: Path, model: Path, decoding: Decoding, points: int) -> Cou
         points: of the array.
     """
     session, counts = read_touch_manifest(manifest, points), Counts()
-    localizer = open_localizer(model, decoding)
+    opened = open_decoding(model, decoding)
+    array = opened.locator.array
     for k in np.random.default_rng(FIRST).permutation(len(session.recordings)):
         each = session.recordings[k]
-        heard = read_recording(each.path, localizer.microphones, session.full_scale)
-        decided = open_stream(model, localizer, decoding).push(heard.signals)
+        heard = read_recording(each.path, array.microphones, session.full_scale)
+        decided = opened.stream().push(heard.signals)
         frames = [event for event in decided if isinstance(event, Decision) and event.point is not None]
         counts.right[each.part] += [frame.point == each.point for frame in frames]
         counts.stated += [float(frame.probability or 0.0) for frame in frames]
-        counts.touches += [touch.point == each.point for touch in touches_of(decided, localizer)]
+        counts.touches += [touch.point == each.point for touch in touches_of(decided, array)]
     return counts
 
 
@@ -113,7 +115,7 @@ def rows_of(name: str, sensors: int) -> list[str]:
             points = range(1, design.point_count + 1)
             manifests = {"new": made.touches, "aged": record_touches(aged, folder / "aged", points, session)}
             acoustic_fem.save(acoustic_fem.solve(design, np.arange(1.0, 501.0), "lumped"), folder / "design.nc")
-            studies.calibrate_sensor(made.calibration, folder / "made.nc")
+            studies.calibrate_sensor(made.calibration, folder / "made.nc", fidelity="lumped")
             for case in CASES:
                 counts = counted(manifests[case.session], folder / case.library, case.decoding, design.point_count)
                 found[case.name].append(counts)

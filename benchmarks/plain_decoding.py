@@ -11,10 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import softmax
 
 from localize.decoders.bayes import BayesDecoder
-from localize.decoders.deviations import STEPS, UNEXPLAINED
 from localize.decoders.frame_covariance import DEVIATING, deviation_moments, joint_whitening
-from localize.decoders.likelihood import POWERS, TEMPERATURE, DecoderTables, share_of, vertex
-from localize.decoders.tolerant import CANDIDATES, MISFIT, WARMTH, TolerantDecoder
+from localize.decoders.likelihood import DecoderTables, assumed_noise, vertex
+from localize.decoders.tolerant import TolerantDecoder
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import checked_signals
 from localize.signals.threads import one_thread
@@ -51,9 +50,9 @@ class PlainTolerant:
     def __init__(self, decoder: TolerantDecoder, response: ArrayResponse) -> None:
         (self._tables,) = decoder.tables
         self.microphones, self.noise_rms = decoder.microphones, decoder.noise_rms
-        self._log_prior, made = decoder.log_prior, decoder.hypotheses
+        self._log_prior, made, self._options = decoder.log_prior, decoder.hypotheses, decoder.options
         self.shapes = decoder.shapes
-        whiten = joint_whitening(response, share_of(response.noise(decoder.microphone_noise)), None)
+        whiten = joint_whitening(response, assumed_noise(decoder.around.noise, decoder.options), None)
         count, size, rank = self._tables.vectors.shape
         self._changes = np.empty((count, self.shapes * size, rank))
         for number, each in enumerate(made.responses):
@@ -66,34 +65,37 @@ class PlainTolerant:
     @one_thread()
     def locate(self, signals: ArrayLike) -> Array:
         """Probability of each point, (n_point,), from (n_microphone, 250) Pa."""
+        options = self._options
         x = _checked(signals, self.microphones) @ self._tables.reduce
-        screened = _scores(x, self._tables)[0] / WARMTH
+        screened = _scores(x, self._tables)[0] / options.relative_temperature
         score = np.full(screened.shape, np.nan)
-        for table in np.argsort(-screened)[:CANDIDATES]:
+        for table in np.argsort(-screened)[: options.candidates]:
             score[table] = self._fitted(x[0], int(table))
         empty = x.size * (1 - 1 / len(self.microphones))
-        misfit = ((x**2).sum() / TEMPERATURE - 2 * WARMTH * np.nanmax(score)) / empty
+        fit = options.relative_temperature * np.nanmax(score)
+        misfit = ((x**2).sum() / options.temperature - 2 * fit) / empty
         score = np.where(np.isnan(score), np.minimum(screened, np.nanmin(score)), score)
         of_point = np.logaddexp.reduce(score.reshape(self._log_prior.shape) + self._log_prior, axis=1)
-        return np.asarray(softmax(of_point / max(1.0, misfit / MISFIT) ** 2))
+        return np.asarray(softmax(of_point / max(1.0, misfit / options.explained_misfit) ** 2))
 
     def _fitted(self, x: Array, table: int) -> float:
         """Log-likelihood of a white frame (size,) by a hypothesis and its deviations, in differences of large sums."""
         vectors, weight = self._tables.vectors[table], self._tables.weight[table]
-        loss = self._tables.log_determinant[table]
+        loss, options = self._tables.log_determinant[table], self._options
+        temperature = options.relative_temperature * options.temperature
         along = cleaned = x @ vectors
-        unexplained = 1 + UNEXPLAINED * (x**2).mean()
-        for _ in range(STEPS):
+        unexplained = 1 + options.unexplained_fraction * (x**2).mean()
+        for _ in range(options.source_steps):
             power = int((-0.5 * (cleaned**2 @ weight + loss)).argmax())
-            heard = -TEMPERATURE * weight[:, power]
+            heard = -options.temperature * weight[:, power]
             source = cleaned / (unexplained + heard / (1 - heard))
-            change = POWERS[power] * (self._changes[table] @ source).reshape(self.shapes, -1)
+            change = options.tried_powers[power] * (self._changes[table] @ source).reshape(self.shapes, -1)
             seen = change @ vectors
-            slope = change @ (x - vectors @ (along * heard)) / (WARMTH * TEMPERATURE)
-            information = (change @ change.T - (seen * heard) @ seen.T) / (WARMTH * TEMPERATURE) + np.eye(self.shapes)
+            slope = change @ (x - vectors @ (along * heard)) / temperature
+            information = (change @ change.T - (seen * heard) @ seen.T) / temperature + np.eye(self.shapes)
             amplitude = np.linalg.solve(information, slope)
             cleaned = along - amplitude @ seen
-        fit = -0.5 * (along**2 @ weight[:, power] + loss[power]) / WARMTH
+        fit = -0.5 * (along**2 @ weight[:, power] + loss[power]) / options.relative_temperature
         return float(fit + 0.5 * slope @ amplitude - 0.5 * np.linalg.slogdet(information)[1])
 
 

@@ -78,7 +78,7 @@ def row_of(name: str, sensors: int) -> str:
     measured = range(min(2, EVERY[name]), design.point_count + 1, EVERY[name])
     shares: dict[str, list[float]] = {"nominal": [], "tolerant": [], "calibrated": []}
     for seed in range(FIRST, FIRST + sensors):
-        rig = studies.Rig(design, seed)
+        rig = studies.Rig(design, seed, fidelity="lumped")
         made = response.of_sensor(rig.transfer_function(GRID), GRID)
         known = localize.BayesDecoder(calibrated(rig, measured), NOISE)
         for key, decoder in (("nominal", nominal), ("tolerant", tolerant), ("calibrated", known)):

@@ -102,7 +102,7 @@ def column(libraries: tuple[ArrayResponse, ...], sensors: tuple[ArrayResponse, .
                 right.append(bool(decoder.named(heard[:, begin : begin + length]).argmax() == point))
                 if length == 1000:
                     of_touches.append(bool(other.locate(heard[:, begin : begin + length]).argmax() == point))
-        reading = reader.read(take.signals, point)
+        reading = reader.read(take.signals, point + 1)
         ratios.append(compared(reading.waveform, take.force)[0])
         best.append(left_by_noise(sensors[number % len(sensors)], contact, point))
         truth = pulse_times(rate, SECONDS, seed=SEED, sample=number)
@@ -130,7 +130,7 @@ def picture(response: ArrayResponse) -> None:
     take = ContactRecorder(response, microphone_noise="design").take(
         pulse_wave(tuple(response.position[5]), 66.0, 8.0, seed=SEED)
     )
-    reading = localize.PulseReader(response, "design").read(take.signals, 5)
+    reading = localize.PulseReader(response, "design").read(take.signals, 6)
     _, read, true = compared(reading.waveform, take.force)
     time = take.time[np.isfinite(reading.waveform)][INSIDE]
     with figure_in_style((WIDTH, 3.0)) as figure:

@@ -24,8 +24,8 @@ from rich.table import Table
 import acoustic_fem
 import geometry
 import localize
-from localize.live.spare import StreamLocator
 from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.locator import Locator
 
 DESIGNS = ("line-2", "line-3", "line-4")
 FREQUENCY = np.arange(1.0, 201.0)
@@ -33,7 +33,7 @@ NOISE = 1e-3
 PLAN = localize.TrainingPlan(seconds_per_point=1, epochs=1, microphone_noise=NOISE)
 
 
-def cells_of(locator: StreamLocator, response: ArrayResponse) -> tuple[str, ...]:
+def cells_of(locator: Locator, response: ArrayResponse) -> tuple[str, ...]:
     """Points, microphones and times of a row."""
     times = (f"{value:.3f}" for value in astuple(frame_time(locator, response)))
     return str(response.point_count), str(len(response.microphones)), *times

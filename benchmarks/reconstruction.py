@@ -59,14 +59,14 @@ def main() -> None:
         source = time_signal(stimuli.spectrum).double().numpy()
 
         def over_points(estimate, points=points, signals=signals, source=source) -> np.ndarray:
-            return np.array([ratio(source[k::points], estimate(signals[k::points], k)) for k in range(points)])
+            return np.array([ratio(source[k::points], estimate(signals[k::points], k + 1)) for k in range(points)])
 
         columns[name] = []
         for window, latency in FILTERS:
             filters = Reconstructor(response, NOISE, window, latency)
             columns[name].append(over_points(lambda x, k, f=filters: f.waveform(x, k).pressure))
             if (window, latency) == (250, 16):
-                deviations[name] = max(filters.deviation(k) for k in range(points))
+                deviations[name] = max(filters.deviation(k + 1) for k in range(points))
         for window in SHORT:
             columns[name].append(
                 over_points(lambda x, k, r=response, w=window: short_window_waveform(r, x, k, w, w // 2))

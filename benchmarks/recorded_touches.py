@@ -44,7 +44,7 @@ def main(seeds: list[int]) -> None:
         table.add_column("localizer")
         for part in (*PARTS, "mean"):
             table.add_column(part, justify="right")
-        rig = Rig(design, seed, HiddenScatter(batch=0.0, modulus=0.85))
+        rig = Rig(design, seed, HiddenScatter(batch=0.0, modulus=0.85), fidelity="lumped")
         with tempfile.TemporaryDirectory() as folder:
             manifest = record_touches(rig, Path(folder), range(1, 13), TouchSession(), RECORDER)
             frames = RecordedFrames(manifest, nominal, NOISE, PLAN.seed)

@@ -23,7 +23,7 @@ from acoustic_fem.batch.network import batch_response
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.ground.whole_files import replace_section
-from localize.decoders.bayes import ROOM
+from localize.decoders.surroundings import ROOM
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.stimulus import Stimuli, multi_sines
 from localize.signals.touch_generator import TouchGenerator

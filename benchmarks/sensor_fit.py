@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 import acoustic_fem
 import geometry
 from geometry.ground.whole_files import replace_section
-from localize import TolerantDecoder, TouchStream, read_recording
+from localize import Locator, TolerantDecoder, TouchStream, read_recording
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
-from localize.live.front_end import Listening
+from localize.live.options import StreamOptions
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
@@ -45,21 +45,21 @@ def fitted(decoder: TolerantDecoder, recordings: list[NDArray[np.float64]], fact
     """What is said of recordings whose microphones are off by a factor."""
     loud = LoudFrames()
     for number, signals in enumerate(recordings):
-        stream = TouchStream(_Anyhow(decoder), listening=Listening(frames=True))
+        stream = TouchStream(_Anyhow(decoder), options=StreamOptions(frames=True))
         loud.take(stream.push(signals * factor[:, None], 10**6 * number))
     found = sensor_fit(decoder, loud.frames)
     assert found is not None
     return found
 
 
-class _Anyhow:
+class _Anyhow(Locator):
     """Locator that names no point: which one it is does not matter here, and takes the time."""
 
     def __init__(self, decoder: TolerantDecoder) -> None:
-        self.microphones, self.noise_rms = decoder.microphones, decoder.noise_rms
+        self.array = decoder.array
 
-    def locate(self, signals: object) -> NDArray[np.float64]:
-        return np.ones(1)
+    def _probability(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.ones((len(batch), 1))
 
 
 def is_found(fit: SensorFit, microphone: str, level: float) -> bool:
@@ -89,7 +89,7 @@ def main() -> None:
                 if decoder.microphones == microphones:
                     fit = fitted(decoder, heard, unchanged)
                     what = "no doubt of its own library" if other == name else "another's told"
-                    rows[what, count].append((fit.doubt is None) == (other == name) and fit.off_level is None)
+                    rows[what, count].append((fit.warning is None) == (other == name) and fit.off_level is None)
                     print(name, seed, other, fit, flush=True)
             for level in LEVELS:
                 channel = int(random.integers(count))

@@ -45,7 +45,7 @@ def main(names: list[str]) -> None:
             for point in points:
                 heard = propagation.microphone_signals(spectrum[None], h[point][None], LENGTH)[0].numpy()
                 heard = heard + NOISE * np.random.default_rng(point).standard_normal(heard.shape)
-                events = localize.TouchStream(decoder, listening=AS_IT_COMES).push(heard)
+                events = localize.TouchStream(decoder, options=AS_IT_COMES).push(heard)
                 frames += [
                     (1000 * event.time - ONSET, event.point == point + 1)
                     for event in events

@@ -158,7 +158,7 @@ def records_of(name: str, sensors: int) -> list[Record]:
     times = [f"{frame_time(each, response):.1f}" for each in told_nothing]
     for truth in TRUTHS:
         there = design if truth.pressure is None else design.with_values({"air.pressure": truth.pressure})
-        rigs = [Rig(there, FIRST + k, truth.scatter) for k in range(1 if truth.is_one else sensors)]
+        rigs = [Rig(there, FIRST + k, truth.scatter, fidelity="lumped") for k in range(1 if truth.is_one else sensors)]
         made = [response.of_sensor(rig.transfer_function(grid), grid) for rig in rigs]
         decoders = decoders_of(library.in_air(pressure=truth.pressure)) if truth.is_told else told_nothing
         cells = [cell for each in decoders for cell in cells_of(each, made)]

@@ -24,7 +24,7 @@ from geometry.ground.whole_files import replace_section
 from localize.contacts import Contact, ContactRecorder, Tool, covered_force, stroke, tap
 from localize.signals import response_of
 from localize.signals.array_response import ArrayResponse
-from studies.listening.tracked import draw_paths
+from studies.inference.tracked import draw_paths
 
 Array = NDArray[np.float64]
 

@@ -95,9 +95,10 @@ def rows(microphones: int, rng: np.random.Generator) -> list[str]:
     start = process_time()
     decoder.locate(noisy(first.signals[:64]))
     frame = (process_time() - start) / 64
+    right = 100 * (single.point == truth + 1).mean()
     print(
         f"{microphones} microphones, {points} points: tables {built:.0f} s, frame {1e3 * frame:.1f} ms, single "
-        f"touches: top-1 {100 * (single.point == truth).mean():.1f} %, called two {100 * single.is_two.mean():.2f} %, "
+        f"touches: top-1 {right:.1f} %, called two {100 * single.is_two.mean():.2f} %, "
         f"gain 99 % {np.quantile(single.gain, 0.99):.2f}, 99.9 % {np.quantile(single.gain, 0.999):.2f}"
     )
     cells: dict[float, list[str]] = {level: [] for level in LEVELS}
@@ -111,9 +112,10 @@ def rows(microphones: int, rng: np.random.Generator) -> list[str]:
             a, b = pick(true[:, 0]), pick(true[:, 1])
             scale = 10 ** (-level / 20) * first.rms[a] / second.rms[b]
             found = decoder.locate(noisy(first.signals[a] + scale[:, None, None] * second.signals[b]))
-            right = (found.pair == np.sort(true, 1)).all(1)
+            pair = found.pair - 1
+            right = (pair == np.sort(true, 1)).all(1)
             cells[level].append(
-                f"{100 * right.mean():.0f}/{100 * near(response, found.pair, true).mean():.0f}/"
+                f"{100 * right.mean():.0f}/{100 * near(response, pair, true).mean():.0f}/"
                 f"{100 * found.is_two.mean():.0f}"
             )
     result = [f"| {microphones} x {points} | {level:.0f} | {' | '.join(each)} |" for level, each in cells.items()]

@@ -35,11 +35,11 @@ def make(folder: Path) -> studies.TrackedRecording:
     Args:
         folder: for calibration, library, and recordings with their truth.
     """
-    rig = studies.Rig(geometry.prototype("array-2x6"), SEED)
+    rig = studies.Rig(geometry.prototype("array-2x6"), SEED, fidelity="lumped")
     for old in (folder / "calibration", folder / "library.nc"):
         shutil.rmtree(old) if old.is_dir() else old.unlink(missing_ok=True)
     manifest = rig.record(folder / "calibration", CALIBRATED, studies.Recorder(seconds=20.0))
-    library = studies.calibrate_sensor(manifest, folder / "library.nc").library
+    library = studies.calibrate_sensor(manifest, folder / "library.nc", fidelity="lumped").library
     (folder / "library.png").unlink()
     place = response_of(library).position
     touched = []

@@ -17,6 +17,7 @@ from .assembly.model import build_assembly as build_assembly
 from .assembly.part_list import build_parts as build_parts
 from .design.array_design import ArrayDesign as ArrayDesign
 from .design.design_file import (
+    DesignLike as DesignLike,
     load_design as load_design,
     prototype as prototype,
     prototype_names as prototype_names,

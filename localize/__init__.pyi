@@ -7,6 +7,7 @@ from . import (
     layers as layers,
     learned as learned,
     live as live,
+    model as model,
     recalibration as recalibration,
     recognition as recognition,
     recordings as recordings,
@@ -18,6 +19,15 @@ from .decoders.bayes import BayesDecoder as BayesDecoder
 from .decoders.drift import DriftDecoder as DriftDecoder
 from .decoders.family import FamilyDecoder as FamilyDecoder
 from .decoders.judgement import Judgement as Judgement, ResidualTest as ResidualTest, judge as judge
+from .decoders.options import (
+    DecoderOptions as DecoderOptions,
+    DriftOptions as DriftOptions,
+    HypothesisOptions as HypothesisOptions,
+    ResidualOptions as ResidualOptions,
+    SoundOptions as SoundOptions,
+    TolerantOptions as TolerantOptions,
+    TwoTouchOptions as TwoTouchOptions,
+)
 from .decoders.reconstruct import (
     Reconstructor as Reconstructor,
     Waveform as Waveform,
@@ -39,10 +49,12 @@ from .learned.onnx import export_onnx as export_onnx
 from .learned.training import train as train
 from .learned.training_plan import TrainingPlan as TrainingPlan
 from .live.events import Decision as Decision, Fault as Fault, TouchEvent as TouchEvent
-from .live.front_end import Listening as Listening
+from .live.options import StreamOptions as StreamOptions, TouchOptions as TouchOptions
 from .live.stream import TouchStream as TouchStream
 from .live.touch_filter import TouchFilter as TouchFilter
 from .live.touches import Touch as Touch, TouchTracker as TouchTracker, touches_of as touches_of
+from .model.located_touches import LocatedTouches as LocatedTouches
+from .model.opened_model import Model as Model, open_model as open_model
 from .recalibration.self_calibration import (
     SelfCalibration as SelfCalibration,
     SelfCalibrationError as SelfCalibrationError,
@@ -62,6 +74,7 @@ from .recordings.recording import (
     read_recording as read_recording,
 )
 from .signals.array_response import ArrayResponse as ArrayResponse
+from .signals.locator import ArrayFacts as ArrayFacts, Locator as Locator
 from .signals.touch_generator import TouchGenerator as TouchGenerator
 from .tracking.path import PathTracker as PathTracker, Track as Track
 from .tracking.path_gestures import Gesture as Gesture, gesture_of as gesture_of

@@ -3,7 +3,7 @@ from . import (
     cli as cli,
     evaluation as evaluation,
     findings as findings,
-    listening as listening,
+    inference as inference,
     metrics as metrics,
     optimization as optimization,
     output as output,
@@ -30,27 +30,29 @@ from .findings.reporting import (
     sweep_report as sweep_report,
 )
 from .findings.searching import Search as Search, optimize as optimize
-from .listening.embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder as embed_decoder
-from .listening.exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
-from .listening.live import LiveInput as LiveInput, LiveSummary as LiveSummary, listen as listen
-from .listening.opening import Decoding as Decoding
-from .listening.pulse_reading import RecordedPulse as RecordedPulse, read_pulse as read_pulse
-from .listening.recognized import (
+from .inference.embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder as embed_decoder
+from .inference.exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
+from .inference.live import LiveInput as LiveInput, LiveSummary as LiveSummary, listen as listen
+from .inference.pulse_reading import RecordedPulse as RecordedPulse, read_pulse as read_pulse
+from .inference.recognized import (
     RecognizedTouch as RecognizedTouch,
     recognize_recording as recognize_recording,
 )
-from .listening.recorded import LocatedTouches as LocatedTouches, locate_recording as locate_recording
-from .listening.tracked import TrackedRecording as TrackedRecording, track_recording as track_recording
+from .inference.recorded import (
+    Decoding as Decoding,
+    LocatedTouches as LocatedTouches,
+    locate_recording as locate_recording,
+)
+from .inference.tracked import TrackedRecording as TrackedRecording, track_recording as track_recording
 from .optimization.problem import load_optimization as load_optimization
 from .output.display import Display as Display
 from .run.check import DesignCheck as DesignCheck, check_design as check_design
 from .run.library_files import convert_library as convert_library, solve_library as solve_library
 from .run.part_folder import MadeParts as MadeParts, export_parts as export_parts
 from .run.pipeline import run_design as run_design
-from .run.prototypes import copy_prototype as copy_prototype
 from .run.quality import DesignQuality as DesignQuality
 from .run.run_result import RunResult as RunResult
-from .run.starting import new_design as new_design
+from .run.starting import copy_prototype as copy_prototype, new_design as new_design
 from .run.wiring import wiring_table as wiring_table
 from .scatter.tolerance_run import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
 from .studio.serving import serve_studio as serve_studio

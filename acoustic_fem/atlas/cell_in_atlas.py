@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 
 from acoustic_fem.atlas.cell_table import CellAtlas, Opening, OutsideAtlas, cell_atlas
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
-from acoustic_fem.duct.known_bores import known_port_admittance
+from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.duct.tube_opening import entrance_impedance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell
+from geometry.ground.refusal import Kind
 from geometry.ground.typed import NumpyOrTorch
 
 #: Prandtl number and ratio of heat capacities of the air that the atlas was made in, and how far others may be off.
@@ -91,7 +92,10 @@ def check_cell(atlas: CellAtlas, cell: Cell, frequency: NDArray[np.float64], med
     """Refuse a cell outside the atlas; arguments and errors as :func:`atlas_admittance`."""
     if cell.shape is not None:
         raise OutsideAtlas(
-            f'{cell.label}: the atlas of cells has cylinders only; fidelity "navier-stokes" solves it in 3-D'
+            "is not in the atlas of cells, which has cylinders only",
+            kind=Kind.NO_RESULT,
+            field=cell.label,
+            remedy='fidelity "navier-stokes" solves it in 3-D',
         )
     check_gas(medium)
     for opening in {(opening.radius, opening.port_height): opening for opening in _openings(cell)}.values():
@@ -116,9 +120,12 @@ def check_gas(medium: Any) -> None:
         if bool(
             (abs(value - usual) > _PART * usual).any() if hasattr(value, "any") else abs(value / usual - 1) > _PART
         ):
+            low, high = usual * (1 - _PART), usual * (1 + _PART)
             raise OutsideAtlas(
-                f"medium: {name} must be {usual * (1 - _PART):.4g} to {usual * (1 + _PART):.4g}, that of air, in the "
-                'atlas of cells; fidelity "navier-stokes" takes any gas'
+                kind=Kind.NO_RESULT,
+                field=f"medium: {name}",
+                allowed=f"{low:.4g} to {high:.4g}, that of air, in the atlas of cells",
+                remedy='fidelity "navier-stokes" takes any gas',
             )
 
 
@@ -143,7 +150,7 @@ def _neck(
     medium: Medium,
 ) -> NDArray[np.complex128]:
     """Two-port of a duct whose second end opens into a cavity."""
-    duct = known_port_admittance(radius, length, frequency, medium)
+    duct = port_admittance(radius, length, frequency, medium)
     own, transfer = duct[:, 0, 0], duct[:, 0, 1]
     held = 1 / (1 + opening * own)
     neck = np.empty_like(duct)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -19,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.atlas.polynomial import ShapePolynomial, layer_number
-from geometry.ground.refusal import Refusal
+from geometry.ground.caller_warnings import warn_caller
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_json, read_text
 from geometry.ground.typed import NumpyOrTorch
 
@@ -93,9 +93,8 @@ class CellAtlas:
             frequency: (n_freq,) Hz, ascending.
         """
         if frequency[-1] > self.known_up_to:
-            warnings.warn(
+            warn_caller(
                 f"atlas of cells: its errors were found up to {self.known_up_to:g} Hz; above they are not known",
-                stacklevel=3,
             )
 
     @property
@@ -106,10 +105,9 @@ class CellAtlas:
     def warn_below(self, angle: float) -> None:
         """Warn that errors are not known at the smallest angle between the tubes of a point, degrees."""
         if angle < self.known_from:
-            warnings.warn(
+            warn_caller(
                 f"atlas of cells: its errors were found for tubes of a point at {self.known_from:g} degrees and more; "
                 f"of some at {angle:g} they are not known",
-                stacklevel=3,
             )
 
     def impedance(self, house: House, opening: Opening, square: NumpyOrTorch) -> NumpyOrTorch:
@@ -170,8 +168,11 @@ class CellAtlas:
             outside = value[_beyond(value, low, high)]
             if outside.size:
                 raise OutsideAtlas(
-                    f"{where}: {name} = {outside.flat[0]:.4g} must be {low:g} to {high:g} in the atlas of cells; "
-                    'fidelity "navier-stokes" solves it in 3-D'
+                    kind=Kind.NO_RESULT,
+                    field=f"{where}: {name}",
+                    value=float(f"{outside.flat[0]:.4g}"),
+                    allowed=f"{low:g} to {high:g} in the atlas of cells",
+                    remedy='fidelity "navier-stokes" solves it in 3-D',
                 )
 
     def is_outside(self, house: House, opening: Opening, square: NumpyOrTorch) -> NDArray[np.bool_]:

@@ -1,19 +1,19 @@
-"""The fidelity of a quick answer: the atlas where it has all of a design, closed forms alone where it has not."""
+"""The fidelity of a quick answer: the atlas where it covers a design, 3-D where it does not."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from acoustic_fem.atlas.cell_in_atlas import check_cell
 from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
-from acoustic_fem.quantities.fidelity import ClosedForm
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import MANY_DESIGNS, ONE_DESIGN, Fidelity
 from acoustic_fem.quantities.local_air import design_air
 from geometry.air.cells import cell_catalogue
-from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.layout.arrangement import place_housings
 
 
@@ -21,10 +21,10 @@ from geometry.layout.arrangement import place_housings
 class QuickFidelity:
     """The fidelity of a quick answer, and why it is not the atlas."""
 
-    name: ClosedForm
+    name: Fidelity
     """Fidelity, as :func:`acoustic_fem.solve` takes it."""
     outside: str = ""
-    """What of the design lies outside the atlas; empty at fidelity ``atlas``."""
+    """Why the atlas does not cover the design; empty where it does."""
 
     @property
     def words(self) -> str:
@@ -32,14 +32,18 @@ class QuickFidelity:
         return f"{self.name}: {self.outside}" if self.outside else self.name
 
 
-def quick_fidelity(design: ArrayDesign, frequency: ArrayLike) -> QuickFidelity:
+def quick_fidelity(design: DesignLike, frequency: ArrayLike | str) -> QuickFidelity:
     """The fidelity of a quick answer for a design in its air.
 
     Args:
-        design: the array.
-        frequency: (n_freq,) Hz, at which it is solved.
+        design: the array: a design, the path of its file, or the name of a prototype.
+        frequency: (n_freq,) Hz, at which it is solved, or FIRST:LAST:COUNT.
+
+    Raises:
+        Refusal: a bad frequency grid.
     """
-    grid, air = np.asarray(frequency, np.float64), design_air(design)
+    design, grid = resolve_design(design), frequency_grid(frequency)
+    air = design_air(design)
 
     def check() -> None:
         for cell in cell_catalogue(design, place_housings(design)).distinct:
@@ -49,9 +53,9 @@ def quick_fidelity(design: ArrayDesign, frequency: ArrayLike) -> QuickFidelity:
 
 
 def quick_fidelity_by(check: Callable[[], None]) -> QuickFidelity:
-    """That of anything that is outside the atlas where ``check`` raises :class:`OutsideAtlas`."""
+    """The fidelity of a quick answer for anything that the atlas covers unless ``check`` raises OutsideAtlas."""
     try:
         check()
     except OutsideAtlas as error:
-        return QuickFidelity("lumped", str(error))
-    return QuickFidelity("atlas")
+        return QuickFidelity(ONE_DESIGN, OutsideAtlas.of(error, remedy="").sentence())
+    return QuickFidelity(MANY_DESIGNS)

@@ -7,7 +7,6 @@ nothing cancels at low frequency: a tube is a series admittance and a shunt at e
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
@@ -20,6 +19,7 @@ from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.duct.tube_opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
 from acoustic_fem.membrane.rubber import causal_slope, modulus_ratio
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.typed import NumpyOrTorch
 
 #: Largest (f/f_1)^2 at which the membrane's modes are summed as a power series; it has then up to 29 terms.
@@ -156,9 +156,8 @@ def yielding(parameters: ArrayParameters, air: Conditions) -> tuple[NumpyOrTorch
     kept = max(0, modes.shape[-1] - 3)  # the last two correct the statics
     highest, limit = largest(air.omega) / (2 * np.pi), 1 / largest(1 / modes[..., kept]) / 2
     if highest > limit:
-        warnings.warn(
+        warn_caller(
             f"membrane: {highest:.4g} Hz is above half of the highest mode that is kept ({2 * limit:.4g} Hz in vacuo)",
-            stacklevel=4,
         )
     membrane = _modes(parameters, air) * parameters.membrane_compliance[..., None]
     if _counts(parameters.floor_compliance):
@@ -260,11 +259,10 @@ def _entrance(radius: NumpyOrTorch, air: Conditions) -> NumpyOrTorch:
     """
     shear = (largest(radius * radius * air.per_viscosity) * largest(air.omega)) ** 0.5
     if shear > LARGEST_SHEAR_NUMBER:
-        warnings.warn(
+        warn_caller(
             f"entrance loss of a tube: shear number a sqrt(w/nu) = {shear:.2g} is above {LARGEST_SHEAR_NUMBER:g}, "
             f"the largest it is fit for (bore radius {largest(radius) * 1e3:.3g} mm, up to "
             f"{largest(air.omega) / (2 * np.pi):.4g} Hz)",
-            stacklevel=5,
         )
     resistance = (RESISTANCE * air.medium.viscosity) / radius**3
     return resistance + (1j * air.omega) * (INERTANCE * air.medium.density / radius)

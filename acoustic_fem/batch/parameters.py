@@ -24,7 +24,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres, metres
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import NumpyOrTorch
 
 
@@ -135,11 +135,15 @@ class ArrayParameters:
                 pre-stretched membrane with loss.
         """
         if not designs:
-            raise Refusal("designs is empty; a batch needs at least one")
+            raise Refusal("is empty; a batch needs at least one", kind=Kind.MISSING, field="designs")
         topology = Topology.of(designs[0])
         for number, design in enumerate(designs):
             if Topology.of(design) != topology:
-                raise Refusal(f"designs.{number} ({design.name}) is not wired as designs.0 ({designs[0].name})")
+                raise Refusal(
+                    f"({design.name}) is not wired as the first one ({designs[0].name})",
+                    kind=Kind.MISMATCH,
+                    field=f"designs.{number + 1}",
+                )
         common = _Common(medium, known)
         rows = [_row(design, common) for design in designs]
         for rubber in _RUBBERS:
@@ -246,29 +250,40 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
     for field in fields(parameters):
         values = getattr(parameters, field.name)
         if namespace(values) is not xp:
-            raise Refusal(f"{field.name} is a {type(values).__name__}; all fields must be arrays of {xp.__name__}")
+            raise Refusal(
+                f"is a {type(values).__name__}; all fields must be arrays of {xp.__name__}",
+                kind=Kind.WRONG_TYPE,
+                field=field.name,
+            )
         if values.dtype != xp.float64:
-            raise Refusal(f"{field.name} is {values.dtype}; it must be float64")
+            raise Refusal(f"is {values.dtype}; it must be float64", kind=Kind.WRONG_TYPE, field=field.name)
         shape, needed = tuple(values.shape), columns[PART[field.name]]
         more = _THIRD_AXIS.get(field.name, "")
         if len(shape) != (3 if more else 2) or shape[0] not in (1, count) or shape[1] != needed:
             raise Refusal(
-                f"{field.name} has shape {shape}; it must be ({count}, {needed}{more}) or (1, {needed}{more})"
+                f"has shape {shape}; it must be ({count}, {needed}{more}) or (1, {needed}{more})",
+                kind=Kind.WRONG_TYPE,
+                field=field.name,
             )
         may_vanish = field.name in _MAY_VANISH
         fits = xp.isfinite(values) & ((values >= 0) if may_vanish else (values > 0))
         if not bool(fits.all()):
             bound = "at least 0" if may_vanish else "above 0"
-            raise Refusal(f"{field.name} = {float(values[~fits].flatten()[0]):g} must be finite and {bound}")
+            first = float(values[~fits].flatten()[0])
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field=field.name, value=first, allowed=f"finite and {bound}")
     for rubber in _RUBBERS:
         moduli, times = (f"{rubber}_{name}" for name in ("relaxation", "relaxation_time"))
         terms = [tuple(getattr(parameters, name).shape)[2] for name in (moduli, times)]
         if terms[0] != terms[1]:
-            raise Refusal(f"{moduli} has {terms[0]} terms and {times} {terms[1]}; both need the same")
+            raise Refusal(
+                f"has {terms[0]} terms and {times} {terms[1]}; both need the same", kind=Kind.MISMATCH, field=moduli
+            )
     modes = tuple(parameters.membrane_share.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
     if modes[0] != modes[1] or modes[0] == 0:
         raise Refusal(
-            f"membrane_share has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, >= 1"
+            f"has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, at least 1",
+            kind=Kind.MISMATCH,
+            field="membrane_share",
         )
 
 
@@ -283,11 +298,19 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
     for field in fields(medium):
         values = getattr(medium, field.name)
         if namespace(values) is not xp or values.dtype != xp.float64:
-            raise Refusal(f"medium.{field.name} must be a float64 array of {xp.__name__}, as the parameters are")
+            raise Refusal(
+                f"must be a float64 array of {xp.__name__}, as the parameters are",
+                kind=Kind.WRONG_TYPE,
+                field=f"medium.{field.name}",
+            )
         if tuple(values.shape) not in ((1,), (rows,)) or (count > 1 and rows not in (1, count)):
-            raise Refusal(f"medium.{field.name} has shape {tuple(values.shape)}; it must be ({count},) or (1,)")
+            raise Refusal(
+                f"has shape {tuple(values.shape)}; it must be ({count},) or (1,)",
+                kind=Kind.WRONG_TYPE,
+                field=f"medium.{field.name}",
+            )
         if not bool((xp.isfinite(values) & (values > 0)).all()):
-            raise Refusal(f"medium.{field.name} must be finite and above 0")
+            raise Refusal("must be finite and above 0", kind=Kind.OUT_OF_RANGE, field=f"medium.{field.name}")
     return max(rows, count)
 
 
@@ -346,13 +369,20 @@ def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
     rubber = design_rubber(design)
     if np.any(disc.model.geometric) and not rubber.elastic:
         raise Refusal(
-            f"membrane.stretch = {design.membrane.stretch:g} must be 1 in a batch: the tension has no loss, so the "
-            f"modes do not share that of {design.membrane.material!r}; solve() takes it"
+            f"must be 1 in a batch: the tension has no loss, so the modes do not share that of "
+            f"{design.membrane.material!r}",
+            kind=Kind.OUT_OF_RANGE,
+            field="membrane.stretch",
+            value=design.membrane.stretch,
+            remedy="solve() takes it",
         )
     if design.resonator.shape != "cylinder":
         raise Refusal(
-            f"resonator.shape = {design.resonator.shape!r} must be 'cylinder' in a batch, which has closed forms only; "
-            "solve() takes it at every fidelity"
+            kind=Kind.OUT_OF_RANGE,
+            field="resonator.shape",
+            value=design.resonator.shape,
+            allowed="'cylinder' in a batch, which has closed forms only",
+            remedy="solve() takes it at every fidelity",
         )
     share = disc.model.swept**2 / disc.model.eigenvalues
     mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)

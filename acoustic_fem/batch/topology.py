@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.schema.part_fields import Tube
 
 
@@ -37,22 +37,31 @@ class Topology:
     def __post_init__(self) -> None:
         count = len(self.microphones)
         reached = {0}
-        for number, line in enumerate(self.lines):
+        for number, line in enumerate(self.lines, 1):
             if not (0 <= line.first < count and 0 <= line.last < count) or line.first == line.last:
                 raise Refusal(
-                    f"lines.{number} joins microphones {line.first} and {line.last}; must be two of 0 to {count - 1}"
+                    f"joins microphones {line.first + 1} and {line.last + 1}; it must be two different ones of 1 to "
+                    f"{count}",
+                    kind=Kind.OUT_OF_RANGE,
+                    field=f"lines.{number}",
                 )
             if not line.points or len(line.tubes) != len(line.points) + 1:
                 raise Refusal(
-                    f"lines.{number} has {counted(len(line.points), 'point')} and {counted(len(line.tubes), 'tube')}; "
-                    f"it must have at least one point and one tube more than points"
+                    f"has {counted(len(line.points), 'point')} and {counted(len(line.tubes), 'tube')}; it must have at "
+                    "least one point and one tube more than points",
+                    kind=Kind.MISMATCH,
+                    field=f"lines.{number}",
                 )
         for _ in self.lines:
             reached |= {
                 end for line in self.lines if reached & {line.first, line.last} for end in (line.first, line.last)
             }
         if len(reached) < count:
-            raise Refusal(f"microphone {min(set(range(count)) - reached)} is not joined to microphone 0 by lines")
+            raise Refusal(
+                f"leave microphone {min(set(range(count)) - reached) + 1} without a connection to microphone 1",
+                kind=Kind.CONFLICT,
+                field="lines",
+            )
 
     @classmethod
     def of(cls, design: ArrayDesign) -> Topology:

@@ -29,7 +29,7 @@ from pydantic_core import PydanticCustomError
 from acoustic_fem.sound.estimate import Estimator
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names, resolve_design
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
 from geometry.schema.field_errors import model_of
 
@@ -96,23 +96,41 @@ def read_manifest(path: Path) -> Manifest:
     design = resolve_design(file.design if file.design in prototype_names() else path.parent / file.design)
     names = (REFERENCE, *design.microphones)
     if REFERENCE in design.microphones:
-        raise ManifestError(f"{path}: microphone {REFERENCE!r} of the design has the name of the reference channel")
+        raise ManifestError(
+            f"has a microphone {REFERENCE!r}, which is the name of the reference channel",
+            kind=Kind.CONFLICT,
+            file=path,
+            field="design",
+            remedy="rename the microphone",
+        )
     for field, given in (("channels", file.channels), ("pascals", file.pascals), ("started_late", file.started_late)):
         unknown = [name for name in given or {} if name not in names]
         if unknown:
-            raise ManifestError(f"{path}: {field}.{unknown[0]} must be one of: {', '.join(names)}")
+            raise ManifestError(kind=Kind.UNKNOWN, file=path, field=f"{field}.{unknown[0]}", allowed=names)
     channels = file.channels or {name: number for number, name in enumerate(names, 1)}
     if set(channels) != set(names) or len(set(channels.values())) < len(names):
-        raise ManifestError(f"{path}: channels must give {', '.join(names)} a number each, all different")
+        raise ManifestError(
+            f"must give {', '.join(names)} a number each, all different",
+            kind=Kind.CONFLICT,
+            file=path,
+            field="channels",
+        )
     points: dict[int, Mapping[str, Path]] = {}
     for text, files in file.points.items():
         if not (text.isascii() and text.isdigit() and 1 <= int(text) <= design.point_count) or int(text) in points:
-            raise ManifestError(f"{path}: points.{text} must be a point from 1 to {design.point_count}, each once")
+            raise ManifestError(
+                kind=Kind.OUT_OF_RANGE,
+                file=path,
+                field=f"points.{text}",
+                allowed=f"a point from 1 to {design.point_count}, each once",
+            )
         by_channel = dict.fromkeys(names, files) if isinstance(files, str) else files
         if set(by_channel) != set(names):
             raise ManifestError(
-                f"{path}: points.{text} has files of {', '.join(by_channel)}; it must be one file, or one each of: "
-                f"{', '.join(names)}"
+                f"has files of {', '.join(by_channel)}; it must be one file, or one each of: {', '.join(names)}",
+                kind=Kind.MISMATCH,
+                file=path,
+                field=f"points.{text}",
             )
         points[int(text)] = {name: path.parent / by_channel[name] for name in names}
     return Manifest(

@@ -24,7 +24,7 @@ from acoustic_fem.library.transfer_functions import Library, described, measured
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
 from geometry.ground.file_checks import MOST_NUMBERS
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 
 #: Mains frequencies, Hz, whose hum is looked for, and removed where it is found.
@@ -91,16 +91,20 @@ class Calibration:
         """
         _check_model(model, self.manifest, self.frequency)
         if fit is not None and fit.objection is not None:
-            raise Refusal(f"fit must have no objection: {fit.objection}")
+            raise Refusal(f"was rejected: {fit.objection}", kind=Kind.UNSUITABLE, field="fit")
         h = model.transfer_function.transpose("point", "microphone", "frequency").values.copy()
         if fit is not None:
             h, deviation = fit.transfer_function.copy(), fit.deviation.copy()
         elif model_deviation is not None:
             deviation = np.array(model_deviation, dtype=np.float64)
             if deviation.shape != h.shape:
-                raise Refusal(f"model_deviation has shape {deviation.shape}; it must be {h.shape}")
+                raise Refusal(
+                    f"has shape {deviation.shape}; it must be {h.shape}", kind=Kind.WRONG_TYPE, field="model_deviation"
+                )
         elif self.missing:
-            raise Refusal(f"model_deviation must be given: point {self.missing[0]} has no recording")
+            raise Refusal(
+                f"must be given: point {self.missing[0]} has no recording", kind=Kind.MISSING, field="model_deviation"
+            )
         else:
             deviation = np.empty(h.shape)
         if fit is None:
@@ -170,7 +174,11 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
     report("done", 1.0)
     if not estimates:
         first = findings[0]
-        raise CalibrationError(f"no recording can be used; point {first.point}: {first.text}")
+        raise CalibrationError(
+            f"cannot be used, and no other recording can: {first.text}",
+            kind=Kind.UNSUITABLE,
+            field=f"points.{first.point}",
+        )
     return Calibration(manifest, frequency, estimates, tuple(findings))
 
 
@@ -219,8 +227,11 @@ def _together(
         left = max(len(values) - skipped[name], 0) / rate
         if left < shortest_record():
             raise RecordingFault(
-                f"started_late = {latest:g} s leaves {left:.3g} s of channel {name}; it must leave at least "
-                f"{shortest_record():g} s"
+                f"leaves {left:.3g} s of channel {name}; it must leave at least {shortest_record():g} s",
+                kind=Kind.UNSUITABLE,
+                field="started_late",
+                value=latest,
+                unit="s",
             )
     rest = np.array([started_late[name] + skipped[name] / rate - latest for name in channels])
     return {name: values[skipped[name] :] for name, values in channels.items()}, rest
@@ -244,21 +255,27 @@ def read_point(manifest: Manifest, number: int) -> tuple[dict[str, Array], float
     for file, sound in sounds.items():
         given = [f"points.{number}.{name}" for name, one in files.items() if one == file]
         if alone and len(sound.channels) == 1 and len(given) > 1:
-            raise RecordingFault(f"{' and '.join(given)} are {file.name}, which has one channel; each must be its own")
+            raise RecordingFault(
+                f"and {' and '.join(given[1:])} are {file.name}, which has one channel; each must be its own",
+                kind=Kind.CONFLICT,
+                field=given[0],
+            )
     count = sum(sounds[file].length for file in files.values())
     if count > MOST_NUMBERS:
-        raise RecordingFault(f"its channels have {count} samples in all, must have at most {MOST_NUMBERS}")
+        raise RecordingFault(
+            f"has channels of {count} samples in all; they must have at most {MOST_NUMBERS}", kind=Kind.OUT_OF_RANGE
+        )
     channels = {
         name: _channel(file, sounds[file], name, manifest.channels[name], alone) for name, file in files.items()
     }
     rates = {sounds[file].rate for file in files.values()}
     if max(rates) > 1.001 * min(rates):
         stated = ", ".join(f"{name} {sounds[file].rate:g} Hz" for name, file in files.items())
-        raise RecordingFault(f"its files have different sample rates: {stated}")
+        raise RecordingFault(f"has files of different sample rates: {stated}", kind=Kind.MISMATCH)
     lengths = {name: len(values) for name, values in channels.items()}
     if max(lengths.values()) > 1.05 * min(lengths.values()):
         stated = ", ".join(f"{name} {length}" for name, length in lengths.items())
-        raise RecordingFault(f"its files have different numbers of samples: {stated}")
+        raise RecordingFault(f"has files of different numbers of samples: {stated}", kind=Kind.MISMATCH)
     return channels, sounds[files[REFERENCE]].rate, {name: sounds[file].full_scale for name, file in files.items()}
 
 
@@ -268,7 +285,9 @@ def _channel(file: Path, sound: Sound, name: str, number: int, alone: bool) -> A
         return next(iter(sound.channels.values()))
     key = str(number) if sound.numbered else name
     if key not in sound.channels:
-        raise RecordingFault(f"{file.name} has no channel {key} for {name}, but {', '.join(sound.channels)}")
+        raise RecordingFault(
+            f"is not in {file.name}, which has {', '.join(sound.channels)}", kind=Kind.MISSING, field=f"channels.{key}"
+        )
     return sound.channels[key]
 
 
@@ -297,8 +316,10 @@ def _check_model(model: Library, manifest: Manifest, frequency: Array) -> None:
     design = manifest.design
     if (model.design.point_count, model.design.microphones) != (design.point_count, design.microphones):
         raise Refusal(
-            f"model of {model.design.name} with {counted(model.design.point_count, 'point')} must be of "
-            f"{design.name} with {design.point_count}"
+            f"of {model.design.name} with {counted(model.design.point_count, 'point')} must be of {design.name} with "
+            f"{design.point_count}",
+            kind=Kind.MISMATCH,
+            field="model",
         )
     if not np.array_equal(model.frequency, frequency):
-        raise Refusal("model must have the frequencies of the calibration")
+        raise Refusal("must have the frequencies of the calibration", kind=Kind.MISMATCH, field="model")

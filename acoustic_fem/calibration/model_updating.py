@@ -23,7 +23,7 @@ from acoustic_fem.calibration.fitted_model import Complex, Posterior, UpdatedMod
 from acoustic_fem.calibration.model_discrepancy import Discrepancy
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.estimate import TransferEstimate
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
 #: s, standard deviation of what the stated delay of the reference is off by, alike at all points.
@@ -97,13 +97,13 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
     """
     points = sorted(estimates)
     if not points:
-        raise Refusal("estimates is empty; a fit needs at least one measured point")
+        raise Refusal("is empty; a fit needs at least one measured point", kind=Kind.MISSING, field="estimates")
     shape = model._ratio.shape
     for number in points:
         in_range("point", number, 1, shape[0])
         found = estimates[number].transfer_function.shape
         if found != shape[1:]:
-            raise Refusal(f"point {number} has an estimate of shape {found}; it must be {shape[1:]}")
+            raise Refusal(f"has shape {found}; it must be {shape[1:]}", kind=Kind.MISMATCH, field=f"estimates.{number}")
         _check_estimate(number, estimates[number])
     rows = [number - 1 for number in points]
     measured = np.stack([estimates[number].transfer_function for number in points])
@@ -133,9 +133,17 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
 def _check_estimate(number: int, estimate: TransferEstimate) -> None:
     h, deviation = np.abs(estimate.transfer_function), estimate.deviation
     if not (np.isfinite(h).all() and h.min() > 0):
-        raise Refusal(f"point {number} has a transfer function of {h.min()} Pa/Pa; it must be finite and not 0")
+        raise Refusal(
+            f"has a transfer function of {h.min()} Pa/Pa; it must be finite and not 0",
+            kind=Kind.UNSUITABLE,
+            field=f"estimates.{number}",
+        )
     if not (np.isfinite(deviation).all() and deviation.min() >= 0):
-        raise Refusal(f"point {number} has a deviation of {deviation.min()} Pa/Pa; it must be finite, 0 or above")
+        raise Refusal(
+            f"has a deviation of {deviation.min()} Pa/Pa; it must be finite, 0 or above",
+            kind=Kind.UNSUITABLE,
+            field=f"estimates.{number}",
+        )
 
 
 class _Minimum(NamedTuple):

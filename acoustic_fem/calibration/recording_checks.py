@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.sound.clipping import first_clipped
 from acoustic_fem.sound.estimate import TransferEstimate, amplitudes, shortest_record
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
 Complex = NDArray[np.complex128]
@@ -53,6 +53,10 @@ class RecordingFault(Refusal):
     """A recording that cannot be used: the reason, without its file."""
 
 
+def _fault(channel: str, problem: str) -> RecordingFault:
+    return RecordingFault(problem, kind=Kind.UNSUITABLE, field=f"channels.{channel}")
+
+
 def check_signals(
     channels: Mapping[str, Array], rate: float, limits: Mapping[str, float | None], highest: float
 ) -> None:
@@ -69,35 +73,39 @@ def check_signals(
             clipped or interrupted, or two that are the same.
     """
     if rate < 2.5 * highest:
-        raise RecordingFault(f"sample rate = {rate:g} Hz must be at least {2.5 * highest:g} Hz, 2.5 x {highest:g} Hz")
+        raise RecordingFault(
+            kind=Kind.UNSUITABLE,
+            field="sample_rate",
+            value=rate,
+            unit="Hz",
+            allowed=f"at least {2.5 * highest:g} Hz, 2.5 x {highest:g} Hz",
+        )
     seconds = min(len(values) for values in channels.values()) / rate
     if seconds < shortest_record():
-        raise RecordingFault(f"is {seconds:.3g} s long; it must be at least {shortest_record():g} s")
+        raise RecordingFault(
+            f"is {seconds:.3g} s long; it must be at least {shortest_record():g} s", kind=Kind.UNSUITABLE
+        )
     for name, values in channels.items():
         bad = np.flatnonzero(~np.isfinite(values))
         if len(bad):
-            raise RecordingFault(f"channel {name} is not finite at {bad[0] / rate:.3f} s")
+            raise _fault(name, f"is not finite at {bad[0] / rate:.3f} s")
         largest = float(np.abs(values).max())
         if largest > LARGEST or 0 < largest < SMALLEST:
-            raise RecordingFault(
-                f"largest value of channel {name} = {largest:g} must be between {SMALLEST:g} and {LARGEST:g}"
-            )
+            raise _fault(name, f"has a largest value of {largest:g}; it must be between {SMALLEST:g} and {LARGEST:g}")
         if values.max() == values.min():
-            raise RecordingFault(f"channel {name} is silent: its value never changes")
+            raise _fault(name, "is silent: its value never changes")
         levels = len(np.unique(values))
         if levels < LEAST_LEVELS:
-            raise RecordingFault(f"channel {name} is too weak: it takes {levels} different values only")
+            raise _fault(name, f"is too weak: it takes {levels} different values only")
         clipped = first_clipped(values, limits[name])
         if clipped is not None:
-            raise RecordingFault(f"channel {name} is clipped, first at {clipped / rate:.3f} s")
+            raise _fault(name, f"is clipped, first at {clipped / rate:.3f} s")
         held = _longest_hold(values)
         if held[1] >= max(GAP * rate, GAP_SAMPLES) and levels > len(values) / 100:
-            raise RecordingFault(
-                f"channel {name} is interrupted for {held[1] / rate:.3f} s from {held[0] / rate:.3f} s on"
-            )
+            raise _fault(name, f"is interrupted for {held[1] / rate:.3f} s from {held[0] / rate:.3f} s on")
     for one, other in combinations(channels, 2):
         if _are_same(channels[one], channels[other]):
-            raise RecordingFault(f"channels {one} and {other} are the same signal: one was recorded or copied twice")
+            raise _fault(one, f"is the same signal as channels.{other}: one was recorded or copied twice")
 
 
 def check_steady(signals: Array, rate: float, frequency: Array, microphones: tuple[str, ...]) -> None:
@@ -115,14 +123,13 @@ def check_steady(signals: Array, rate: float, frequency: Array, microphones: tup
     levels, delays = largest_changes(signals, rate, frequency)
     for name, level, delay in zip(microphones, levels, delays, strict=True):
         if delay > DRIFT:
-            raise RecordingFault(
-                f"microphone {name} and the reference drift apart by {1e3 * delay:.1f} ms in the recording: samples "
-                "were lost, or their recorders' clocks differ"
+            raise _fault(
+                name,
+                f"and the reference drift apart by {1e3 * delay:.1f} ms in the recording: samples were lost, or the "
+                "clocks of their recorders differ",
             )
         if level > LEVEL_CHANGE:
-            raise RecordingFault(
-                f"level of microphone {name} against the reference changes by {level:.1f} dB in the recording"
-            )
+            raise _fault(name, f"changes its level against the reference by {level:.1f} dB in the recording")
 
 
 def largest_changes(signals: Array, rate: float, frequency: Array) -> tuple[Array, Array]:
@@ -172,9 +179,10 @@ def check_estimate(estimate: TransferEstimate, microphones: tuple[str, ...], lea
     median = np.median(np.nan_to_num(estimate.coherence), axis=1)
     best = int(np.argmax(median))
     if median[best] < least_coherence:
-        raise RecordingFault(
-            f"coherence of microphone {microphones[best]}, the best, is {median[best]:.2f} (median over frequency); it "
-            f"must be at least {least_coherence:g}: not driven, too much noise, or not recorded together"
+        raise _fault(
+            microphones[best],
+            f"is the best microphone, and its coherence is {median[best]:.2f} (median over frequency); it must be at "
+            f"least {least_coherence:g}: not driven, too much noise, or not recorded together",
         )
 
 
@@ -207,16 +215,19 @@ def check_against_model(
     for name, row, expected in zip(microphones, estimate.coherence, np.abs(model[point]), strict=True):
         loudest = row[expected >= np.quantile(expected, 0.75)]
         if np.median(np.nan_to_num(loudest)) < DEAF:
-            raise RecordingFault(
-                f"microphone {name} has nothing in common with the reference: coherence {np.median(loudest):.2f} where "
-                "the design hears most"
+            raise _fault(
+                name,
+                f"has nothing in common with the reference: coherence {np.median(loudest):.2f} where the response of "
+                "the design is largest",
             )
     known = estimate.deviation < 0.3 * np.abs(measured)
     misfit = _misfit(measured, model[point], known)
     if misfit > MISFIT:
         for text, changed, other in _explanations(measured, model, point, microphones, pascals):
             if _misfit(changed, other, known) < BETTER * misfit:
-                raise RecordingFault(f"is {misfit:.0f} dB off the design; {text} would explain it")
+                raise RecordingFault(
+                    f"is {misfit:.0f} dB off the design; {text} would explain it", kind=Kind.UNSUITABLE
+                )
     delay = common_delay(measured, model[point], frequency)
     # a late reference turns phases; polarity is what turns them alike at all frequencies
     late = delay if abs(delay) > DELAY else 0.0
@@ -225,9 +236,11 @@ def check_against_model(
     turned = in_phase[:, low].sum(1).real < 0
     if turned.any() and not turned.all():
         names = ", ".join(name for name, is_turned in zip(microphones, turned, strict=True) if is_turned)
-        raise RecordingFault(f"polarity of microphone {names} is reversed against the others")
+        raise RecordingFault(
+            f"has the polarity of microphone {names} reversed against the others", kind=Kind.UNSUITABLE
+        )
     if turned.all():
-        raise RecordingFault("polarity of the reference is reversed against all microphones")
+        raise RecordingFault("has the polarity of the reference reversed against all microphones", kind=Kind.UNSUITABLE)
     notes = []
     if misfit > MISFIT:
         notes.append(f"is {misfit:.0f} dB off the design: another sensitivity, or a sensor far from it")

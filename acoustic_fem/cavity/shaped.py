@@ -13,10 +13,14 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
+from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.numerics import disk_cache
+from acoustic_fem.numerics.refinement import HEAT_ORDER, refined
 from acoustic_fem.quantities.checks import numbers, positive
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
+from geometry.air.mesh import mesh_solid
 from geometry.ground.extras import installed_version
 from geometry.schema.cavity_shapes import Box, Dome, draw_cavity
 
@@ -82,11 +86,6 @@ def _solve(
     shape: Box | Dome, radius: float, height: float, medium: Medium, band: tuple[float, float]
 ) -> dict[str, NDArray[np.float64]]:
     import cadquery as cq
-
-    from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
-    from acoustic_fem.fields.element_sizes import mesh_sizes
-    from acoustic_fem.numerics.refinement import HEAT_ORDER, refined
-    from geometry.air.mesh import mesh_solid
 
     diffusivity = medium.thermal_diffusivity
     far = 2 * (radius + height)

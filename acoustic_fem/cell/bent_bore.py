@@ -29,7 +29,7 @@ from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import FIRST, LAST, Winding, swept_mesh
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: Length of the piece that is solved, in bore radii.
 PIECE = 4.0
@@ -126,13 +126,18 @@ def check_bent_bore(
     bore = float(positive("radius", radius, "m"))
     for winding in windings:
         if not bore * winding.curvature < metres(1.0):
-            raise Refusal(f"radius = {bore:g} m must be below the bend's radius {metres(1 / winding.curvature):g} m")
+            allowed = f"below the bend's radius {metres(1 / winding.curvature):g} m"
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="radius", value=bore, unit="m", allowed=allowed)
     grid = frequency_grid(frequency)
     highest = LARGEST_SHEAR_NUMBER**2 * medium.kinematic_viscosity / (2 * np.pi * bore**2)
     if grid[-1] > highest:
         raise Refusal(
-            f"frequency = {grid[-1]:g} Hz must be at most {highest:.4g} Hz for a bore of radius {bore:g} m: above, "
-            "the viscous layer is thinner than the elements"
+            kind=Kind.OUT_OF_RANGE,
+            field="frequency",
+            value=float(grid[-1]),
+            unit="Hz",
+            allowed=f"at most {highest:.4g} Hz for a bore of radius {bore:g} m: above, the viscous layer is thinner "
+            "than the elements",
         )
     return grid
 

@@ -15,7 +15,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from acoustic_fem.duct.known_bores import known_port_admittance
+from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.fields.cylinder_heat import CylinderField
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field, field_coefficients
 from acoustic_fem.fields.helmholtz import pressure_system
@@ -26,7 +26,7 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
 from geometry.air.straight_bores import StraightBore
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import ComplexArray
 
 #: A solved thermal field: on a mesh of its own, or of the sections of a cylinder and its bores.
@@ -132,7 +132,13 @@ class CondensedBody:
         low, high = self.flow.lowest, self.flow.highest
         outside = frequency[(frequency < low * (1 - 1e-9)) | (frequency > high * (1 + 1e-9))]
         if outside.size:
-            raise Refusal(f"frequency = {outside[0]:g} Hz must be between {low:g} and {high:g} Hz, the band solved")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="frequency",
+                value=float(outside[0]),
+                unit="Hz",
+                allowed=f"between {low:g} and {high:g} Hz, the band solved",
+            )
         response = _navier_stokes_response if self.physics == "navier-stokes" else _helmholtz_response
         nodal = self.copies * response(self, frequency)
         for port, bore in enumerate(self.bores):
@@ -340,7 +346,7 @@ def _through_bore(
     nodal: ComplexArray, port: int, bore: StraightBore, frequency: NDArray[np.float64], medium: Medium
 ) -> ComplexArray:
     """The admittance with the port at the far end of a bore."""
-    duct = known_port_admittance(metres(bore.radius), metres(bore.length), frequency, medium)
+    duct = port_admittance(metres(bore.radius), metres(bore.length), frequency, medium)
     met = nodal[:, port, port] + duct[:, 1, 1]
     column = nodal[:, :, port].copy()
     beyond = nodal - column[:, :, None] * column[:, None, :] / met[:, None, None]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Sequence
 from functools import partial
 
@@ -79,6 +80,8 @@ def solve_cells(
         if task not in missing:
             report(task, 1.0)
     workers = min(len(missing), cores())
+    # Meshing stops the other threads of a process, such as those of a server.
+    apart = apart or threading.current_thread() is not threading.main_thread()
     if workers > 1 or (apart and missing):
         # Chambers and what has many tubes take longest: begun last, they would leave the other processes idle.
         missing.sort(key=lambda task: (task.cell.kind == "microphone", len(task.cell.ports)), reverse=True)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.cavity.shaped import shaped_cavity_compliance
-from acoustic_fem.duct.known_bores import known_port_admittance
+from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.duct.tube_opening import entrance_impedance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
@@ -59,7 +59,7 @@ def lumped_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium
 
 def _neck(radius: float, length: float, frequency: NDArray[np.float64], medium: Medium) -> NDArray[np.complex128]:
     """Two-port of a duct whose second end opens into a cavity."""
-    duct = known_port_admittance(radius, length, frequency, medium)
+    duct = port_admittance(radius, length, frequency, medium)
     own, transfer = duct[:, 0, 0], duct[:, 0, 1]
     opening = 1 / entrance_impedance(radius, frequency, medium)
     between = own + opening

@@ -2,27 +2,26 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped
 from acoustic_fem.cell.solid import MarkedSolid, MeshGoal, checked_physics, converge
+from acoustic_fem.fields.cylinder_heat import CylinderAir, SideBore
+from acoustic_fem.fields.navier_stokes import WallMotion
 from acoustic_fem.numerics import disk_cache
+from acoustic_fem.numerics.rational_sweep import ReducedModel
 from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 from geometry.air.straight_bores import StraightBore
+from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.ground.extras import NotInstalled, installed_version
-from geometry.ground.refusal import Refusal, said_by
-from geometry.schema.cavity_shapes import Box, Dome
-from geometry.schema.ports import CellPort
-
-if TYPE_CHECKING:
-    from acoustic_fem.fields.cylinder_heat import CylinderAir
+from geometry.ground.refusal import Kind, Refusal, said_by
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
 DESIGN_BAND = (1.0, 500.0)
@@ -42,10 +41,6 @@ CELL_MODEL_VERSION = 15
 
 
 _MODELS, _PUMPED = ("heat", "viscous", "flow"), "pumped"
-
-
-#: Shapes of cavities by the word that tells them in the text of a task.
-_SHAPES: dict[str, type[Box | Dome]] = {shape.__name__: shape for shape in (Box, Dome)}
 
 
 #: Arrays and plain values of a solved cell, as the cache keeps them.
@@ -113,27 +108,6 @@ class CellTask:
         about = {"model": CELL_MODEL_VERSION, "accuracy": DESIGN_ACCURACY, "gmsh": installed_version("gmsh")}
         return disk_cache.key_of({**_stated(asdict(self)), **about})
 
-    def as_json(self) -> str:
-        """The task as text, for another process."""
-        plain = asdict(self)
-        if self.cell.shape is not None:
-            plain["cell"]["shape"]["kind"] = type(self.cell.shape).__name__
-        return json.dumps(plain)
-
-    @classmethod
-    def from_json(cls, text: str) -> CellTask:
-        """The task from its text."""
-        plain = json.loads(text)
-        ports = tuple(CellPort(**port) for port in plain["cell"].pop("ports"))
-        sizes = plain["cell"].pop("shape")
-        shape = None if sizes is None else _SHAPES[sizes.pop("kind")](**sizes)
-        return cls(
-            cell=Cell(**plain["cell"], ports=ports, shape=shape),
-            medium=Medium(**plain["medium"]),
-            band=tuple(plain["band"]),
-            fidelity=plain["fidelity"],
-        )
-
 
 def _stated(description: dict[str, Any]) -> dict[str, Any]:
     """Without what is not stated: a cell keeps its place in the cache when cells can state more."""
@@ -158,10 +132,6 @@ def marked_solid(cell: Cell, physics: Physics = "navier-stokes") -> MarkedSolid:
     Raises:
         Refusal: its air cannot be made.
     """
-    from acoustic_fem.cell.condensed import BodyFaces
-    from acoustic_fem.fields.navier_stokes import WallMotion
-    from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
-
     air = air_volume(cell, level=physics == "navier-stokes")
     radius = np.linspace(0, cell.opening_diameter / 2, 200)
     bowl = 1 - (radius / radius[-1]) ** 2
@@ -173,8 +143,6 @@ def marked_solid(cell: Cell, physics: Physics = "navier-stokes") -> MarkedSolid:
 
 def _cylinder(cell: Cell) -> CylinderAir | None:
     """The air of a cell whose cavity is a cylinder."""
-    from acoustic_fem.fields.cylinder_heat import CylinderAir, SideBore
-
     if cell.shape is not None:
         return None
     bores = []
@@ -196,8 +164,6 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     """
     from OCP.Standard import Standard_Failure
 
-    from acoustic_fem.cell.condensed import AirModel
-
     cell = task.cell
     try:
         physics = checked_physics(task.fidelity)
@@ -212,7 +178,8 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     except NotInstalled:
         raise  # no fault of this cell
     except (Refusal, Standard_Failure, MemoryError) as error:
-        raise CellError(f"{cell.label}: {said_by(error)}") from error
+        kind = error.kind if isinstance(error, Refusal) else Kind.NO_RESULT
+        raise CellError(f"cannot be solved: {said_by(error)}", kind=kind, field=cell.label) from error
     body = solved.body
     arrays = {"energies": body.energies}
     models = {}
@@ -239,9 +206,6 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
 
 def rebuilt(task: CellTask, record: CellRecord, grid: NDArray[np.float64], cached: bool) -> CellSolution:
     """Solution of a cell on a grid of frequencies, (n_freq,) float64 in Hz, from its record."""
-    from acoustic_fem.cell.condensed import CondensedBody, Pumped
-    from acoustic_fem.numerics.rational_sweep import ReducedModel
-
     arrays, about = record
 
     def model(name: str) -> ReducedModel:

@@ -14,21 +14,23 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped, ThermalField, condense
+from acoustic_fem.fields.cylinder_heat import CylinderAir, CylinderField, cylinder_field
+from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.numerics.refinement import BEST_ORDER, FLOW_ORDER, HEAT_ORDER, Refinement, refined
 from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
 from acoustic_fem.quantities.medium import Medium
+from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, mesh_solid, refuse_large_mesh
+from geometry.air.solid_checks import sound_solid
+from geometry.air.straight_bores import shortened
+from geometry.air.volume import MIRROR
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 if TYPE_CHECKING:
     import cadquery
-
-    from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped, ThermalField
-    from acoustic_fem.fields.cylinder_heat import CylinderAir, CylinderField
-    from acoustic_fem.fields.diffusion import DiffusionField
-    from geometry.air.mesh import MeshSizes, Point, SolidMesh
 
 #: Called with what is being done and the fraction of it that is done.
 Progress: TypeAlias = Callable[[str, float], None]
@@ -63,14 +65,10 @@ class MarkedSolid:
 
     def mesh(self, sizes: MeshSizes, beat: Callable[[], None]) -> SolidMesh:
         """The body meshed; ``beat`` is called while gmsh is at work."""
-        from geometry.air.mesh import mesh_solid
-
         return mesh_solid(self.shape, self.points, tuple(self.faces.tubes), sizes, beat)
 
     def shortened(self) -> MarkedSolid:
         """The same body, of whose straight bores only the pieces at the mouths are meshed."""
-        from geometry.air.straight_bores import shortened
-
         short = shortened(self.shape, self.points, self.faces.tubes)
         lengths = [bore.length for bore in short.bores]
         cylinder = None if self.cylinder is None else self.cylinder.shortened(lengths)
@@ -149,10 +147,10 @@ def port_admittance(
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: four refinements do not reach the accuracy.
     """
-    grid = frequency_grid(np.atleast_1d(numbers("frequency", frequency)))
+    grid = frequency_grid(frequency if isinstance(frequency, str) else np.atleast_1d(numbers("frequency", frequency)))
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
     admittance = solved.body.nodal_admittance(grid)
-    return admittance[0] if np.ndim(frequency) == 0 else admittance
+    return admittance if isinstance(frequency, str) or np.ndim(frequency) else admittance[0]
 
 
 def solve_solid(
@@ -180,16 +178,13 @@ def solve_solid(
     Raises:
         As :func:`port_admittance`.
     """
-    from acoustic_fem.cell.condensed import AirModel, BodyFaces
     from geometry.air.mirror_symmetry import mirror_half
-    from geometry.air.solid_checks import sound_solid
-    from geometry.air.volume import MIRROR
 
     accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)
     physics = checked_physics(fidelity)
     ports = port_points(ports)
     if not isinstance(medium, Medium):
-        raise Refusal(f"medium must be a Medium, not a {type(medium).__name__}")
+        raise Refusal(f"must be a Medium, not a {type(medium).__name__}", kind=Kind.WRONG_TYPE, field="medium")
     shape = sound_solid(as_shape(solid))
     box = shape.BoundingBox()
     half = mirror_half(shape, ports) if MIRROR not in ports else None
@@ -220,8 +215,6 @@ def converge(
     Raises:
         ConvergenceError: four refinements do not reach the accuracy.
     """
-    from geometry.air.mesh import MOST_ELEMENTS, refuse_large_mesh
-
     started = time.perf_counter()
     solid = solid.shortened()
     highest = float(goal.frequencies(air.band)[-1])
@@ -241,8 +234,6 @@ def _closed_heat(
     solid: MarkedSolid, air: AirModel, goal: MeshGoal
 ) -> tuple[CylinderField, float, list[Refinement]] | None:
     """The thermal field of a cylinder with bores, its error in the compliance, no mesh; None where it will not do."""
-    from acoustic_fem.fields.cylinder_heat import cylinder_field
-
     if solid.cylinder is None or (air.medium.gamma - 1) * solid.cylinder.mean_error > goal.accuracy / 2:
         return None
     field = cylinder_field(solid.cylinder, air.medium.thermal_diffusivity, air.band)
@@ -254,8 +245,6 @@ def _converged_heat(
     solid: MarkedSolid, air: AirModel, goal: MeshGoal, report: Callable[[float], None]
 ) -> tuple[DiffusionField, float, list[Refinement]]:
     """The thermal field, its error in the compliance and its meshes."""
-    from acoustic_fem.fields.diffusion import diffusion_field
-
     medium, checked = air.medium, goal.frequencies(air.band)
 
     def heat_on(scale: float, advance: Callable[[float], None]) -> tuple[DiffusionField, int]:
@@ -278,8 +267,6 @@ def _converged_flow(
     solid: MarkedSolid, heat: ThermalField, air: AirModel, goal: MeshGoal, report: Callable[[float], None]
 ) -> tuple[CondensedBody, float, list[Refinement]]:
     """The condensed body, its error in the admittances and its meshes."""
-    from acoustic_fem.cell.condensed import condense
-
     checked = goal.frequencies(air.band)
 
     pumped: Pumped | None = None
@@ -322,7 +309,8 @@ def checked_physics(fidelity: str) -> Physics:
     for name in PHYSICS:
         if fidelity == name:
             return name
-    raise Refusal(f"fidelity = {fidelity!r} must be one of {', '.join(PHYSICS)} for a 3-D cell")
+    allowed = f"one of {', '.join(PHYSICS)} for a 3-D cell"
+    raise Refusal(kind=Kind.OUT_OF_RANGE, field="fidelity", value=fidelity, allowed=allowed)
 
 
 def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -> cadquery.Shape:
@@ -340,5 +328,5 @@ def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -
     shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
     if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
         held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
-        raise Refusal(f"solid must be one CadQuery shape, it holds {held}")
+        raise Refusal(f"must be one CadQuery shape, it holds {held}", kind=Kind.WRONG_TYPE, field="solid")
     return shapes[0]

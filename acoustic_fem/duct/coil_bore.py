@@ -29,9 +29,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.duct.plane_wave import Line, diffusion_rate
 from acoustic_fem.numerics.rational_sweep import reduce_system
-from acoustic_fem.quantities.checks import positive
+from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: Columns of elements over a quarter of the wire; see tests/acoustic_fem/duct/test_coil_bore.py for the error.
 REFINEMENT = 12
@@ -59,11 +59,12 @@ class CoilBore(Line):
         outer = float(positive("outer_diameter", self.outer_diameter, "m"))
         wire = float(positive("wire_diameter", self.wire_diameter, "m"))
         if wire >= outer / 4:
-            raise Refusal(f"wire_diameter = {wire:g} m must be below a quarter of outer_diameter = {outer:g} m")
+            allowed = f"below a quarter of outer_diameter = {outer:g} m"
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="wire_diameter", value=wire, unit="m", allowed=allowed)
         if int(self.refinement) != self.refinement or self.refinement < 2:
-            raise Refusal(f"refinement = {self.refinement} must be a whole number of at least 2")
-        if not 0.02 <= self.cusp <= 0.5:
-            raise Refusal(f"cusp = {self.cusp:g} rad must be between 0.02 and 0.5 rad")
+            allowed = "a whole number of at least 2"
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="refinement", value=self.refinement, allowed=allowed)
+        in_range("cusp", self.cusp, 0.02, 0.5, "rad")
 
     @property
     def crest_radius(self) -> float:

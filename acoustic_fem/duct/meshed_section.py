@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -17,7 +16,8 @@ from skfem.helpers import dot, grad
 from acoustic_fem.duct.sections import Section
 from acoustic_fem.numerics.rational_sweep import reduce_system
 from acoustic_fem.quantities.checks import positive
-from geometry.ground.refusal import Refusal
+from geometry.ground.caller_warnings import warn_caller
+from geometry.ground.refusal import Kind, Refusal
 
 #: Wall layer sqrt(2/|s|) per element edge on the wall below which a meshed section warns.
 RESOLVED_LAYER = 1.0
@@ -42,11 +42,17 @@ class MeshedSection(Section):
     def __post_init__(self) -> None:
         points, triangles = np.asarray(self.points, dtype=np.float64), np.asarray(self.triangles)
         if points.ndim != 2 or points.shape[1] != 2 or not np.isfinite(points).all():
-            raise Refusal(f"points has shape {points.shape}; it must be (n, 2) and finite")
+            raise Refusal(
+                f"has shape {points.shape}; it must be (n, 2) and finite", kind=Kind.WRONG_TYPE, field="points"
+            )
         if triangles.ndim != 2 or triangles.shape[1] != 6 or not len(triangles):
-            raise Refusal(f"triangles has shape {triangles.shape}; it must be (m, 6) with at least one row")
+            raise Refusal(
+                f"has shape {triangles.shape}; it must be (m, 6) with at least one row",
+                kind=Kind.WRONG_TYPE,
+                field="triangles",
+            )
         if triangles.dtype.kind not in "iu" or triangles.min() < 0 or triangles.max() >= len(points):
-            raise Refusal(f"triangles must hold integers from 0 to {len(points) - 1}")
+            raise Refusal(f"must hold integers from 0 to {len(points) - 1}", kind=Kind.OUT_OF_RANGE, field="triangles")
         clockwise = _corner_areas(points[triangles]) < 0
         triangles = np.where(clockwise[:, None], triangles[:, [0, 2, 1, 5, 4, 3]], triangles).astype(np.int64)
         # counter-clockwise neighbours run along their common edge in opposite directions unless they overlap
@@ -57,7 +63,11 @@ class MeshedSection(Section):
         if bad.any():
             k = int(np.argmax(bad))
             x, y = points[triangles[k, :3]].mean(axis=0)
-            raise Refusal(f"triangle {k} at ({x:g}, {y:g}) m is inverted, overlaps a neighbour or has no area")
+            raise Refusal(
+                f"row {k} at ({x:g}, {y:g}) m is inverted, overlaps a neighbour or has no area",
+                kind=Kind.UNSUITABLE,
+                field="triangles",
+            )
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "triangles", triangles)
 
@@ -87,7 +97,7 @@ class MeshedSection(Section):
         """A triangle with the given corners, (3, 2) float64 in m, of divisions^2 triangles."""
         places = np.asarray(corners, dtype=np.float64)
         if places.shape != (3, 2):
-            raise Refusal(f"corners has shape {places.shape}; it must be (3, 2)")
+            raise Refusal(f"has shape {places.shape}; it must be (3, 2)", kind=Kind.WRONG_TYPE, field="corners")
         edges = np.stack([places[1] - places[0], places[2] - places[0]])
         return _from_map(_triangle_grid(_whole("divisions", divisions)), lambda unit: places[0] + unit @ edges)
 
@@ -105,10 +115,9 @@ class MeshedSection(Section):
         rates = np.abs(np.asarray(rate)).ravel() * self._extent**2
         layer = np.sqrt(2 / rates.max())
         if layer < RESOLVED_LAYER * discrete.wall_edge:
-            warnings.warn(
+            warn_caller(
                 f"the wall layer of {layer * self._extent:.3g} m is thinner than the elements along the wall "
                 f"({discrete.wall_edge * self._extent:.3g} m): refine the mesh",
-                stacklevel=2,
             )
 
         def theta(rates: NDArray[np.float64]) -> NDArray[np.complex128]:
@@ -237,5 +246,5 @@ def _disc(points: NDArray[np.float64], radius: float) -> NDArray[np.float64]:
 
 def _whole(name: str, count: int) -> int:
     if int(count) != count or count < 1:
-        raise Refusal(f"{name} = {count} must be a whole number of at least 1")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=count, allowed="a whole number of at least 1")
     return int(count)

@@ -16,6 +16,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -25,10 +26,12 @@ from scipy.special import jve, zeta
 
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: A complex quantity over frequency: values that broadcast with the frequencies, or a function of Hz.
 Spectrum = ArrayLike | Callable[[NDArray[np.float64]], ArrayLike]
+#: Ducts on longer grids are computed anew each time, so that what is kept stays below 10 MB.
+_LONGEST_GRID = 1024
 
 
 def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
@@ -86,8 +89,24 @@ def port_admittance(
     Raises:
         Refusal: a radius, length or frequency that is not finite and positive.
     """
-    length = positive("length", length, "m")
+    length, radius = positive("length", length, "m"), positive("radius", radius, "m")
+    frequency = positive("frequency", frequency, "Hz")
+    if radius.ndim == length.ndim == 0 and frequency.ndim == 1 and frequency.size <= _LONGEST_GRID:
+        return _duct(float(radius), float(length), frequency.tobytes(), medium).copy()
     return two_port(series_impedance(radius, frequency, medium), shunt_admittance(radius, frequency, medium), length)
+
+
+@lru_cache(maxsize=64)
+def _duct(radius: float, length: float, grid: bytes, medium: Medium) -> NDArray[np.complex128]:
+    """As :func:`port_admittance`, kept: an array has many tubes and cells, and few bores that differ."""
+    return two_port(*_line(radius, grid, medium), length)
+
+
+@lru_cache(maxsize=32)
+def _line(radius: float, grid: bytes, medium: Medium) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Series impedance and shunt admittance per length of a round bore, kept."""
+    frequency = np.frombuffer(grid)
+    return series_impedance(radius, frequency, medium), shunt_admittance(radius, frequency, medium)
 
 
 def two_port(series: ArrayLike, shunt: ArrayLike, length: ArrayLike) -> NDArray[np.complex128]:
@@ -175,10 +194,17 @@ class UserLine(Line):
         try:
             values = np.broadcast_to(values, frequency.shape)
         except ValueError:
-            raise Refusal(f"{name} has shape {values.shape}, the frequencies have {frequency.shape}") from None
+            raise Refusal(
+                f"has shape {values.shape}, the frequencies have {frequency.shape}", kind=Kind.MISMATCH, field=name
+            ) from None
         bad = ~np.isfinite(values) | (values.real < 0) | (values == 0)
         if bad.any():
-            raise Refusal(f"{name} = {values[bad][0]:g} must be finite, not 0, and its real part not negative")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field=name,
+                value=complex(values[bad][0]),
+                allowed="finite, not 0, and its real part not negative",
+            )
         return values
 
 
@@ -200,7 +226,10 @@ class CompliantWall(Line):
         bad = ~(np.isfinite(values) & (values.real >= 0) & (values.imag <= 0))
         if bad.any():
             raise Refusal(
-                f"compliance = {values[bad][0]:g} m^2/Pa must be finite, with real part >= 0 and imaginary <= 0"
+                kind=Kind.OUT_OF_RANGE,
+                field="compliance",
+                value=complex(values[bad][0]),
+                allowed="finite, with real part >= 0 and imaginary <= 0, m^2/Pa",
             )
 
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
@@ -244,14 +273,15 @@ def tube_compliance(
     modulus = float(positive("youngs_modulus", youngs_modulus, "Pa"))
     nu, eta = in_range("poisson_ratio", poisson_ratio, 0.0, 0.5), in_range("loss_factor", loss_factor, 0.0, 2.0)
     if b <= a:
-        raise Refusal(f"outer_radius = {b:g} m must be above inner_radius = {a:g} m")
+        allowed = f"above inner_radius = {a:g} m"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="outer_radius", value=b, unit="m", allowed=allowed)
     wall = (b - a) * (b + a)
     if axial == "held":
         displacement = (1 + nu) * a * ((1 - 2 * nu) * a**2 + b**2) / wall
     elif axial == "free":
         displacement = a * ((b**2 + a**2) / wall + nu)
     else:
-        raise Refusal(f"axial = {axial!r} must be 'held' or 'free'")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="axial", value=axial, allowed=("held", "free"))
     return 2 * np.pi * a * displacement / (modulus * (1 + 1j * eta))
 
 
@@ -358,8 +388,8 @@ def _line_values(
     z, y = np.asarray(series, dtype=np.complex128), np.asarray(shunt, dtype=np.complex128)
     for name, values, bad in (("series", z, ~np.isfinite(z) | (z == 0)), ("shunt", y, ~np.isfinite(y))):
         if bad.any():
-            rule = "finite and not 0" if name == "series" else "finite"
-            raise Refusal(f"{name} = {values[bad].flat[0]:g} must be {rule}")
+            allowed = "finite and not 0" if name == "series" else "finite"
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=complex(values[bad].flat[0]), allowed=allowed)
     total, square = np.broadcast_arrays(z * length, (z * length) * (y * length))
     return total, square
 

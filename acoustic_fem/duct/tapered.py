@@ -17,9 +17,9 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.duct.plane_wave import Line
-from acoustic_fem.quantities.checks import positive
+from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 
 #: Polynomial degree of the elements; the two-port converges with twice that order.
 DEGREE = 4
@@ -96,12 +96,12 @@ def solve(
     whole = float(positive("length", length, "m"))
     grid = np.atleast_1d(positive("frequency", frequency, "Hz"))
     if grid.ndim != 1:
-        raise Refusal(f"frequency has shape {grid.shape}; it must be 1-D")
-    if not 1e-12 <= accuracy <= 0.1:
-        raise Refusal(f"accuracy = {accuracy:g} must be between 1e-12 and 0.1")
+        raise Refusal(f"has shape {grid.shape}; it must be 1-D", kind=Kind.WRONG_TYPE, field="frequency")
+    in_range("accuracy", accuracy, 1e-12, 0.1)
     nodes = np.array([0.0, *breaks, whole])
     if not (np.diff(nodes) > 0).all():
-        raise Refusal(f"breaks = {list(breaks)} m must ascend between 0 and {whole:g} m")
+        allowed = f"places in m that ascend between 0 and {whole:g} m"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="breaks", value=list(breaks), allowed=allowed)
     nodes = _halved(_halved(nodes))
     previous, error = None, np.inf
     while len(nodes) - 1 <= _MAX_ELEMENTS:
@@ -117,8 +117,9 @@ def solve(
         previous = circuit
         nodes = _halved(nodes)
     raise TaperError(
-        f"{_MAX_ELEMENTS} elements leave a change of {error:.2g}, above the accuracy {accuracy:g}: "
-        "give the places where the section jumps as breaks"
+        f"{_MAX_ELEMENTS} elements leave a change of {error:.2g}, above the accuracy {accuracy:g}",
+        kind=Kind.NO_RESULT,
+        remedy=("give the places where the section jumps as ", Field("breaks")),
     )
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import warnings
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.caller_warnings import warn_caller
 
 #: Resistance of one opening in units of mu / a^3: half of the creeping flow through a hole in a thin
 #: plate (R. A. Sampson, Phil. Trans. R. Soc. A 182 (1891) 449).
@@ -19,8 +18,8 @@ RESISTANCE = 1.5
 #: (tests/reference/acoustics.json, "entrance").
 INERTANCE = 0.42
 
-#: Above this a sqrt(w / nu) the constants are no longer fit to be used; the table ends at 1.6.
-LARGEST_SHEAR_NUMBER = 3.0
+#: Largest a sqrt(w / nu) at which the constants are compared with 3-D: that of the atlas of cells.
+LARGEST_SHEAR_NUMBER = 5.0
 
 
 def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
@@ -28,9 +27,9 @@ def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) 
 
     Within 4 % in resistance and 9 % in inertance of the Navier-Stokes table for shear numbers
     a sqrt(w / nu) up to 1.6 and a flat wall much wider than the bore (a cavity of 5 bore radii has 22 to
-    26 % less inertance). Above, the resistance grows: the table extrapolates to 1.8 mu / a^3 at a shear
-    number of 3, where a warning starts. One opening is about 1 % of a tube of 60 radii, so that the error
-    of the tube stays below 0.1 % inside the table and 0.5 % outside.
+    26 % less inertance). Against the atlas of cells, over the cavities of all prototypes, Z is within 12 % up to 1.6,
+    20 % at 3.6 and 27 % at 5, above which a warning starts. One opening is about 1 % of a tube of 60 radii, so that
+    the error of the tube is at most 0.14 % up to 1.6 and 0.4 % up to 5.
 
     Args:
         radius: of the bore, m; broadcasts with frequency.
@@ -46,11 +45,10 @@ def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) 
     radius, omega = positive("radius", radius, "m"), 2 * np.pi * positive("frequency", frequency, "Hz")
     shear = float(np.max(radius * np.sqrt(omega / medium.kinematic_viscosity)))
     if shear > LARGEST_SHEAR_NUMBER:
-        warnings.warn(
+        warn_caller(
             f"entrance loss of a tube: shear number a sqrt(w/nu) = {shear:.2g} is above {LARGEST_SHEAR_NUMBER:g}, "
             f"the largest it is fit for (bore radius {np.max(radius) * 1e3:.3g} mm, up to "
             f"{np.max(omega) / (2 * np.pi):.4g} Hz)",
-            stacklevel=2,
         )
     impedance: NDArray[np.complex128] = (
         RESISTANCE * medium.viscosity / radius**3 + 1j * omega * INERTANCE * medium.density / radius

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
-
-if TYPE_CHECKING:
-    from geometry.air.mesh import MeshSizes
+from geometry.air.mesh import MeshSizes
 
 
 def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tuple[MeshSizes, MeshSizes]:
@@ -29,8 +25,6 @@ def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tu
         medium: the air.
         highest: frequency, Hz.
     """
-    from geometry.air.mesh import MeshSizes
-
     largest = 0.35 * scale * width
     viscous = _layer_thickness(medium.kinematic_viscosity, highest)
     thermal = _layer_thickness(medium.thermal_diffusivity, highest)

@@ -14,6 +14,7 @@ import json
 import os
 from array import array
 from collections.abc import Iterable
+from mmap import ACCESS_READ, mmap
 from pathlib import Path
 from typing import Any
 
@@ -21,9 +22,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from acoustic_fem.library.checksums import CHECKSUMS
 from acoustic_fem.library.netcdf_file import (
     ATTRIBUTES,
+    CHECKSUMS,
     LibraryError,
     dataset_of,
     library_in,
@@ -32,16 +33,17 @@ from acoustic_fem.library.netcdf_file import (
     with_checksums,
     write_netcdf,
 )
-from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
+from acoustic_fem.library.sealed_netcdf import read_netcdf
 from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import read_stored_design
+from geometry.design.design_file import read_completed
 from geometry.ground.array_files import read_npz
 from geometry.ground.csv_files import read_csv
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import MOST_NUMBERS, ordinary_file
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.record import seal_file
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import check_own_kind, whole_file
 from geometry.layout.arrangement import place_housings
@@ -49,7 +51,7 @@ from geometry.layout.placement import point_places
 
 #: Formats of libraries, by the ending of their names: netCDF-4, SOFA, NPZ, CSV.
 FORMATS = (".nc", ".sofa", ".npz", ".csv")
-#: Texts that a file may hold; those without checksums are of older versions.
+#: Texts that a file holds.
 _TEXTS = (*ATTRIBUTES, CHECKSUMS)
 #: Dimension of a library -> letter of SOFA's: emitters, receivers, frequencies.
 _LETTERS = {"point": "E", "microphone": "R", "microphone_2": "R", "frequency": "N"}
@@ -118,23 +120,39 @@ def write_library(library: Library, path: Path) -> None:
 def load(path: str | os.PathLike[str]) -> Library:
     """Read what :func:`export` or :func:`acoustic_fem.save` wrote; every number is the one that was written.
 
-    This is the one reader of libraries: the suffix of the name tells the format.
+    This is the one reader of libraries: the content of the file tells the format, whatever its name is.
 
     Raises:
-        LibraryError: no such file, another suffix, cut short, not of this program, or altered; says what.
+        LibraryError: no such file, cut short, not of this program, or altered; says what.
     """
     path = Path(path)
     ordinary_file(path, "a library", LibraryError)
-    suffix = _suffix(path)
-    if suffix == ".nc":
+    found = _format_of(path)
+    if found == ".nc":
         return load_netcdf(path)
     try:
-        dataset = {".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[suffix](path)
+        dataset = {".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[found](path)
     except LibraryError:
         raise
     except Refusal as error:
         raise LibraryError(f"{path}: {error}") from None
     return library_in(path, dataset)
+
+
+def _format_of(path: Path) -> str:
+    """Format of the content of a file, as the suffix that it should have."""
+    with path.open("rb") as file:
+        head = file.read(1024)
+        if head.startswith(b"\x89HDF\r\n\x1a\n"):
+            # By its bytes: HDF5 follows what a damaged file says.
+            with mmap(file.fileno(), 0, access=ACCESS_READ) as content:
+                return ".nc" if content.find(b"SOFAConventions") < 0 else ".sofa"
+    if head.startswith(b"PK"):
+        return ".npz"
+    if head and b"\0" not in head:
+        return ".csv"
+    what = "is empty" if not head else "holds neither netCDF, SOFA, NPZ nor CSV"
+    raise LibraryError(f"{what}: it is no library", kind=Kind.UNREADABLE, file=path)
 
 
 def _suffix(path: Path) -> str:
@@ -177,7 +195,7 @@ def _design(attributes: dict[str, Any]) -> ArrayDesign:
     missing = [name for name in ATTRIBUTES if not isinstance(attributes.get(name), str)]
     if missing:
         raise Refusal(f"was not written by this program: it has no {missing[0]}")
-    return read_stored_design(attributes["design_toml"], "design_toml")
+    return read_completed(attributes["design_toml"], "design_toml")
 
 
 # -- SOFA -----------------------------------------------------------------------------------------------------------
@@ -213,7 +231,7 @@ def _write_sofa(library: Library, path: Path) -> None:
         sofa.add_attribute(f"GLOBAL_{_sofa_name(name)}", dataset.attrs[name])
     with whole_file(path) as beside:
         sofar.write_sofa(str(beside), sofa)
-        seal(beside)
+        seal_file(beside)
 
 
 def _places(design: ArrayDesign) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

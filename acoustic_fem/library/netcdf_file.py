@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-import warnings
 from collections.abc import Iterable
 from dataclasses import asdict, fields
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +13,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from acoustic_fem.library.checksums import CHECKSUMS, NoChecksumWarning, check_checksums, checksums
 from acoustic_fem.library.physics import check_physics
-from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
+from acoustic_fem.library.sealed_netcdf import read_netcdf
 from acoustic_fem.library.transfer_functions import (
     DEVIATION,
     MEASURED,
@@ -29,8 +26,9 @@ from acoustic_fem.library.transfer_functions import (
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
-from geometry.design.design_file import read_stored_design, write_design
-from geometry.ground.refusal import Refusal, counted
+from geometry.design.design_file import read_completed, write_design
+from geometry.ground.record import seal_file, sha256
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.whole_files import whole_file
 from geometry.layout.placement import point_places
 
@@ -39,6 +37,8 @@ _TITLE = "acoustic-fem library"
 _LAYOUT_VERSION = 1
 #: Text attributes that every library carries, and its coordinates.
 ATTRIBUTES = ("fidelity", "design_toml", "medium", "provenance")
+CHECKSUMS = "checksums"
+"""Attribute of a data set: SHA-256 of each of its attributes and variables by name, as JSON."""
 _DEVIATION = "transfer_function_deviation"
 _COORDINATES = ("point", "line", "place", "microphone", "frequency")
 
@@ -63,7 +63,7 @@ def write_netcdf(library: Library, path: Path) -> None:
         with whole_file(path) as beside:
             # in memory: HDF5 ends the process where the disk is full
             beside.write_bytes(dataset.to_netcdf(engine="h5netcdf", format="NETCDF4", encoding=checked))
-            seal(beside)
+            seal_file(beside)
     except OSError as error:
         raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
 
@@ -98,17 +98,31 @@ def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.
 
 def with_checksums(dataset: xr.Dataset) -> xr.Dataset:
     """A library as files hold it, with a hash of each of the members that it has."""
-    return dataset.assign_attrs({CHECKSUMS: checksums(dataset, ATTRIBUTES, _hashed())})
+    return dataset.assign_attrs({CHECKSUMS: json.dumps(_checksums(dataset))})
+
+
+def _checksums(dataset: xr.Dataset) -> dict[str, str]:
+    found = {name: sha256(dataset.attrs[name]) for name in ATTRIBUTES}
+    for name, dimensions in {"frequency": ("frequency",), **real_variables()}.items():
+        if name in dataset.variables:
+            values = np.ascontiguousarray(dataset[name].transpose(*dimensions).values, "<f8")
+            found[name] = sha256(str(values.shape), values.tobytes())
+    return found
+
+
+def _check_checksums(dataset: xr.Dataset) -> None:
+    """Refuse a data set of which a member is not the one that was written."""
+    stored, found = _json_object(dataset.attrs[CHECKSUMS], CHECKSUMS), _checksums(dataset)
+    for name in dict.fromkeys((*stored, *found)):
+        if stored.get(name) != found.get(name):
+            how = "is not what was written (its SHA-256 differs)" if name in found else "is missing, which was written"
+            raise Refusal(how, kind=Kind.DAMAGED, field=name, remedy=f"compare it with the attribute {CHECKSUMS}")
 
 
 def real_variables() -> dict[str, tuple[str, ...]]:
     """Names of the real variables that a file may hold, and their dimensions."""
     parts = {f"{name}_{part}": row[0] for name, row in VARIABLES.items() for part in ("real", "imag")}
     return {**parts, _DEVIATION: DEVIATION[0]}
-
-
-def _hashed() -> dict[str, tuple[str, ...]]:
-    return {"frequency": ("frequency",), **real_variables()}
 
 
 def load_netcdf(path: str | os.PathLike[str]) -> Library:
@@ -138,24 +152,15 @@ def _dataset(file: Any) -> xr.Dataset:
 
 
 def library_in(path: Path, dataset: xr.Dataset) -> Library:
-    """The library that a file holds; one without checksums is told of.
+    """The library that a file holds.
 
     Raises:
-        LibraryError: as :func:`library_of`.
+        LibraryError: as :func:`library_of`; names the file.
     """
     try:
-        library = library_of(dataset)
+        return library_of(dataset)
     except Refusal as error:
-        raise LibraryError(f"{path}: {error}") from None
-    if CHECKSUMS not in dataset.attrs:
-        _tell(f"{path}: has no checksums, damage to it cannot be noticed; convert it to have them")
-    return library
-
-
-@lru_cache(maxsize=1000)
-def _tell(note: str) -> None:
-    """Warn once, however often a file is read."""
-    warnings.warn(note, NoChecksumWarning, stacklevel=1)
+        raise LibraryError.of(error, file=path) from None
 
 
 def library_of(dataset: xr.Dataset) -> Library:
@@ -170,15 +175,20 @@ def library_of(dataset: xr.Dataset) -> Library:
     missing = [name for name in (*missing, *_COORDINATES) if name not in dataset.variables]
     missing += [name for name in ATTRIBUTES if name not in dataset.attrs]
     if missing:
-        raise Refusal(f"is no complete library, {missing[0]} is missing")
-    for name in ATTRIBUTES:
+        raise Refusal("is missing: this is no complete library", kind=Kind.MISSING, field=missing[0])
+    if CHECKSUMS not in dataset.attrs:
+        raise Refusal(
+            "are missing: an older version wrote this library, or another program removed them",
+            kind=Kind.MISSING, field=CHECKSUMS, remedy="make the library again",
+        )  # fmt: skip
+    for name in (*ATTRIBUTES, CHECKSUMS):
         if not isinstance(dataset.attrs[name], str):
-            raise Refusal(f"attribute {name} must be a text")
+            raise Refusal("must be a text", kind=Kind.WRONG_TYPE, field=f"attribute {name}")
     fidelity = dataset.attrs["fidelity"]
     known = (*FIDELITIES, MEASURED)
     if fidelity not in known:
         raise Refusal(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(known)}")
-    design = read_stored_design(dataset.attrs["design_toml"], "attribute design_toml")
+    design = read_completed(dataset.attrs["design_toml"], "attribute design_toml")
     lines, places = zip(*point_places(design), strict=True)
     for name, expected in (
         ("point", list(range(1, len(lines) + 1))),
@@ -196,7 +206,7 @@ def library_of(dataset: xr.Dataset) -> Library:
         _json_object(dataset.attrs["provenance"], "provenance"),
         _deviation(dataset) if _DEVIATION in dataset else None,
     )
-    check_checksums(dataset, ATTRIBUTES, _hashed())
+    _check_checksums(dataset)
     check_physics(library)
     return library
 

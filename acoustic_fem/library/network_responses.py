@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
+from acoustic_fem.atlas.cell_table import cell_atlas
+from acoustic_fem.cell.design_cells import solve_cells
+from acoustic_fem.cell.lumped import lumped_admittance
+from acoustic_fem.membrane.disc import KnownDiscs
+from acoustic_fem.network.array_network import solve_network
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import ComplexArray
 from geometry.layout.arrangement import place_housings
 
 #: Called with what is being done and the fraction done, 0 to 1.
@@ -37,20 +45,60 @@ def array_responses(
         Arrays by the names, shapes and units of :data:`acoustic_fem.library.transfer_functions.VARIABLES`, and a
         summary of each cell as JSON can hold it.
     """
+    solved: list[dict[str, Any]] = []
+
+    def admittances(cells: tuple[Cell, ...]) -> dict[Cell, ComplexArray]:
+        found, about = _cell_admittances(cells, frequency, fidelity, medium, report)
+        solved.extend(about)
+        report("network", 0.95)
+        return found
+
+    return joined_cells(design, frequency, medium, admittances), solved
+
+
+def joined_cells(
+    design: ArrayDesign,
+    frequency: NDArray[np.float64],
+    medium: Medium,
+    admittances: Callable[[tuple[Cell, ...]], Mapping[Cell, ComplexArray]],
+    discs: KnownDiscs | None = None,
+) -> dict[str, NDArray[np.complex128]]:
+    """Responses of an array whose cells are solved by the caller.
+
+    Args:
+        design: the array.
+        frequency: (n_freq,) float64, ascending, Hz.
+        medium: the air.
+        admittances: gives the admittances of its distinct cells, (n_freq, n_port, n_port) complex128, m^3/(Pa s).
+        discs: membranes that need not be solved.
+
+    Returns:
+        Arrays by the names, shapes and units of :data:`acoustic_fem.library.transfer_functions.VARIABLES`.
+    """
     layout = place_housings(design)
     catalogue = cell_catalogue(design, layout)
-    admittances, solved = _cell_admittances(catalogue.distinct, frequency, fidelity, medium, report)
-
-    from acoustic_fem.network.array_network import solve_network
-
-    report("network", 0.95)
-    response = solve_network(design, layout, catalogue, admittances, frequency, medium)
+    response = solve_network(design, layout, catalogue, admittances(catalogue.distinct), frequency, medium, discs)
     return {
         "transfer_function": response.source_response / response.point_impedance[:, None, :],
         "source_response": response.source_response,
         "point_impedance": response.point_impedance,
         "microphone_impedance": response.microphone_impedance,
-    }, solved
+    }
+
+
+def closed_form(fidelity: str, cell: Cell, frequency: NDArray[np.float64], medium: Medium) -> ComplexArray:
+    """Admittance of a cell at a fidelity of :data:`acoustic_fem.quantities.fidelity.CLOSED_FORMS`.
+
+    Args:
+        fidelity: "lumped" or "atlas".
+        cell: the cell.
+        frequency: (n_freq,) float64, ascending, Hz.
+        medium: the air.
+
+    Returns:
+        (n_freq, n_port, n_port) complex128, m^3/(Pa s).
+    """
+    return (lumped_admittance if fidelity == "lumped" else atlas_admittance)(cell, frequency, medium)
 
 
 def _cell_admittances(
@@ -61,35 +109,26 @@ def _cell_admittances(
     report: Report,
 ) -> tuple[dict[Cell, NDArray[np.complex128]], list[dict[str, Any]]]:
     """Nodal admittances of the cells, and how each was obtained."""
-    if fidelity == "lumped":
-        from acoustic_fem.cell.lumped import lumped_admittance
-
-        return (
-            {cell: lumped_admittance(cell, frequency, medium) for cell in cells},
-            [{"cell": cell.label, "method": "closed form"} for cell in cells],
-        )
-    if fidelity == "atlas":
-        from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
-        from acoustic_fem.atlas.cell_table import cell_atlas
-
-        atlas = cell_atlas()
-        atlas.warn_above(frequency)
-        atlas.warn_below(least_angle(cells))
-        about = {
-            "method": f"atlas of cells, table {atlas.digest}",
-            "errors": dict(atlas.errors),
-            "errors_up_to_hz": atlas.known_up_to,
-            "errors_from_degrees": atlas.known_from,
-        }
-        return (
-            {cell: atlas_admittance(cell, frequency, medium) for cell in cells},
-            [{"cell": cell.label, **about} for cell in cells],
-        )
-    from acoustic_fem.cell.design_cells import solve_cells
-
+    if fidelity in CLOSED_FORMS:
+        about: dict[str, Any] = {"method": "closed form"} if fidelity == "lumped" else _about_atlas(cells, frequency)
+        found = {cell: closed_form(fidelity, cell, frequency, medium) for cell in cells}
+        return found, [{"cell": cell.label, **about} for cell in cells]
     solutions = solve_cells(
         cells, frequency, medium, fidelity, progress=lambda label, fraction: report(label, 0.95 * fraction)
     )
     admittances = {cell: solution.admittance for cell, solution in solutions.items()}
     solved = [{"cell": cell.label, **solution.summary()} for cell, solution in solutions.items()]
     return admittances, solved
+
+
+def _about_atlas(cells: tuple[Cell, ...], frequency: NDArray[np.float64]) -> dict[str, Any]:
+    """What a library says of cells in the atlas; warns where its errors are not known."""
+    atlas = cell_atlas()
+    atlas.warn_above(frequency)
+    atlas.warn_below(least_angle(cells))
+    return {
+        "method": f"atlas of cells, table {atlas.digest}",
+        "errors": dict(atlas.errors),
+        "errors_up_to_hz": atlas.known_up_to,
+        "errors_from_degrees": atlas.known_from,
+    }

@@ -10,9 +10,8 @@ quantisation are not in it.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 import xarray as xr
@@ -23,7 +22,8 @@ from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.network.microphone import noise_density as own_noise_density, noise_density_behind_vent
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.caller_warnings import warn_caller
+from geometry.ground.refusal import Kind, Refusal, counted
 
 #: J/K, exact (SI 2019).
 BOLTZMANN = 1.380649e-23
@@ -57,7 +57,8 @@ def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> NDArray[
     """
     matrix = np.asarray(impedance, dtype=np.complex128)
     if matrix.ndim < 2 or matrix.shape[-1] != matrix.shape[-2]:
-        raise Refusal(f"impedance has shape {matrix.shape}; it must be (..., n, n)")
+        problem = f"has shape {matrix.shape}; it must be (..., n, n)"
+        raise Refusal(problem, kind=Kind.WRONG_TYPE, field="impedance")
     factor = 2 * BOLTZMANN * positive("temperature", temperature, "K")
     return np.asarray(factor[..., None, None] * (matrix + matrix.swapaxes(-1, -2).conj()))
 
@@ -255,7 +256,11 @@ def matched_filter_snr(
     grid = library.frequency
     given = np.asarray(spectrum, dtype=np.complex128)
     if given.shape not in ((), grid.shape) or not np.all(np.isfinite(given)):
-        raise Refusal(f"spectrum has shape {given.shape}; it must be one finite value or {grid.shape} of them")
+        raise Refusal(
+            f"has shape {given.shape}; it must be one finite value or {grid.shape} of them",
+            kind=Kind.WRONG_TYPE,
+            field="spectrum",
+        )
     power = xr.DataArray(np.broadcast_to(np.abs(given) ** 2, grid.shape), dims="frequency")
     density = _snr_density(library, touch, microphones, noise_at, contact_radius)
     snr = 4 * _integrated(density * power, band)
@@ -266,8 +271,10 @@ def _impedance(library: Library) -> NDArray[np.complex128]:
     """(n_freq, n_microphone, n_microphone)."""
     if library.microphone_impedance is None:
         raise Refusal(
-            "the library has no microphone_impedance, so its thermal noise is unknown: it was measured or saved by "
-            "an older version; solve its design again"
+            "is missing in the library, which was measured or made from other data, so its thermal noise is unknown",
+            kind=Kind.MISSING,
+            field="microphone_impedance",
+            remedy="solve its design again",
         )
     return np.asarray(library.microphone_impedance.transpose("frequency", "microphone", "microphone_2").values)
 
@@ -277,7 +284,7 @@ def _own_density(library: Library, noise_at: NoiseAt) -> NDArray[np.float64]:
         return own_noise_density(library.design.microphone, library.frequency)
     if noise_at == "output":
         return noise_density_behind_vent(library.design.microphone, library.frequency, library.medium)
-    raise Refusal(f"noise_at = {noise_at!r} must be one of: front, output")
+    raise Refusal(kind=Kind.OUT_OF_RANGE, field="noise_at", value=noise_at, allowed=get_args(NoiseAt))
 
 
 def _snr_density(
@@ -292,9 +299,11 @@ def _snr_density(
     names = [str(name) for name in response["microphone"].values]
     for name in microphones or ():
         if name not in names:
-            raise Refusal(f"microphones: {name!r} must be one of: {', '.join(names)}")
+            raise Refusal(kind=Kind.UNKNOWN, field="microphones", value=name, allowed=names)
     if microphones is not None and len(set(microphones)) != max(len(microphones), 1):
-        raise Refusal(f"microphones = {list(microphones)} must name at least one, and none twice")
+        raise Refusal(
+            "must name at least one, and none twice", kind=Kind.OUT_OF_RANGE, field="microphones", value=[*microphones]
+        )
     chosen = [names.index(name) for name in (names if microphones is None else microphones)]
     noise = noise_covariance(library, noise_at)[:, chosen][:, :, chosen]
     signal = response.transpose("frequency", "microphone", "point").values[:, chosen]
@@ -307,15 +316,16 @@ def _integrated(density: xr.DataArray, band: tuple[float, float]) -> xr.DataArra
     low, high = (float(positive("band", edge, "Hz")) for edge in band)
     if not grid[0] <= low < high <= grid[-1]:
         raise Refusal(
-            f"band = ({low:g}, {high:g}) Hz must ascend and lie within the library's grid, "
-            f"{grid[0]:g} to {grid[-1]:g} Hz"
+            f"Hz must ascend and lie within the grid of the library, {grid[0]:g} to {grid[-1]:g} Hz",
+            kind=Kind.OUT_OF_RANGE,
+            field="band",
+            value=(low, high),
         )
     inside = grid[(grid > low) & (grid < high)]
     if len(inside) < _FEWEST_FREQUENCIES:
-        warnings.warn(
+        warn_caller(
             f"noise: within {low:g} to {high:g} Hz the library has only {counted(len(inside), 'frequency')}; the "
             "integral over the band is rough",
-            stacklevel=3,
         )
     points = np.concatenate([[low], inside, [high]])
     return density.interp(frequency=points).integrate("frequency")

@@ -12,7 +12,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from acoustic_fem.library.transfer_functions import MEASURED, Library
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: Part of the size of impedances by which resistances may be negative, and impedances unequal, from rounding: cells
 #: in 3-D are symmetric and passive to 1e-9.
@@ -45,12 +45,12 @@ def _check_heard(transfer_function: xr.DataArray) -> None:
     h = transfer_function.values
     silent = np.flatnonzero(~np.any(h, axis=(1, 2)))
     if len(silent) == len(h):
-        raise Refusal("variable transfer_function is zero everywhere; no sensor is silent")
+        raise _unphysical("transfer_function", "is zero everywhere; no sensor is silent")
     if len(silent):
         point = transfer_function["point"].values[silent[0]]
-        raise Refusal(f"variable transfer_function is zero at point {point} everywhere; no point is silent")
+        raise _unphysical("transfer_function", f"is zero at point {point} everywhere; no point is silent")
     if h.shape[2] > 1 and (h == h[..., :1]).all():
-        raise Refusal("variable transfer_function is the same at all frequencies; that of no sensor is")
+        raise _unphysical("transfer_function", "is the same at all frequencies; that of no sensor is")
 
 
 def _check_product(library: Library) -> None:
@@ -61,10 +61,14 @@ def _check_product(library: Library) -> None:
         near = np.abs(library.source_response.values - product) <= 1e-5 * np.abs(product) + 1e-280
     wrong = ~(near & np.isfinite(product))
     if wrong.any():
-        raise Refusal(
-            f"variable source_response is not transfer_function times point_impedance at {_place(h, wrong)}; "
-            "one of the three was changed"
+        raise _unphysical(
+            "source_response",
+            f"is not transfer_function times point_impedance at {_place(h, wrong)}; one of the three was changed",
         )
+
+
+def _unphysical(variable: str, problem: str) -> Refusal:
+    return Refusal(problem, kind=Kind.UNSUITABLE, field=variable)
 
 
 def _check_passive(name: str, array: xr.DataArray, values: NDArray[np.complex128]) -> None:
@@ -72,11 +76,14 @@ def _check_passive(name: str, array: xr.DataArray, values: NDArray[np.complex128
     if wrong.any():
         found = values.real[tuple(np.argwhere(wrong)[0])]
         raise Refusal(
-            f"variable {name}_real = {found:g} Pa s/m^3 at {_place(array, wrong)} must be positive: "
-            "what is passive gives no power"
+            f"at {_place(array, wrong)} must be positive: a passive part gives no power",
+            kind=Kind.UNSUITABLE,
+            field=f"{name}_real",
+            value=float(found),
+            unit="Pa s/m^3",
         )
     if (values == 0).any():
-        raise Refusal(f"variable {name} is zero at {_place(array, values == 0)}; nothing yields without end")
+        raise _unphysical(name, f"is zero at {_place(array, values == 0)}; no part of a sensor has no impedance")
 
 
 def _check_microphones(impedance: xr.DataArray) -> None:
@@ -86,9 +93,9 @@ def _check_microphones(impedance: xr.DataArray) -> None:
     size = np.sqrt(np.abs(own))
     wrong = np.abs(z - z.swapaxes(0, 1)) > _ROUNDING * size[:, None] * size[None]
     if wrong.any():
-        raise Refusal(
-            f"variable microphone_impedance is not reciprocal at {_place(impedance, wrong)}: "
-            "exchanging its microphones must change nothing"
+        raise _unphysical(
+            "microphone_impedance",
+            f"is not reciprocal at {_place(impedance, wrong)}: exchanging its microphones must change nothing",
         )
 
 
@@ -99,9 +106,10 @@ def _check_shared(library: Library, microphone_impedance: xr.DataArray) -> None:
         room = point.real * own.real + _ROUNDING * np.abs(point) * np.abs(own)
         wrong = ~(source.values.real**2 <= room)
     if wrong.any():
-        raise Refusal(
-            f"variable source_response is not passive at {_place(source, wrong)}: its resistance must be at most the "
-            "root of those of point_impedance and microphone_impedance"
+        raise _unphysical(
+            "source_response",
+            f"is not passive at {_place(source, wrong)}: its resistance must be at most the root of those of "
+            "point_impedance and microphone_impedance",
         )
 
 

@@ -10,8 +10,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from acoustic_fem.quantities.checks import one_of
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
@@ -73,8 +73,7 @@ def touch_flow(
     # Here, so that a library can be read and looked at without the finite elements.
     from acoustic_fem.membrane.disc import design_disc, design_rubber
 
-    if touch not in TOUCHES:
-        raise Refusal(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
+    one_of("touch", touch, tuple(TOUCHES))
     grid = np.asarray(point_impedance["frequency"].values)
     rubber = design_rubber(design)
     vacuum = membranes_in_vacuo(

@@ -17,7 +17,7 @@ from acoustic_fem.library.touch_pressure import touch_flow, touch_response
 from acoustic_fem.quantities.local_air import LocalAir, design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.placement import point_places
 
 #: What stands in place of a fidelity in a library made from recordings (:mod:`acoustic_fem.calibration`).
@@ -147,6 +147,8 @@ class Library:
 
     def in_air(
         self,
+        air: LocalAir | None = None,
+        *,
         pressure: float | None = None,
         temperature_c: float | None = None,
         humidity: float | None = None,
@@ -160,6 +162,7 @@ class Library:
         0 degC. The rubber stays as it was: what it does with temperature is no matter of the air.
 
         Args:
+            air: of the place; in place of all other arguments.
             pressure: static pressure there, not reduced to sea level, 5e4 to 1.2e5 Pa.
             temperature_c: temperature, -20 to 60 degC.
             humidity: relative, 0 to 1.
@@ -170,18 +173,23 @@ class Library:
             nothing changes.
 
         Raises:
-            Refusal: a value out of range, pressure and altitude at once, or a library of other air than its design's.
+            Refusal: a value out of range, pressure and altitude at once, an air beside values of its own, or a library
+                of other air than its design's.
         """
-        values = LocalAir(pressure, altitude, temperature_c, humidity).design_values
+        stated = LocalAir(pressure, altitude, temperature_c, humidity)
+        if air is not None and stated.design_values:
+            raise Refusal("must not be given beside values of its own", kind=Kind.CONFLICT, field="air")
+        values = (air or stated).design_values
         if not values:
             return self
         design = self.design.with_values(values)
         medium, before = design_air(design), design_air(self.design)
         if not np.allclose(astuple(self.medium), astuple(before), rtol=1e-6):
             raise Refusal(
-                f"{self.design.name}: its library was made in a medium of its own (pressure {self.medium.pressure:g} "
-                f"Pa, viscosity {self.medium.viscosity:g} Pa s) and not in the air of its design: which is meant is "
-                "not known"
+                f"of the library of {self.design.name} (pressure {self.medium.pressure:g} Pa, viscosity "
+                f"{self.medium.viscosity:g} Pa s) is not the air of its design, so its other air is not known",
+                kind=Kind.CONFLICT,
+                field="medium",
             )
         if design.air == self.design.air:
             return self

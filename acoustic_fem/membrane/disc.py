@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -15,7 +14,8 @@ from acoustic_fem.membrane.solved_discs import solved_disc
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.caller_warnings import warn_caller
+from geometry.ground.refusal import Kind, Refusal
 
 #: Radius of the contact patch per radius of the opening, where none is given.
 CONTACT = 0.25
@@ -147,10 +147,9 @@ class DiscSolution:
         """
         frequency = positive("frequency", frequency, "Hz")
         if frequency.size and frequency.max() > self.modes.frequency[-1] / 2:
-            warnings.warn(
+            warn_caller(
                 f"membrane: {frequency.max():.4g} Hz is above half of the highest mode that is kept "
                 f"({self.modes.frequency[-1]:.4g} Hz in vacuo)",
-                stacklevel=2,
             )
         model = self.model
         square = (2 * np.pi * frequency * self.opening) ** 2 * self.density / self.modulus
@@ -241,7 +240,13 @@ def shape_of_disc(
     stretch, tension, boss_radius = options.stretch, options.tension, options.boss_radius
     in_range("stretch", stretch, 1, _LARGEST_STRETCH)
     if stretch != 1 and tension != 0:
-        raise Refusal(f"stretch = {stretch:g} must not be given beside tension = {tension:g} N/m; give one of the two")
+        raise Refusal(
+            f"must not be given beside tension = {tension:g} N/m",
+            kind=Kind.CONFLICT,
+            field="stretch",
+            value=stretch,
+            remedy="give one of the two",
+        )
     if stretch != 1:
         in_range("thickness", thickness, 0.01 * radius * less, np.inf, "m")
         tension = thickness * youngs_modulus * (1 - stretch**-6) / 3
@@ -252,9 +257,13 @@ def shape_of_disc(
     glue = _glue(radius, thickness, rim_width, options.glue_width)
     raised = _raised(radius, rim_width, options.rim_height, boss_radius, options.boss_height)
     if raised is not None and tension != 0:
+        name = "rim_height" if options.rim_height else "boss_height"
         raise Refusal(
-            f"rim_height = {options.rim_height:g} m, boss_height = {options.boss_height:g} m must be 0 under a tension "
-            "or a stretch: only a flat disc is stretched evenly"
+            "must be 0 under a tension or a stretch: only a flat disc is stretched evenly",
+            kind=Kind.CONFLICT,
+            field=name,
+            value=getattr(options, name),
+            unit="m",
         )
     contact = (boss_radius or CONTACT * radius) if options.contact_radius is None else options.contact_radius
     in_range("contact_radius", contact, 0.02 * radius, (boss_radius or 0.9 * radius) * more, "m")
@@ -274,8 +283,13 @@ def _glue(radius: float, thickness: float, rim_width: float, glue_width: float |
         in_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
         return glue
     if glue_width is not None:
-        raise Refusal(f"glue_width = {glue_width:g} m needs a rim: rim_width = 0 clamps the lateral face")
+        raise _needs_a_rim("glue_width", glue_width)
     return 0.0
+
+
+def _needs_a_rim(name: str, value: float) -> Refusal:
+    problem = "needs a rim: rim_width = 0 clamps the lateral face"
+    return Refusal(problem, kind=Kind.CONFLICT, field=name, value=value, unit="m")
 
 
 def _raised(
@@ -285,12 +299,14 @@ def _raised(
     for name, value in (("rim_height", rim_height), ("boss_height", boss_height)):
         in_range(name, value, 0, 2 * radius, "m")
     if rim_height and boss_height:
-        raise Refusal(f"boss_height = {boss_height:g} m must not be given beside rim_height = {rim_height:g} m")
+        problem = f"must not be given beside rim_height = {rim_height:g} m"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="boss_height", value=boss_height, unit="m")
     if bool(boss_radius) != bool(boss_height):
-        raise Refusal(f"boss_radius = {boss_radius:g} m and boss_height = {boss_height:g} m must be given together")
+        problem = f"and boss_height = {boss_height:g} m must be given together"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="boss_radius", value=boss_radius, unit="m")
     if rim_height:
         if not rim_width:
-            raise Refusal(f"rim_height = {rim_height:g} m needs a rim: rim_width = 0 clamps the lateral face")
+            raise _needs_a_rim("rim_height", rim_height)
         return 1.0, 1.0 + round(float(rim_width) / radius, 12), round(float(rim_height) / radius, 12)
     if boss_height:
         in_range("boss_radius", boss_radius, 0.1 * radius * (1 - 1e-9), 0.9 * radius * (1 + 1e-9), "m")

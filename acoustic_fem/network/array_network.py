@@ -13,8 +13,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.duct.known_bores import known_port_admittance
-from acoustic_fem.duct.plane_wave import CompliantWall, Line, two_port
+from acoustic_fem.duct.plane_wave import CompliantWall, Line, port_admittance, two_port
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
 from acoustic_fem.network.chain_matrices import PointCell, TwoPort, chains_of, join
@@ -24,7 +23,7 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell, CellCatalogue, CellUse
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import ComplexArray
 from geometry.layout.placement import Housings
 from geometry.schema.part_fields import Tube
@@ -132,7 +131,7 @@ def _duct_between_stubs(design: ArrayDesign, tube: Tube, frequency: NDArray[np.f
     length, radius = tube.acoustic_length(design.printing.port_lip), metres(tube.acoustic_diameter) / 2
     if tube.sheath_material is None:
         between = max(length - 2 * tube.stub_length, _SHORTEST_DUCT * tube.length)
-        return _as_two_port(known_port_admittance(radius, metres(between), frequency, medium))
+        return _as_two_port(port_admittance(radius, metres(between), frequency, medium))
     rigid = CircularSection(radius)
     compliance = sheath_compliance(design, tube) / soft_rubber(design, tube.sheath_material).ratio(frequency)
     soft = _line(CompliantWall(rigid, compliance), metres(length), frequency, medium)
@@ -154,11 +153,12 @@ def _at_place(use: CellUse, admittances: Mapping[Cell, ComplexArray], frequency:
     """Nodal admittance of a cell with its ports in the order of the place's tubes."""
     cell = use.cell
     if cell not in admittances:
-        raise Refusal(f"admittances lack the cell {cell.label}")
+        raise Refusal(f"lack the cell {cell.label}", kind=Kind.MISSING, field="admittances")
     nodal = np.asarray(admittances[cell])
     size = len(cell.ports) + 1
     if nodal.shape != (len(frequency), size, size):
-        raise Refusal(f"admittance of {cell.label} has shape {nodal.shape}, must be {(len(frequency), size, size)}")
+        problem = f"of {cell.label} has shape {nodal.shape}, must be {(len(frequency), size, size)}"
+        raise Refusal(problem, kind=Kind.MISMATCH, field="admittances")
     nodes = [*use.order, size - 1]
     return nodal[:, nodes][:, :, nodes]
 

@@ -1,26 +1,25 @@
 """Solved cells and discs on disk, under a hash of everything they depend on.
 
-The folder is ``$ACOUSTIC_FEM_CACHE``, else the user's cache folder. A file that is cut short, altered,
-foreign or that of another cell under this one's name is recognised by its checksum, which covers the key;
-it is said so, and made again.
+The folder is ``$ACOUSTIC_FEM_CACHE``, else the user's cache folder. Each is a record under its key: a file that is
+cut short, altered, foreign or that of another cell under this one's name is recognised; a warning says so, and the
+cell is solved again.
 """
 
 from __future__ import annotations
 
-import contextlib
-import hashlib
-import io
 import json
 import os
 import warnings
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import platformdirs
 from numpy.typing import NDArray
 
-_MAGIC = b"acoustic-fem cell 2\n"
+from geometry.ground.record import packed, read_record, sha256, unpacked, write_record
+from geometry.ground.refusal import Refusal
+
+_KIND = "cell 2"
 
 
 class CacheWarning(UserWarning):
@@ -35,29 +34,18 @@ def cache_folder() -> Path:
 
 def key_of(description: dict[str, Any]) -> str:
     """Hash of a description made of plain values; floats count with all their digits."""
-    return hashlib.sha256(json.dumps(description, sort_keys=True).encode()).hexdigest()
+    return sha256(json.dumps(description, sort_keys=True))
 
 
 def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
-    """Write arrays of any shape and plain values under a key; the file appears whole or not at all.
+    """Keep arrays of any shape and plain values under a key.
 
-    A folder that cannot be written loses no work: it is said in a warning, and the cell is not kept.
+    A folder that cannot be written loses no work: a warning says so, and the cell is not kept.
     """
-    buffer = io.BytesIO()
-    named: dict[str, Any] = {**arrays, "about": np.array(json.dumps(about))}
-    np.savez(buffer, **named)
-    content = buffer.getvalue()
     folder = cache_folder()
-    beside = folder / f"{key}.{os.getpid()}.part"
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        try:
-            beside.write_bytes(_MAGIC + _checksum(key, content) + b"\n" + content)
-            beside.replace(folder / f"{key}.cell")
-        except OSError:
-            with contextlib.suppress(OSError):
-                beside.unlink()
-            raise
+        write_record(folder / f"{key}.cell", _KIND, key, packed(arrays, about))
     except OSError as error:
         warnings.warn(
             f"{folder}: cannot be written ({error.strerror or error}); what was solved is not kept. "
@@ -76,26 +64,9 @@ def fetch(key: str, folder: Path | None = None) -> tuple[dict[str, NDArray], dic
     """Arrays, of the shape of what :func:`store` wrote, and plain values; None where there is nothing usable."""
     path = (folder or cache_folder()) / f"{key}.cell"
     try:
-        raw = path.read_bytes()
-    except (FileNotFoundError, NotADirectoryError):
+        if not os.path.lexists(path):
+            return None
+        return unpacked(read_record(path, _KIND, key, Refusal))
+    except Refusal as error:
+        warnings.warn(f"{error}; the cell is solved again", CacheWarning, stacklevel=2)
         return None
-    except OSError as error:
-        reason = error.strerror or error
-        warnings.warn(f"{path} cannot be read ({reason}); the cell is solved again", CacheWarning, stacklevel=2)
-        return None
-    head, _, content = raw[len(_MAGIC) :].partition(b"\n")
-    if not raw.startswith(_MAGIC) or _checksum(key, content) != head:
-        warnings.warn(f"{path} is damaged; the cell is solved again", CacheWarning, stacklevel=2)
-        return None
-    with np.load(io.BytesIO(content), allow_pickle=False) as archive:
-        arrays = {name: archive[name] for name in archive.files}
-    return arrays, json.loads(str(arrays.pop("about")))
-
-
-def forget(key: str, folder: Path) -> None:
-    """Remove what a folder keeps under a key."""
-    (folder / f"{key}.cell").unlink(missing_ok=True)
-
-
-def _checksum(key: str, content: bytes) -> bytes:
-    return hashlib.sha256(key.encode() + b"\n" + content).hexdigest().encode()

@@ -24,7 +24,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg as spla
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: A solution whose relative residual is larger is refused, never returned.
 RESIDUAL_LIMIT = 1e-8
@@ -84,7 +84,9 @@ class SymmetricSolver:
         """
         right_hand_sides = np.ascontiguousarray(right_hand_sides, dtype=matrix.dtype)
         if matrix.shape != self._shape:
-            raise LinearSolverError(f"the matrix has shape {matrix.shape}, the solver was made for {self._shape}")
+            raise LinearSolverError(
+                f"has shape {matrix.shape}, the solver was made for {self._shape}", kind=Kind.MISMATCH, field="matrix"
+            )
         backend_solve = self._superlu_solve if self._pardiso is None else self._pardiso.solve
         if self._pardiso is not None and not self._pardiso.matched:
             with suppress(LinearSolverError):
@@ -95,7 +97,8 @@ class SymmetricSolver:
         solution, relative = _refined(backend_solve, matrix, right_hand_sides)
         if not relative <= RESIDUAL_LIMIT:
             raise LinearSolverError(
-                f"{backend()} returned a solution with relative residual {relative:.2g}, above {RESIDUAL_LIMIT:g}"
+                f"{backend()} returned a solution with relative residual {relative:.2g}, above {RESIDUAL_LIMIT:g}",
+                kind=Kind.NO_RESULT,
             )
         return solution
 
@@ -213,7 +216,7 @@ class _Pardiso:
     def _call(self, phase: int, rhs: NDArray | None = None, solution: NDArray | None = None) -> None:
         library = _mkl_library()
         if library is None or self._pattern is None or self._values is None:
-            raise LinearSolverError("PARDISO was called before it had a matrix")
+            raise LinearSolverError("PARDISO was called before it had a matrix", kind=Kind.NO_RESULT)
         rows, columns = self._pattern
         count = 1 if rhs is None else rhs.shape[1]
         error = ctypes.c_int32(0)
@@ -244,4 +247,4 @@ class _Pardiso:
             ctypes.byref(error),
         )
         if error.value != 0:
-            raise LinearSolverError(f"PARDISO phase {phase} failed with error {error.value}")
+            raise LinearSolverError(f"PARDISO phase {phase} failed with error {error.value}", kind=Kind.NO_RESULT)

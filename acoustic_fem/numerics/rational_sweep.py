@@ -20,7 +20,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from acoustic_fem.numerics.linear_solver import SymmetricSolver
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: Frequency (n_freq,) in Hz -> coefficients (n_freq, n_term) complex. They are analytic functions of s = j 2 pi f,
 #: real where s is real and positive, and are asked for there as well, at f = -j s / (2 pi).
@@ -178,7 +178,8 @@ def reduce_system(
             if len(taken) >= _MOST_SHIFTS:
                 raise RationalFitError(
                     f"{len(taken)} solves between {lowest:g} and {highest:g} Hz leave an error of {error:.2g}, "
-                    f"above the tolerance {tolerance:g}"
+                    f"above the tolerance {tolerance:g}",
+                    kind=Kind.NO_RESULT,
                 )
             if told and len(taken) == 1 and len(solutions[0]) == _MOMENTS:
                 solutions[0] += islice(first, _MORE_MOMENTS)
@@ -265,7 +266,7 @@ def passivity_margin(admittance: NDArray[np.complex128]) -> NDArray[np.float64]:
     """
     values = np.asarray(admittance, dtype=np.complex128)
     if values.ndim != 3 or values.shape[1] != values.shape[2] or values.shape[1] == 0:
-        raise Refusal(f"admittance has shape {values.shape}; it must be (n_freq, m, m)")
+        raise Refusal(f"has shape {values.shape}; it must be (n_freq, m, m)", kind=Kind.WRONG_TYPE, field="admittance")
     finite = np.isfinite(values).all(axis=(1, 2))
     hermitian = (values + values.conj().transpose(0, 2, 1))[finite] / 2
     diagonal = np.abs(np.einsum("fii->fi", values[finite]))
@@ -291,11 +292,12 @@ def require_passive(admittance: NDArray[np.complex128], frequency: NDArray[np.fl
     margin = passivity_margin(admittance)
     worst = int(np.argmin(margin))
     if not np.isfinite(margin[worst]):
-        raise RationalFitError(f"the response at {frequency[worst]:g} Hz is not finite")
+        raise RationalFitError(f"the response at {frequency[worst]:g} Hz is not finite", kind=Kind.NO_RESULT)
     if margin[worst] < -PASSIVITY_TOLERANCE:
         raise RationalFitError(
             f"the response at {frequency[worst]:g} Hz gives energy: the least eigenvalue of Re Y is "
-            f"{margin[worst]:.2g} of its diagonal, below -{PASSIVITY_TOLERANCE:g}"
+            f"{margin[worst]:.2g} of its diagonal, below -{PASSIVITY_TOLERANCE:g}",
+            kind=Kind.NO_RESULT,
         )
     return float(margin[worst])
 

@@ -10,7 +10,8 @@ from typing import TypeVar
 
 import numpy as np
 
-from geometry.ground.refusal import Refusal
+from geometry.air.mesh import InvertedElementsError
+from geometry.ground.refusal import Kind, Refusal
 
 #: What is solved on a mesh.
 Solution = TypeVar("Solution")
@@ -78,8 +79,6 @@ def refined(
     Raises:
         ConvergenceError: four refinements of the first mesh that may do are not enough.
     """
-    from geometry.air.mesh import InvertedElementsError
-
     furthest = 0.0
 
     def advance(begin: float, end: float, done: float) -> None:
@@ -120,7 +119,7 @@ def refined(
             # The first mesh misleads: the next one is fine enough to be compared with a later one.
             wanted = min(wanted, solved[-2][0] / _COARSER)
         following = float(np.clip(wanted, finer / _NEXT_FINER[1], finer / _NEXT_FINER[0]))
-    raise ConvergenceError(f"after {_MOST_REFINEMENTS} refinements {failure}")
+    raise ConvergenceError(f"after {_MOST_REFINEMENTS} refinements {failure}", kind=Kind.NO_RESULT)
 
 
 def _shown_order(meshes: list[Refinement], least: float) -> float:

@@ -1,33 +1,36 @@
-"""Checks of numbers that come in from outside: one sentence with the name, the value and the range."""
+"""Checks of numbers that come in from outside: a refusal names the field, its value, its unit and what is allowed."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.typed import Array
 
 _BAND = (1e-3, 2e3)
 """Lowest and highest frequency of a grid, Hz."""
 
 
-def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
+def numbers(name: str, values: ArrayLike) -> Array:
     """The values as an array, same shape as given, float64, in their unit.
 
     Raises:
-        Refusal: naming the field and what it holds instead: complex numbers, texts, rows of unequal length.
+        Refusal: no real numbers: complex numbers, texts, rows of unequal length.
     """
-    rule = f"{name} must be a real number or an array of them"
     try:
         array = np.asarray(values)
     except ValueError:
-        raise Refusal(f"{rule}; its rows have different lengths") from None
-    if array.dtype.kind not in "biuf":
+        kind = "rows of different lengths"
+    else:
+        if array.dtype.kind in "biuf":
+            return np.asarray(array, dtype=np.float64)
         kind = {"c": "complex", "U": "text", "S": "text"}.get(array.dtype.kind, f"{array.dtype}")
-        raise Refusal(f"{rule}; it is {kind}: {values!r:.60}")
-    return np.asarray(array, dtype=np.float64)
+    raise Refusal(
+        f"must be a real number or an array of them, not {kind}", kind=Kind.WRONG_TYPE, field=name, value=values
+    )
 
 
 MOST_PORTS = 50
@@ -42,16 +45,26 @@ def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float,
             port), or a point that is not three finite numbers.
     """
     if not isinstance(ports, Mapping):
-        raise Refusal(f"ports must map names to points, not be a {type(ports).__name__}")
+        raise Refusal(f"must map names to points, not be a {type(ports).__name__}", kind=Kind.WRONG_TYPE, field="ports")
     if not 1 <= len(ports) <= MOST_PORTS:
-        raise Refusal(f"ports has {counted(len(ports), 'port')}; it must have 1 to {MOST_PORTS}")
+        problem = f"has {counted(len(ports), 'port')}; it must have 1 to {MOST_PORTS}"
+        raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="ports")
     points = {}
     for name, place in ports.items():
         if not isinstance(name, str) or name in ("", "wall"):
-            raise Refusal(f"ports has the name {name!r}; it must be a text, not empty and not 'wall'")
-        point = numbers(f"port {name!r}", place)
+            raise Refusal(
+                f"has the name {name!r}; it must be a text, not empty and not 'wall'",
+                kind=Kind.WRONG_TYPE if not isinstance(name, str) else Kind.OUT_OF_RANGE,
+                field="ports",
+            )
+        point = numbers(f"ports.{name}", place)
         if point.shape != (3,) or not np.isfinite(point).all():
-            raise Refusal(f"port {name!r} = {place!r:.60} must be a point of three finite numbers, mm")
+            raise Refusal(
+                kind=Kind.WRONG_TYPE if point.shape != (3,) else Kind.OUT_OF_RANGE,
+                field=f"ports.{name}",
+                value=place,
+                allowed="a point of three finite numbers, mm",
+            )
         points[name] = (float(point[0]), float(point[1]), float(point[2]))
     return points
 
@@ -60,67 +73,83 @@ def in_range(name: str, value: float, low: float, high: float, unit: str = "") -
     """The value as a float if it is finite and within [low, high], all in the same unit.
 
     Raises:
-        Refusal: naming the field, the value and the range.
+        Refusal: not one number, or out of the range.
     """
-    unit = f" {unit}" if unit else ""
     if numbers(name, value).ndim:
-        raise Refusal(f"{name} = {value!r:.60} must be one number")
+        raise Refusal(kind=Kind.WRONG_TYPE, field=name, value=value, allowed="one number")
     if not low <= float(value) <= high:
-        raise Refusal(f"{name} = {float(value):g}{unit} must be between {low:g} and {high:g}{unit}")
+        allowed = f"between {low:g} and {high:g} {unit}".rstrip()
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=float(value), unit=unit, allowed=allowed)
     return float(value)
 
 
-def positive(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
+def positive(name: str, values: ArrayLike, unit: str) -> Array:
     """The values as an array, same shape as given, float64, in their unit, if all are finite and above 0.
 
     Raises:
-        Refusal: naming the field, the first bad value and the range.
+        Refusal: with the first value that is not.
     """
     array = numbers(name, values)
     bad = ~(np.isfinite(array) & (array > 0))
     if bad.any():
-        raise Refusal(f"{name} = {array[bad].flat[0]:g} {unit} must be finite and above 0 {unit}")
+        allowed = f"finite and above 0 {unit}".rstrip()
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=float(array[bad].flat[0]), unit=unit, allowed=allowed)
     return array
 
 
-def stated_grid(text: str) -> NDArray[np.float64]:
-    """Frequencies stated as FIRST:LAST:COUNT, evenly spaced; see :func:`frequency_grid` for their range.
-
-    Returns:
-        (n_freq,) float64, Hz.
+def one_of(name: str, value: object, choices: tuple[str, ...]) -> str:
+    """The value if it is one of some names.
 
     Raises:
-        Refusal: not two numbers and a count.
+        Refusal: another value, with the choices.
     """
-    rule = f"{text!r} must be FIRST:LAST:COUNT in Hz, such as 1:100:64, with COUNT from 1 to 100000"
-    try:
-        first, last, count = text.split(":")
-        start, stop, number = float(first), float(last), int(count)
-    except ValueError:
-        raise Refusal(rule) from None
-    if not 1 <= number <= 100_000:
-        raise Refusal(rule)
-    return np.linspace(start, stop, number)
+    for choice in choices:
+        if isinstance(value, str) and value == choice:
+            return choice
+    raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=choices)
 
 
-def frequency_grid(frequency: ArrayLike) -> NDArray[np.float64]:
-    """The grid as an array, (n_freq,) float64, if its frequency values (n_freq,) ascend within 0.001 to 2000 Hz.
+def frequency_grid(frequency: ArrayLike | str) -> Array:
+    """The grid as an array, (n_freq,) float64, Hz, ascending within 0.001 to 2000 Hz.
 
     Frequency 0 is refused: a sealed network has no impedance there. All its pressures become equal as the
     frequency falls.
 
+    Args:
+        frequency: (n_freq,) Hz, or the text ``FIRST:LAST:COUNT`` for evenly spaced ones, such as ``"1:500:500"``.
+
     Raises:
-        Refusal: not real numbers, empty, not 1-D, not ascending, not finite or out of range, with the value.
+        Refusal: not real numbers, empty, not 1-D, not ascending, not finite or out of range, with the value; a text of
+            another form.
     """
-    grid = numbers("frequency", frequency)
+    grid = _evenly_spaced(frequency) if isinstance(frequency, str) else numbers("frequency", frequency)
     if grid.ndim != 1 or grid.size == 0:
-        raise Refusal(f"frequency has shape {grid.shape}; it must be a 1-D array of at least one value in Hz")
+        raise Refusal(
+            f"has shape {grid.shape}; it must be a 1-D array of at least one value in Hz",
+            kind=Kind.WRONG_TYPE,
+            field="frequency",
+        )
     low, high = _BAND
-    bad = ~((grid >= low) & (grid <= high))
-    if bad.any():
-        raise Refusal(f"frequency = {grid[bad][0]:g} Hz must be between {low:g} and {high:g} Hz")
+    for value in grid[~((grid >= low) & (grid <= high))]:
+        in_range("frequency", float(value), low, high, "Hz")
     falling = np.flatnonzero(np.diff(grid) <= 0)
     if falling.size:
         first = falling[0]
-        raise Refusal(f"frequency must ascend: {grid[first + 1]:g} Hz follows {grid[first]:g} Hz")
+        raise Refusal(
+            f"must ascend: {grid[first + 1]:g} Hz follows {grid[first]:g} Hz",
+            kind=Kind.OUT_OF_RANGE,
+            field="frequency",
+        )
     return grid
+
+
+def _evenly_spaced(text: str) -> Array:
+    allowed = "FIRST:LAST:COUNT in Hz, such as 1:100:64, with COUNT from 1 to 100000"
+    try:
+        first, last, count = text.split(":")
+        start, stop, number = float(first), float(last), int(count)
+    except ValueError:
+        raise Refusal(kind=Kind.WRONG_TYPE, field="frequency", value=text, allowed=allowed) from None
+    if not 1 <= number <= 100_000:
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="frequency", value=text, allowed=allowed)
+    return np.linspace(start, stop, number)

@@ -1,4 +1,4 @@
-"""The names of fidelities, apart from what computes them: whoever only names them loads nothing."""
+"""The fidelities: what the cells of an array may be computed with."""
 
 from typing import Literal, get_args
 
@@ -14,3 +14,9 @@ CLOSED_FORMS: tuple[ClosedForm, ...] = get_args(ClosedForm)
 Fidelity = Literal["lumped", "atlas", "helmholtz", "navier-stokes"]
 #: Names of all fidelities, from closed forms to the one to trust.
 FIDELITIES: tuple[Fidelity, ...] = get_args(Fidelity)
+
+#: Default of one design that is solved, run, calibrated, recorded or evaluated.
+ONE_DESIGN: Fidelity = "navier-stokes"
+#: Default of many designs and of quick answers (studies, tolerances, ``check``, the studio), where the atlas covers the
+#: design; :data:`ONE_DESIGN` where it does not, see :func:`acoustic_fem.atlas.quick_fidelity`.
+MANY_DESIGNS: Fidelity = "atlas"

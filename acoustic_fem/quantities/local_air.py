@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 
 #: m, between which :func:`standard_pressure` stays within what :class:`acoustic_fem.Medium` takes.
 ALTITUDES = (-1000.0, 5500.0)
@@ -43,7 +43,12 @@ class LocalAir:
     def __post_init__(self) -> None:
         if self.pressure is not None and self.altitude is not None:
             raise Refusal(
-                f"pressure = {self.pressure:g} Pa and altitude = {self.altitude:g} m say the same; give one of them"
+                ("must not be given beside ", Field("altitude"), f" = {self.altitude:g} m"),
+                kind=Kind.CONFLICT,
+                field="pressure",
+                value=self.pressure,
+                unit="Pa",
+                remedy="give one of them",
             )
         if self.altitude is not None:
             standard_pressure(self.altitude)

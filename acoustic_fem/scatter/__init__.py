@@ -1,6 +1,6 @@
 """Manufacturing tolerances as data, and arrays drawn with them.
 
-Stands on: atlas, batch, membrane, network, quantities.
+Stands on: atlas, batch, library, membrane, network, quantities.
 """
 
 import lazy_loader

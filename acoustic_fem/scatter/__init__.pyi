@@ -1,6 +1,6 @@
 from .as_built_sensors import (
-    made_fidelity as made_fidelity,
-    made_transfer_functions as made_transfer_functions,
+    AsBuiltSensors as AsBuiltSensors,
+    as_built_fidelity as as_built_fidelity,
     scatter_factors as scatter_factors,
 )
 from .tolerances import (

@@ -1,34 +1,35 @@
-"""What the tolerances of manufacturing make of a library: sensors that are drawn about it, whatever its fidelity."""
+"""As-built sensors: transfer functions of sensors that are drawn about a design by its tolerances."""
 
 from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from itertools import product
-from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.atlas.fidelity_choice import QuickFidelity, quick_fidelity_by
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.openings import check_openings
+from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import vent_ratio
-from acoustic_fem.scatter.tolerances import CUT, QUANTITIES
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.scatter.tolerances import CUT, QUANTITIES, ScatteredDesign
+from geometry.ground.typed import Array, ComplexArray
 
-if TYPE_CHECKING:
-    from acoustic_fem.quantities.fidelity import ClosedForm
-    from acoustic_fem.quantities.medium import Medium
-    from acoustic_fem.scatter.tolerances import ScatteredDesign
-
-#: What of the scatter counts in the bounds of the atlas.
+#: Scatter that counts in the bounds of the atlas.
 _BOUNDED = ("bore", "cavity_diameter", "cavity_height", "chamber_height", "ovality")
 
 
-def made_fidelity(scattered: ScatteredDesign, frequency: ArrayLike, medium: Medium) -> QuickFidelity:
+def as_built_fidelity(scattered: ScatteredDesign, frequency: ArrayLike, medium: Medium) -> QuickFidelity:
     """The fidelity of a quick answer for a design and all sensors that can be drawn about it.
 
-    It is the atlas where the design has it with every size at either end of its scatter: each ratio that is bounded
+    It is the atlas if that covers the design with every size at either end of its scatter: each ratio that is bounded
     rises or falls with each of them.
 
     Args:
@@ -50,36 +51,60 @@ def made_fidelity(scattered: ScatteredDesign, frequency: ArrayLike, medium: Medi
     return quick_fidelity_by(check)
 
 
-def made_transfer_functions(
-    scattered: ScatteredDesign,
-    draws: Mapping[str, NDArray[np.float64]],
-    frequency: ArrayLike,
-    medium: Medium,
-    fidelity: ClosedForm = "lumped",
-) -> NDArray[np.complex128]:
-    """Transfer functions of made sensors in closed form, as their microphones give them.
+@dataclass(frozen=True, eq=False)
+class AsBuiltSensors:
+    """Transfer functions of sensors with the scatter of manufacturing about one design.
 
-    Args:
-        scattered: the nominal design and what scatters.
-        draws: by quantity (count, n_part) float64, in standard deviations, as
-            :meth:`acoustic_fem.scatter.ScatteredDesign.parameters` takes them.
-        frequency: (n_freq,) Hz, ascending.
-        medium: the air.
-        fidelity: "lumped" or "atlas".
-
-    Returns:
-        (count, n_point, n_microphone, n_freq) complex128, Pa/Pa, by the response of the nominal microphone.
+    Sensors are computed in closed form. At a 3-D fidelity the transfer functions of the nominal design are solved in
+    3-D, and the factor between 3-D and closed forms is taken to be the same for all sensors.
 
     Raises:
         Refusal: a frequency out of range.
-        OutsideAtlas: a sensor that the atlas has not; see :func:`made_fidelity`.
+        OutsideAtlas: at fidelity ``atlas``, a sensor that the atlas does not cover; see :func:`as_built_fidelity`.
     """
-    made = batch_transfer_function(scattered.parameters(draws), scattered.topology, frequency, medium, fidelity)
-    gain, corner = np.moveaxis(scattered.microphones(draws), 1, 0)[:, :, None, :, None]
-    if (gain == 1).all() and (corner == 1).all():
-        return np.asarray(made)
-    vent = vent_ratio(scattered.design.microphone, frequency, medium)
-    return np.asarray(made * gain * (1 + 1 / vent) / (1 + corner / vent))
+
+    scattered: ScatteredDesign
+    """The nominal design and what scatters."""
+    frequency: ArrayLike
+    """(n_freq,) Hz, ascending."""
+    medium: Medium
+    """The air."""
+    fidelity: str = "lumped"
+    """Fidelity of all transfer functions, one of :data:`acoustic_fem.FIDELITIES`."""
+
+    @cached_property
+    def nominal(self) -> ComplexArray:
+        """Transfer functions of the nominal design, (1, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
+        return self._in_closed_form(self.scattered.nominal) * self._correction
+
+    def transfer_functions(self, draws: Mapping[str, Array]) -> ComplexArray:
+        """Transfer functions of sensors, as their own microphones report them.
+
+        Args:
+            draws: by quantity (count, n_part) float64, in standard deviations, as
+                :meth:`acoustic_fem.scatter.ScatteredDesign.parameters` takes them.
+
+        Returns:
+            (count, n_point, n_microphone, n_freq) complex128, Pa/Pa, by the response of the nominal microphone.
+        """
+        sensors = self._in_closed_form(self.scattered.parameters(draws)) * self._correction
+        gain, corner = np.moveaxis(self.scattered.microphones(draws), 1, 0)[:, :, None, :, None]
+        if (gain == 1).all() and (corner == 1).all():
+            return np.asarray(sensors)
+        vent = vent_ratio(self.scattered.design.microphone, self.frequency, self.medium)
+        return np.asarray(sensors * gain * (1 + 1 / vent) / (1 + corner / vent))
+
+    def _in_closed_form(self, parameters: ArrayParameters) -> ComplexArray:
+        closed = next((name for name in CLOSED_FORMS if name == self.fidelity), CLOSED_FORMS[0])
+        found = batch_transfer_function(parameters, self.scattered.topology, self.frequency, self.medium, closed)
+        return np.asarray(found)
+
+    @cached_property
+    def _correction(self) -> ComplexArray | float:
+        if self.fidelity in CLOSED_FORMS:
+            return 1.0
+        solid = solve(self.scattered.design, self.frequency, self.fidelity, self.medium).transfer_function.values
+        return np.asarray(solid / self._in_closed_form(self.scattered.nominal))
 
 
 def scatter_factors(
@@ -90,13 +115,13 @@ def scatter_factors(
     seed: int,
     *,
     first: int = 0,
-    share: float = 1.0,
-) -> NDArray[np.complex128]:
-    """Transfer functions of made sensors over those of the nominal one, both computed with the lumped network.
+    fraction: float = 1.0,
+) -> ComplexArray:
+    """Transfer functions of as-built sensors over those of the nominal one, both computed with the lumped network.
 
-    Times the transfer functions of a library of any fidelity they are those of sensors made about it: what a finer
-    fidelity changes is taken to be the same for all. What closed forms warn of concerns none of the library's own
-    numbers and is not told.
+    Multiplied with the transfer functions of a library of any fidelity they give those of sensors built about it: the
+    difference between fidelities is taken to be the same for all sensors. Warnings of closed forms are left out,
+    because they concern none of the numbers of the library.
 
     Args:
         scattered: the nominal design and what scatters.
@@ -105,7 +130,7 @@ def scatter_factors(
         count: sensors.
         seed: of the draws.
         first: number of the first sensor.
-        share: of the deviations that are drawn, of one.
+        fraction: of the deviations that are drawn, of one.
 
     Returns:
         (count, n_point, n_microphone, n_freq) complex128, ratios.
@@ -113,9 +138,8 @@ def scatter_factors(
     Raises:
         Refusal: a frequency out of range.
     """
-    draws = {name: share * values for name, values in scattered.draws(first, count, seed).items()}
+    draws = {name: fraction * values for name, values in scattered.draws(first, count, seed).items()}
+    sensors = AsBuiltSensors(scattered, frequency, medium)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "entrance loss", UserWarning)
-        made = made_transfer_functions(scattered, draws, frequency, medium)
-        nominal = batch_transfer_function(scattered.nominal, scattered.topology, frequency, medium)
-    return np.asarray(made / nominal)
+        return np.asarray(sensors.transfer_functions(draws) / sensors.nominal)

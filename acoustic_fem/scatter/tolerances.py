@@ -18,13 +18,16 @@ import numpy as np
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, design_rubber, solve_disc
+from acoustic_fem.quantities.checks import in_range, one_of
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
 from geometry.ground.typed import Array
 
-Kind = Literal["absolute", "relative"]
+#: A deviation in mm, or of the nominal value.
+DeviationKind = Literal["absolute", "relative"]
 
 #: What can scatter, and the part it belongs to.
 QUANTITIES = {
@@ -59,24 +62,17 @@ class Tolerance:
     """Name of the quantity, one of :data:`QUANTITIES`."""
     deviation: float
     """Standard deviation: mm where absolute, a fraction of the nominal value where relative."""
-    kind: Kind
+    kind: DeviationKind
     """Kind of the deviation."""
     source: str
     """Source of the figure."""
 
     def __post_init__(self) -> None:
-        if self.quantity not in QUANTITIES:
-            raise Refusal(f"tolerance {self.quantity!r} must be one of: {', '.join(QUANTITIES)}")
-        if self.kind not in get_args(Kind):
-            raise Refusal(f"tolerance {self.quantity}: kind = {self.kind!r} must be absolute or relative")
+        one_of("quantity", self.quantity, tuple(QUANTITIES))
         of_no_length = self.quantity.startswith(("modulus", "microphone", "ovality"))
-        if of_no_length and self.kind == "absolute":
-            raise Refusal(f"tolerance {self.quantity}: kind must be relative")
-        most, unit = (0.3, "") if self.kind == "relative" else (5.0, " mm")
-        if not 0 <= self.deviation <= most:
-            raise Refusal(
-                f"tolerance {self.quantity}: deviation = {self.deviation:g}{unit} must be between 0 and {most:g}{unit}"
-            )
+        one_of(f"{self.quantity}.kind", self.kind, ("relative",) if of_no_length else get_args(DeviationKind))
+        most, unit = (0.3, "") if self.kind == "relative" else (5.0, "mm")
+        in_range(f"{self.quantity}.deviation", self.deviation, 0, most, unit)
 
 
 #: What a careful workshop reaches; figures without a measurement behind them say so.
@@ -129,26 +125,30 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
     """
     known = {tolerance.quantity: tolerance for tolerance in TOLERANCES}
     stated = read_toml(path, "a file of tolerances", Refusal)
-    if not stated:  # what was cut short to nothing would be taken for the defaults
-        raise Refusal(f"{path}: states nothing; it must have a table of one of: {', '.join(QUANTITIES)}")
+    if not stated:  # a file that was cut short to nothing would be taken for the defaults
+        problem = f"is empty; it must have a table of one of: {', '.join(QUANTITIES)}"
+        raise Refusal(problem, kind=Kind.MISSING, file=path)
     for quantity, given in stated.items():
         if quantity not in QUANTITIES:
-            raise Refusal(f"{path}: [{quantity}] must be one of: {', '.join(QUANTITIES)}")
+            raise Refusal(kind=Kind.UNKNOWN, file=path, field=quantity, allowed=QUANTITIES)
         if not isinstance(given, Mapping) or not set(given) <= {"deviation", "kind", "source"}:
-            raise Refusal(f"{path}: [{quantity}] must hold deviation, kind and source only")
+            kind = Kind.UNKNOWN if isinstance(given, Mapping) else Kind.WRONG_TYPE
+            raise Refusal("must hold deviation, kind and source only", kind=kind, file=path, field=quantity)
         if quantity not in known and not {"deviation", "kind"} <= set(given):
-            raise Refusal(f"{path}: [{quantity}] must hold deviation and kind: by default it does not scatter")
+            problem = "must hold deviation and kind: by default it does not scatter"
+            raise Refusal(problem, kind=Kind.MISSING, file=path, field=quantity)
         deviation = given["deviation"] if "deviation" in given else known[quantity].deviation
-        if isinstance(deviation, bool) or not isinstance(deviation, (int, float)):
-            raise Refusal(f"{path}: [{quantity}] deviation = {deviation!r} must be a number")
-        for field in ("kind", "source"):
-            if not isinstance(given.get(field, ""), str):
-                raise Refusal(f"{path}: [{quantity}] {field} = {given[field]!r} must be a text")
+        types = {"deviation": "a number", "kind": "a text", "source": "a text"}
+        of_type = {"deviation": isinstance(deviation, (int, float)) and not isinstance(deviation, bool)}
+        for name in given:
+            if not of_type.get(name, isinstance(given[name], str)):
+                field = f"{quantity}.{name}"
+                raise Refusal(kind=Kind.WRONG_TYPE, file=path, field=field, value=given[name], allowed=types[name])
         try:
             start = known.get(quantity) or Tolerance(quantity, 0.0, "relative", "")
             known[quantity] = replace(start, **{"source": "of the file", **given})
         except Refusal as error:
-            raise Refusal(f"{path}: {error}") from None
+            raise Refusal.of(error, file=path) from None
     return tuple(known.values())
 
 
@@ -167,23 +167,29 @@ class ScatteredDesign:
 
     def __init__(
         self,
-        design: ArrayDesign,
+        design: DesignLike,
         tolerances: Sequence[Tolerance] = TOLERANCES,
         known: KnownDiscs | None = None,
     ) -> None:
+        design = resolve_design(design)
         names = [tolerance.quantity for tolerance in tolerances]
         if len(set(names)) != len(names):
-            raise Refusal(f"tolerances: {max(names, key=names.count)} is given twice")
+            twice = max(names, key=names.count)
+            raise Refusal("is given twice", kind=Kind.CONFLICT, field=f"tolerances.{twice}")
         if design.membrane.stretch != 1 and not design_rubber(design).elastic:
             raise UnknownScatterError(
-                f"membrane.stretch = {design.membrane.stretch:g} must be 1 for manufacturing scatter, unless "
-                f"materials.{design.membrane.material}.loss_factor is 0: how a stretched membrane with loss scatters "
-                "is not computed"
+                f"must be 1 for manufacturing scatter, unless materials.{design.membrane.material}.loss_factor is 0: "
+                "the scatter of a stretched membrane with loss is not computed",
+                kind=Kind.NO_RESULT,
+                field="membrane.stretch",
+                value=design.membrane.stretch,
             )
         if design.resonator.shape != "cylinder":
             raise UnknownScatterError(
-                f"resonator.shape = {design.resonator.shape!r} must be 'cylinder' for manufacturing scatter, which is "
-                "computed with closed forms only"
+                "must be 'cylinder' for manufacturing scatter, which is computed with closed forms only",
+                kind=Kind.NO_RESULT,
+                field="resonator.shape",
+                value=design.resonator.shape,
             )
         self.design = design
         self.tolerances = tuple(tolerances)

@@ -1,6 +1,6 @@
 """Recordings as files, and transfer functions estimated from them.
 
-Stands on: nothing.
+Stands on: quantities.
 """
 
 import lazy_loader

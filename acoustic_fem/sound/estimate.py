@@ -18,9 +18,11 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
+import scipy.signal
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from acoustic_fem.quantities.checks import one_of
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
 Complex = NDArray[np.complex128]
@@ -88,21 +90,26 @@ def transfer_estimate(
     Raises:
         Refusal: an unknown estimator, records of different lengths or too short, or a frequency out of range.
     """
-    if estimator not in get_args(Estimator):
-        raise Refusal(f"estimator = {estimator!r} must be one of: {', '.join(get_args(Estimator))}")
+    one_of("estimator", estimator, get_args(Estimator))
     if outputs.ndim != 2 or outputs.shape[1:] != reference.shape:
-        raise Refusal(f"outputs has shape {outputs.shape}; it must be (n_output, {len(reference)})")
+        raise Refusal(
+            f"has shape {outputs.shape}; it must be (n_output, {len(reference)})", kind=Kind.MISMATCH, field="outputs"
+        )
     if not (frequency.min() >= 1.0 and 2.5 * frequency.max() <= rate):
         raise Refusal(
-            f"frequency = {frequency.min():g} to {frequency.max():g} Hz must be between 1 and {rate / 2.5:g} Hz, "
-            f"the sample rate over 2.5"
+            kind=Kind.OUT_OF_RANGE,
+            field="frequency",
+            value=(float(frequency.min()), float(frequency.max())),
+            allowed=f"between 1 and {rate / 2.5:g} Hz, the sample rate over 2.5",
         )
     amplitude = amplitudes(np.concatenate([reference[None], outputs]), rate, frequency)
     count = amplitude.shape[1]
     if count < LEAST_SEGMENTS:
         raise Refusal(
-            f"record of {len(reference) / rate:.3g} s has {count} segments of {SEGMENT:g} s; it must have at least "
-            f"{LEAST_SEGMENTS} ({shortest_record():g} s)"
+            f"of {len(reference) / rate:.3g} s has {count} segments of {SEGMENT:g} s; it must have at least "
+            f"{LEAST_SEGMENTS} ({shortest_record():g} s)",
+            kind=Kind.UNSUITABLE,
+            field="reference",
         )
     x, y = amplitude[0], amplitude[1:]  # (segment, frequency), (output, segment, frequency)
     power = (np.abs(x) ** 2).sum(0)
@@ -138,8 +145,6 @@ def amplitudes(signals: Array, rate: float, frequency: Array, segment: float = S
     Returns:
         (n_signal, n_segment, n_freq) complex128, in the unit of the signals.
     """
-    import scipy.signal
-
     step = max(1, math.floor(rate / (_OVERSAMPLING * frequency.max())))
     if step > 1:
         # the same filter for all channels leaves their ratios alone

@@ -18,7 +18,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import writing
 
 LARGEST = 2**31
@@ -44,7 +44,8 @@ class GrowingWav:
     def __init__(self, path: str | os.PathLike[str], rate: int, channels: int) -> None:
         for name, value, most in (("rate", rate, 2**31), ("channels", channels, 1024)):
             if not 1 <= value <= most:
-                raise Refusal(f"{name} = {value} must be between 1 and {most}")
+                allowed = f"between 1 and {most}"
+                raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=allowed)
         self.path, self.rate, self.channels = Path(path), rate, channels
         self.samples = 0
         """Written per channel."""
@@ -71,9 +72,17 @@ class GrowingWav:
             OSError: it cannot be written: the disk is full.
         """
         if samples.ndim != 2 or len(samples) != self.channels:
-            raise Refusal(f"samples have shape {samples.shape}, must be (n_channel, n) = ({self.channels}, n)")
+            raise Refusal(
+                f"has shape {samples.shape}; it must be (n_channel, n) = ({self.channels}, n)",
+                kind=Kind.WRONG_TYPE,
+                field="samples",
+            )
         if 4 * self.channels * (self.samples + samples.shape[1]) > 2 * LARGEST - _HEAD_BYTES:
-            raise Refusal(f"{self.path}: a WAV file cannot hold {self.samples + samples.shape[1]} samples")
+            raise Refusal(
+                f"cannot hold {self.samples + samples.shape[1]} samples: a WAV file has at most {2 * LARGEST} bytes",
+                kind=Kind.OUT_OF_RANGE,
+                file=self.path,
+            )
         self._file.seek(_HEAD_BYTES + 4 * self.channels * self.samples)
         rest = memoryview(np.ascontiguousarray(samples.T, "<f4").tobytes())
         with writing(self.path):

@@ -12,13 +12,15 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
+import scipy.io.wavfile
 from numpy.typing import NDArray
 
 from geometry.ground.array_files import read_mat, read_npz
 from geometry.ground.csv_files import read_csv
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
+from geometry.ground.whole_files import whole_file
 
 FORMATS = (".wav", ".csv", ".npz", ".mat")
 #: What a file may hold beside its channels.
@@ -80,7 +82,14 @@ def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) 
     else:
         sound = _of_arrays(path, read_mat(path, "a MAT file up to version 7", SoundFileError), default_rate)
     if not (np.isfinite(sound.rate) and sound.rate > 0):
-        raise SoundFileError(f"{path}: sample rate = {sound.rate:g} Hz must be finite and above 0")
+        raise SoundFileError(
+            kind=Kind.OUT_OF_RANGE,
+            file=path,
+            field="sample rate",
+            value=float(sound.rate),
+            unit="Hz",
+            allowed="finite and above 0",
+        )
     return sound
 
 
@@ -100,7 +109,11 @@ def check_sound_there(path: str | os.PathLike[str]) -> None:
 def _format_of(path: Path) -> str:
     suffix = path.suffix.lower()
     if suffix not in FORMATS:
-        raise SoundFileError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
+        raise SoundFileError(
+            f"must have a name that ends with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}",
+            kind=Kind.UNREADABLE,
+            file=path,
+        )
     return suffix
 
 
@@ -116,12 +129,8 @@ def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int
     Raises:
         Refusal: another number of bits.
     """
-    import scipy.io.wavfile
-
-    from geometry.ground.whole_files import whole_file
-
     if bits not in (16, 24, 32):
-        raise Refusal(f"bits = {bits} must be 16, 24 or 32")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="bits", value=bits, allowed="16, 24 or 32")
     steps = 2.0 ** (bits - 1)
     levels = np.clip(np.rint(samples * steps), -steps, steps - 1)
     if bits == 24:
@@ -159,8 +168,6 @@ class _WavChannels(Mapping[str, Array]):
 
 def read_wav(path: Path) -> Sound:
     """Read a WAV file as :func:`read_sound` does, whatever its suffix."""
-    import scipy.io.wavfile
-
     path = ordinary_file(path, "a WAV file", SoundFileError, LARGEST_DATA)
     _check_chunks(path)
     with library_reads(path, "a WAV file", SoundFileError), warnings.catch_warnings():
@@ -168,7 +175,11 @@ def read_wav(path: Path) -> Sound:
         warnings.filterwarnings("ignore", category=scipy.io.wavfile.WavFileWarning)
         rate, samples = scipy.io.wavfile.read(path)
     if len(samples) > MOST_NUMBERS:
-        raise SoundFileError(f"{path}: has {len(samples)} samples per channel, must have at most {MOST_NUMBERS}")
+        raise SoundFileError(
+            f"has {len(samples)} samples per channel; it must have at most {MOST_NUMBERS}",
+            kind=Kind.OUT_OF_RANGE,
+            file=path,
+        )
     if samples.ndim == 1:
         samples = samples[:, None]
     full_scale = None
@@ -188,12 +199,12 @@ def _check_chunks(path: Path) -> None:
     with path.open("rb") as file:
         head = file.read(36)
         if len(head) < 12 or head[:4] not in (b"RIFF", b"RIFX", b"RF64"):
-            raise SoundFileError(f"{path}: cut short or not a WAV file")
+            raise SoundFileError("is cut short or not a WAV file", kind=Kind.UNREADABLE, file=path)
         order: Literal["big", "little"] = "big" if head[:4] == b"RIFX" else "little"
         large = head[:4] == b"RF64"  # it states its length, and that of its samples, in 64 bits of another place
         end = int.from_bytes(head[20:28] if large else head[4:8], order) + 8
         if end > size:
-            raise SoundFileError(f"{path}: cut short: it has {size} of {end} bytes")
+            raise SoundFileError(f"is cut short: it has {size} of {end} bytes", kind=Kind.UNREADABLE, file=path)
         kinds: list[bytes] = []
         place = 12
         while place + 8 <= end and len(kinds) < _MOST_CHUNKS:
@@ -202,38 +213,54 @@ def _check_chunks(path: Path) -> None:
             length = head[28:36] if large and kinds[-1] == b"data" else file.read(4)
             place += 8 + int.from_bytes(length, order)
             if place > size:
-                raise SoundFileError(f"{path}: cut short: it has {size} of {place} bytes")
+                raise SoundFileError(f"is cut short: it has {size} of {place} bytes", kind=Kind.UNREADABLE, file=path)
             place += place % 2
     if len(kinds) == _MOST_CHUNKS or b"fmt " not in kinds or b"data" not in kinds:
-        raise SoundFileError(f"{path}: cut short or not a WAV file: it states no samples")
+        raise SoundFileError("is cut short or not a WAV file: it has no samples", kind=Kind.UNREADABLE, file=path)
 
 
 def _read_csv(path: Path, default_rate: float | None) -> Sound:
     table = read_csv(path, "a CSV file", SoundFileError)
     if table.remarks or not table.head:
-        raise SoundFileError(f"{path}: is empty or not a CSV file")
+        raise SoundFileError("is empty or not a CSV file", kind=Kind.UNREADABLE, file=path)
     if len(table.head) == 1 and ";" in table.head[0]:
-        raise SoundFileError(f"{path}: is separated by semicolons; it must be by commas, with points for decimals")
+        raise SoundFileError(
+            "is separated by semicolons; it must be by commas, with points for decimals",
+            kind=Kind.UNREADABLE,
+            file=path,
+        )
     names = [name.strip() for name in table.head]
     channels = [name for name in names if name != TIME]
     if len(set(names)) < len(names) or not channels or (default_rate is None and TIME not in names):
         rule = f"{TIME} and one per channel" if default_rate is None else f"one per channel and, if any, {TIME}"
-        raise SoundFileError(f"{path}: its columns are {', '.join(names)}; they must be {rule}, each once")
+        raise SoundFileError(
+            f"has the columns {', '.join(names)}; they must be {rule}, each once",
+            kind=Kind.MISSING if default_rate is None and TIME not in names else Kind.UNREADABLE,
+            file=path,
+        )
     values = array("d")
     for number, row in enumerate(table.rows, 2):
         if len(row) != len(names):
             raise SoundFileError(
-                f"{path}: line {number} has {counted(len(row), 'value')}, must have {len(names)}; cut short?"
+                f"has {counted(len(row), 'value')}; it must have {len(names)}",
+                kind=Kind.UNREADABLE,
+                file=path,
+                field=f"line {number}",
             )
         try:
             values.extend(map(float, row))
         except ValueError as error:
-            raise SoundFileError(f"{path}: line {number}: {error}") from None
+            problem = f"does not hold numbers only: {error}"
+            raise SoundFileError(problem, kind=Kind.WRONG_TYPE, file=path, field=f"line {number}") from None
         if len(values) > MOST_NUMBERS:
-            raise SoundFileError(f"{path}: holds more than {MOST_NUMBERS} numbers; it must hold at most as many")
+            raise SoundFileError(
+                f"holds more than {MOST_NUMBERS} numbers, the most that are read", kind=Kind.OUT_OF_RANGE, file=path
+            )
     columns = np.frombuffer(values).reshape(-1, len(names))
     if len(columns) < 2:
-        raise SoundFileError(f"{path}: has {counted(len(columns), 'sample')}, must have at least 2")
+        raise SoundFileError(
+            f"has {counted(len(columns), 'sample')}; it must have at least 2", kind=Kind.UNSUITABLE, file=path
+        )
     if default_rate is not None and TIME not in names:
         rate = default_rate
     else:
@@ -247,29 +274,39 @@ def _rate_of(path: Path, time: Array) -> float:
     uneven = np.flatnonzero(~(np.abs(np.diff(time) - step) <= 0.1 * abs(step)))
     if len(uneven) or not step > 0:
         line = int(uneven[0]) + 3 if len(uneven) else 3
-        raise SoundFileError(f"{path}: {TIME} must rise in even steps; it does not at line {line}")
+        raise SoundFileError(
+            f"must rise in even steps; it does not at line {line}", kind=Kind.UNSUITABLE, file=path, field=TIME
+        )
     return 1 / step
 
 
 def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], default_rate: float | None) -> Sound:
     for name, values in arrays.items() if RATE not in arrays else ():
         if values.size == 1 and re.sub(r"[^a-z]", "", name.lower()) in _OTHER_RATES:
-            raise SoundFileError(f"{path}: {name} must be called {RATE}, if it is the sample rate in Hz")
+            raise SoundFileError(
+                f"must be called {RATE}, if it is the sample rate in Hz", kind=Kind.UNKNOWN, file=path, field=name
+            )
     # A column alone is one channel: MAT files know no vectors.
     numbered = MATRIX in arrays and arrays[MATRIX].ndim == 2 and arrays[MATRIX].shape[1] > 1
     if numbered:
         arrays = {name: values for name, values in arrays.items() if name in (MATRIX, RATE)}
     bad = [name for name, values in arrays.items() if values.dtype.kind not in "biuf"]
     if bad:
-        raise SoundFileError(f"{path}: {bad[0]} holds {arrays[bad[0]].dtype}, not real numbers")
+        raise SoundFileError(
+            f"holds {arrays[bad[0]].dtype}, not real numbers", kind=Kind.WRONG_TYPE, file=path, field=bad[0]
+        )
     if RATE in arrays:
         rates = arrays[RATE]
     elif default_rate is not None:
         rates = np.array(default_rate)
     else:
-        raise SoundFileError(f"{path}: has no {RATE}, but {', '.join(arrays) or 'nothing'}")
+        raise SoundFileError(
+            f"is missing; the file has {', '.join(arrays) or 'nothing'}", kind=Kind.MISSING, file=path, field=RATE
+        )
     if rates.size != 1:
-        raise SoundFileError(f"{path}: {RATE} has {rates.size} values, must be one number, Hz")
+        raise SoundFileError(
+            f"has {rates.size} values; it must be one number, Hz", kind=Kind.WRONG_TYPE, file=path, field=RATE
+        )
     rate = float(rates.ravel()[0])
     if numbered:
         rows = {str(number): row.astype(np.float64) for number, row in enumerate(arrays[MATRIX], 1)}
@@ -277,9 +314,12 @@ def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], default_rate: flo
     channels = {name: np.squeeze(v).astype(np.float64) for name, v in arrays.items() if name != RATE}
     wide = [name for name, values in channels.items() if values.ndim != 1]
     if wide or not channels:
-        what = f"{wide[0]} has shape {arrays[wide[0]].shape}" if wide else "has no channel"
+        held = f"has shape {arrays[wide[0]].shape}" if wide else "has no channel"
         raise SoundFileError(
-            f"{path}: {what}; it must hold one row of samples per channel, or all of them as {MATRIX} (channel, sample)"
+            f"{held}; the file must hold one row of samples per channel, or all of them as {MATRIX} (channel, sample)",
+            kind=Kind.WRONG_TYPE if wide else Kind.MISSING,
+            file=path,
+            field=wide[0] if wide else "",
         )
     check_equal_lengths(path, channels)
     return Sound(channels, rate)
@@ -293,4 +333,4 @@ def check_equal_lengths(path: Path | str, channels: Mapping[str, Sequence[float]
     """
     if len({len(values) for values in channels.values()}) > 1:
         lengths = ", ".join(f"{name} {len(values)}" for name, values in channels.items())
-        raise SoundFileError(f"{path}: its channels have different numbers of samples: {lengths}")
+        raise SoundFileError(f"has channels of different numbers of samples: {lengths}", kind=Kind.MISMATCH, file=path)

@@ -27,9 +27,9 @@ import studies
 
 folder = TemporaryDirectory()
 design = geometry.prototype("array-2x6")
-rig = studies.Rig(design, seed=11)
+rig = studies.Rig(design, seed=11, fidelity="lumped")
 manifest = rig.record(Path(folder.name) / "bench", (2, 6, 11), studies.Recorder(seconds=20.0))
-found = studies.calibrate_sensor(manifest, f"{folder.name}/made.nc", frequency="1:100:100")
+found = studies.calibrate_sensor(manifest, f"{folder.name}/made.nc", frequency="1:100:100", fidelity="lumped")
 
 # %% [markdown]
 # Point 4 was never measured: its transfer functions follow from a fit of the parts to the three that were.

@@ -26,7 +26,7 @@ import studies
 
 recordings = Path(find_spec("geometry").origin).parents[1] / "docs" / "examples" / "recordings"
 library = acoustic_fem.load(recordings / "library.nc")
-decoder = localize.BayesDecoder(library)
+decoder = localize.BayesDecoder(library, microphone_noise=1e-3)
 signals = localize.read_recording(recordings / "touches.wav", decoder.microphones, 20.0).signals
 time = np.arange(signals.shape[1]) / 1000
 

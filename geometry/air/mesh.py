@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.air.apart import apart
 from geometry.air.curved_tetrahedra import SOLVER_RULE, VOLUME_RULE, curved_volume, jacobians, split_wall_corners
 from geometry.air.solid_checks import estimated_elements
+from geometry.ground.forked import in_a_copy
+from geometry.ground.process_messages import ChildError, Limits
 from geometry.ground.refusal import Kind, Refusal, counted, said_by
 
 if TYPE_CHECKING:
@@ -24,9 +25,13 @@ if TYPE_CHECKING:
 
 #: Place in space, mm.
 Point: TypeAlias = tuple[float, float, float]
+#: Nodes, tetrahedra, and triangles of every face by its name.
+_Elements: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int64], dict[str, NDArray[np.int64]]]
 
 #: Most elements of a mesh, as estimated: of more gmsh makes none in minutes.
 MOST_ELEMENTS = 1e6
+#: Processor time and memory beyond those of the program that gmsh may take for one solid.
+GMSH_LIMITS = Limits(processor_seconds=60, memory=3 * 2**30)
 #: Name under which a mesh lists every face that nobody named.
 WALL = "wall"
 
@@ -129,13 +134,26 @@ def mesh_solid(
     if shared:
         raise MeshError("lie on the same face", kind=Kind.CONFLICT, field="faces", value=shared)
     work = partial(_run_gmsh, solids[0], named, tubes, sizes)
-    # Always: a copy of a process in which gmsh has worked has its locks, but not the threads that would open them.
-    nodes, tetrahedra, triangles = apart(work, "gmsh", beat)
+    nodes, tetrahedra, triangles = _in_a_copy(work, beat)
     normals = {}
     for name, face in named.items():
         normal = face.normalAt()
         normals[name] = np.array([normal.x, normal.y, normal.z])
     return checked_mesh(nodes, tetrahedra, triangles, normals, float(solids[0].Volume()))
+
+
+def _in_a_copy(work: Callable[[], _Elements], beat: Callable[[], None]) -> _Elements:
+    """What gmsh makes; always in a copy, because one of a process where gmsh has worked would wait for its threads."""
+    try:
+        return in_a_copy(work, "gmsh", GMSH_LIMITS, beat)
+    except ChildError as error:
+        if error.status is None:
+            raise
+        raise Refusal(
+            "gmsh gave up on this solid: it may take 60 s of processor time and 3 GiB",
+            kind=Kind.STOPPED,
+            remedy="leave out small holes and roundings, or ask for less accuracy",
+        ) from None
 
 
 def refuse_large_mesh(solid: cadquery.Solid, sizes: MeshSizes, most: float = MOST_ELEMENTS) -> None:
@@ -205,7 +223,7 @@ def face_at(solid: cadquery.Solid, name: str, point: Point) -> cadquery.Face:
 
 def _run_gmsh(
     solid: cadquery.Solid, named: Mapping[str, cadquery.Face], tubes: tuple[str, ...], sizes: MeshSizes
-) -> tuple[NDArray[np.float64], NDArray[np.int64], dict[str, NDArray[np.int64]]]:
+) -> _Elements:
     import gmsh
 
     started_here = not gmsh.isInitialized()
@@ -377,7 +395,7 @@ def _size_around(kind: str, tags: list[int], near: float, reach: float, sizes: M
 
 def _read_mesh(
     surfaces: Mapping[str, int],
-) -> tuple[NDArray[np.float64], NDArray[np.int64], dict[str, NDArray[np.int64]]]:
+) -> _Elements:
     import gmsh
 
     tags, coordinates, _ = gmsh.model.mesh.getNodes()

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+import cadquery as cq
 import numpy as np
 from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    import cadquery
-
-    from geometry.air.mesh import Point
+from geometry.air.mesh import Point, face_at
 
 Vector = NDArray[np.float64]
 
@@ -28,7 +25,7 @@ _PROBES = 40
 class Half:
     """One side of a mirror plane, with points on the faces that the plane cut."""
 
-    solid: cadquery.Solid
+    solid: cq.Solid
     """The half, mm."""
     ports: dict[str, Point]
     """A point on what is left of each port, mm."""
@@ -36,7 +33,7 @@ class Half:
     """A point on the mirror plane's face, mm."""
 
 
-def mirror_half(solid: cadquery.Solid, ports: Mapping[str, Point]) -> Half | None:
+def mirror_half(solid: cq.Solid, ports: Mapping[str, Point]) -> Half | None:
     """Half of a solid, if a plane mirrors the solid onto itself and every port onto itself.
 
     Faces are compared by kind, area, centre and points all over them. Planes are sought through the centre of
@@ -52,8 +49,6 @@ def mirror_half(solid: cadquery.Solid, ports: Mapping[str, Point]) -> Half | Non
     Raises:
         MeshError: a port lies on no flat face, or on several.
     """
-    from geometry.air.mesh import face_at
-
     faces = {name: face_at(solid, name, point) for name, point in ports.items()}
     centre, size = _vector(solid.Center()), solid.BoundingBox().DiagonalLength
     axes = [(_vector(face.Center()), _vector(face.normalAt())) for face in faces.values()]
@@ -72,9 +67,7 @@ def mirror_half(solid: cadquery.Solid, ports: Mapping[str, Point]) -> Half | Non
     return None
 
 
-def _candidates(solid: cadquery.Solid, centre: Vector, axes: list[tuple[Vector, Vector]]) -> Iterator[Vector]:
-    import cadquery as cq
-
+def _candidates(solid: cq.Solid, centre: Vector, axes: list[tuple[Vector, Vector]]) -> Iterator[Vector]:
     _, principal = np.linalg.eigh(np.array(cq.Shape.matrixOfInertia(solid)))
     basis = [*np.eye(3), *principal.T]
     crossed = [np.cross(direction, other) for _, direction in axes for other in basis]
@@ -88,14 +81,12 @@ def _candidates(solid: cadquery.Solid, centre: Vector, axes: list[tuple[Vector, 
         yield normal / length
 
 
-def _mirrors(solid: cadquery.Solid, centre: Vector, normal: Vector, size: float) -> bool:
+def _mirrors(solid: cq.Solid, centre: Vector, normal: Vector, size: float) -> bool:
     """True where each face of the solid is the mirror image of one of its faces.
 
     A twisted face has the area and the centre of its image without being it: points all over each face must
     have their images on the other.
     """
-    import cadquery as cq
-
     faces = solid.Faces()
     places = np.array([_vector(face.Center()) for face in faces])
     areas = np.array([face.Area() for face in faces])
@@ -124,11 +115,7 @@ def _mirrored(points: Vector, centre: Vector, normal: Vector) -> Vector:
     return points - 2 * np.outer((points - centre) @ normal, normal)
 
 
-def _cut(
-    solid: cadquery.Solid, faces: Mapping[str, cadquery.Face], centre: Vector, normal: Vector, size: float
-) -> Half | None:
-    import cadquery as cq
-
+def _cut(solid: cq.Solid, faces: Mapping[str, cq.Face], centre: Vector, normal: Vector, size: float) -> Half | None:
     plane = cq.Plane(origin=tuple(centre), normal=tuple(normal))
     space = cq.Workplane(plane).box(4 * size, 4 * size, 2 * size, centered=(True, True, False)).val()
     halves = solid.intersect(space).Solids()
@@ -160,7 +147,7 @@ def _cut(
     return Half(halves[0], ports, _inner_point(mirror[0])) if len(mirror) == 1 else None
 
 
-def _inner_point(face: cadquery.Face) -> Point:
+def _inner_point(face: cq.Face) -> Point:
     """A point inside a flat face: the middle of the largest facet."""
     vertices, triangles = face.tessellate(0.1)
     corners = np.array([_vector(vertex) for vertex in vertices])[np.array(triangles)]
@@ -169,5 +156,5 @@ def _inner_point(face: cadquery.Face) -> Point:
     return (x, y, z)
 
 
-def _vector(value: cadquery.Vector) -> Vector:
+def _vector(value: cq.Vector) -> Vector:
     return np.array(value.toTuple())

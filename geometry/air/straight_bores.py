@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.air.mesh import Point, face_at
+
 if TYPE_CHECKING:
     import cadquery
     from OCP.gp import gp_Dir, gp_Pnt
-
-    from geometry.air.mesh import Point
 
 Vector = NDArray[np.float64]
 
@@ -62,8 +62,6 @@ def shortened(solid: cadquery.Shape, points: Mapping[str, Point], ports: Sequenc
     Raises:
         MeshError: a point lies on no flat face, or on several.
     """
-    from geometry.air.mesh import face_at
-
     solids = solid.Solids()
     moved, bores = dict(points), []
     if len(solids) != 1:

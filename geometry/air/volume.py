@@ -8,14 +8,13 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from geometry.air.cells import Cell
+from geometry.air.mesh import Point
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.cavity_shapes import draw_cavity, separation
 from geometry.schema.ports import CellPort
 
 if TYPE_CHECKING:
     import cadquery
-
-    from geometry.air.mesh import Point
 
 #: Name of the face that the membrane or the microphone's diaphragm closes.
 OPENING = "opening"

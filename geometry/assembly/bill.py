@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 from geometry.assembly.part_list import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import Cut, cutting_list
@@ -169,7 +170,7 @@ class Bill:
 
 
 def bill_of_materials(
-    design: ArrayDesign,
+    design: DesignLike,
     parts: PartSet | None = None,
     prices: Prices | None = None,
     layout: ArrayLayout | None = None,
@@ -177,11 +178,12 @@ def bill_of_materials(
     """Resin, silicone, spring, sheath, microphones, gaskets and glue that one array takes.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         parts: of :func:`geometry.build_parts`, where they exist already.
         prices: instead of the assumed ones.
         layout: where its parts lie, where it is known already.
     """
+    design = resolve_design(design)
     parts = build_parts(design, layout) if parts is None else parts
     prices = prices or Prices()
     volumes = _millilitres(parts)

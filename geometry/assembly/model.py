@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly.part_list import PartKind, PartSet, PlacedPart, build_parts, place_parts
+from geometry.assembly.part_list import PartKind, PartSet, PlacedPart, build_parts
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
-from geometry.solids.membrane import membranes_of
+from geometry.solids.membrane import build_membrane, membranes_of
 from geometry.solids.tube import TubePiece, build_tube, piece_of
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ class ArrayModel:
 
 
 def array_model(
-    array: ArrayDesign | ArrayModel, parts: PartSet | None = None, layout: ArrayLayout | None = None
+    array: DesignLike | ArrayModel, parts: PartSet | None = None, layout: ArrayLayout | None = None
 ) -> ArrayModel:
     """Put an array together from its printed and cast parts, its tubes and its microphones.
 
@@ -66,33 +67,32 @@ def array_model(
     """
     if isinstance(array, ArrayModel):
         return array
-    design = array
+    design = resolve_design(array)
     layout = lay_out(design) if layout is None else layout
     parts = build_parts(design, layout) if parts is None else parts
-    placed = place_parts(design, layout)
-    shapes = {name: parts[name].val() for name in dict.fromkeys(part.part for part in placed)}
+    shapes = {name: parts[name].val() for name in dict.fromkeys(part.part for part in parts.placed)}
     if design.membrane.stretch != 1:
         shapes |= {name: _mounted_membrane(alike) for name, alike in membranes_of(design).items()}
     tubes, tube_shapes = _tubes(design, layout)
-    packages, package = _packages(design, placed)
+    packages, package = _packages(design, parts.placed)
     return ArrayModel(
         design,
         layout,
         parts,
         {**shapes, **tube_shapes, "microphone-package": package},
-        (*placed, *tubes, *packages),
+        (*parts.placed, *tubes, *packages),
         tuple(tube for tube in layout.tubes if tube.schematic),
     )
 
 
-def build_assembly(design: ArrayDesign, parts: PartSet | None = None) -> cq.Assembly:
+def build_assembly(design: DesignLike, parts: PartSet | None = None) -> cq.Assembly:
     """The array as a CadQuery assembly with a named component per point, microphone and tube.
 
     Copies of a part share its shape. Tubes that are drawn schematically are left out. To write it as STEP with the
     names of its parts, use :func:`geometry.formats.step_assembly.write_step`.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         parts: of :func:`geometry.build_parts`, where they exist already.
     """
     return assembly_of(array_model(design, parts))
@@ -132,8 +132,6 @@ def plane_of(matrix: NDArray[np.float64]) -> cq.Plane:
 
 def _mounted_membrane(design: ArrayDesign) -> cq.Shape:
     """The membrane at its mounted size: lengths in the plane times the stretch, thickness at constant volume."""
-    from geometry.solids.membrane import build_membrane
-
     mounted = design.membrane.model_copy(update={"stretch": 1.0, "thickness": design.membrane.mounted_thickness})
     return build_membrane(design.model_copy(update={"membrane": mounted})).val()
 

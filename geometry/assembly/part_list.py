@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import write_design
+from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import (
@@ -22,12 +22,12 @@ from geometry.layout.placement import (
     microphone_ports,
     point_ports,
 )
-from geometry.molds.mold import MoldKind, mold_counts, mold_kinds
+from geometry.molds.mold import MoldKind, build_mold, mold_counts, mold_kinds
 from geometry.plan.cylinder import FLAT, Axes
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import Membrane, Resonator
 from geometry.schema.ports import ANGLE_STEP, Port, in_common_rotation
-from geometry.solids.membrane import membrane_radius, membranes_of
+from geometry.solids.membrane import build_membrane, membrane_radius, membranes_of
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -55,7 +55,8 @@ class PartSet(dict[str, "cq.Workplane"]):
     ``parameters`` has for each part the numbers and words written into its 3MF file: what matters most of it, and
     under ``design_toml`` the text of the whole design, from which :func:`build_parts` draws the part of that name
     again. ``counts`` has how many of it one array needs, 0 for single shells beside a carrier. ``kinds`` has what each
-    part is, for parts of an array: where it comes from, and what is put into it, follow from that.
+    part is, for parts of an array: where it comes from, and what is put into it, follow from that. ``placed`` has where
+    every copy lies, as :func:`place_parts` gives it.
     """
 
     def __init__(self) -> None:
@@ -63,6 +64,7 @@ class PartSet(dict[str, "cq.Workplane"]):
         self.parameters: dict[str, dict[str, float | int | str]] = {}
         self.counts: dict[str, int] = {}
         self.kinds: dict[str, PartKind] = {}
+        self.placed: tuple[PlacedPart, ...] = ()
 
     def origin(self, name: str) -> Origin:
         """Origin of a part; a part of no kind is printed."""
@@ -80,6 +82,7 @@ class PartSet(dict[str, "cq.Workplane"]):
         chosen.parameters = {name: self.parameters[name] for name in names if name in self.parameters}
         chosen.counts = {name: self.counts[name] for name in names if name in self.counts}
         chosen.kinds = {name: self.kinds[name] for name in names if name in self.kinds}
+        chosen.placed = tuple(part for part in self.placed if part.part in names)
         return chosen
 
 
@@ -121,11 +124,11 @@ class PlacedPart:
         return matrix
 
 
-def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartSet:
+def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSet:
     """Draw every distinct part of a design.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         layout: where its parts lie, where it is known already.
 
     Returns:
@@ -141,12 +144,12 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
     Raises:
         Refusal: a part is not one valid solid.
     """
-    from geometry.molds.mold import build_mold
     from geometry.solids.carrier import array_carrier
     from geometry.solids.housing import build_board, build_housing
-    from geometry.solids.membrane import build_membrane
     from geometry.solids.shell import build_shell
 
+    design = resolve_design(design)
+    layout = layout or lay_out(design)
     plan = _plan(design, layout)
     microphone, printing = design.microphone, design.printing
     parts = PartSet()
@@ -178,6 +181,7 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
         joined = {"shells": len(carrier.places), "necks": carrier.necks}
         parts.parameters["carrier"] = {**_shell_parameters(design.resonator), **about["joints"], **joined}
     parts.counts, parts.kinds = _counts(design, plan), _kinds(design, plan)
+    parts.placed = _placed(design, layout, plan)
     text = write_design(design.completed())
     for name in parts:
         head: dict[str, float | int | str] = {"design": design.name, "count": parts.counts[name]}
@@ -229,12 +233,16 @@ def _disc_parameters(design: ArrayDesign) -> dict[str, float | int | str]:
 
 def part_counts(design: ArrayDesign) -> dict[str, int]:
     """How many of each part one array needs, by the names of :func:`build_parts` (one mold serves all)."""
-    return _counts(design, _plan(design))
+    return _counts(design, _plan(design, lay_out(design)))
 
 
 def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, ...]:
     """Position of every copy of every part; the floors of resonators' cavities lie at z = 0 of a flat array."""
-    plan, placed = _plan(design, layout), []
+    return _placed(design, layout, _plan(design, layout))
+
+
+def _placed(design: ArrayDesign, layout: ArrayLayout, plan: _Plan) -> tuple[PlacedPart, ...]:
+    placed = []
     kinds = _kinds(design, plan)
 
     def put(
@@ -286,8 +294,7 @@ class _Plan:
     microphone_housings: tuple[tuple[str, float], ...]
 
 
-def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
-    layout = layout or lay_out(design)
+def _plan(design: ArrayDesign, layout: ArrayLayout) -> _Plan:
     at_points = [in_common_rotation(point_ports(design, point), ANGLE_STEP) for point in layout.points]
     at_microphones = [in_common_rotation(microphone_ports(design, each), ANGLE_STEP) for each in layout.microphones]
     forms = _forms(design, layout, [ports for ports, _ in at_points])

@@ -7,10 +7,10 @@ they need. Every refusal is a :class:`DesignError` of one line.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import tomlkit
 from pydantic import BaseModel
@@ -26,6 +26,9 @@ from geometry.schema.array_fields import StatedArray
 from geometry.schema.declared_fields import fields_of
 from geometry.schema.field_errors import DesignError, UnknownField, nearest
 from geometry.schema.materials import MATERIALS
+
+DesignLike: TypeAlias = ArrayDesign | str | os.PathLike[str]
+"""A design, the path of its file, or the name of a prototype."""
 
 
 def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
@@ -50,39 +53,25 @@ def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
     return validated(parse_toml(text, source, DesignError), source)
 
 
-def read_stored_design(text: str, source: str) -> ArrayDesign:
-    """Read a design that a result holds, as that result was computed.
-
-    Results that state no law of their membranes, or no bore of their tubes, were computed with a constant modulus and
-    loss factor, and with smooth bores. Materials that are the built-in ones are left to these again.
+def read_completed(text: str, source: str) -> ArrayDesign:
+    """The design that a result holds; materials that are the built-in ones are left to their table again.
 
     Args:
         text: TOML, of :func:`write_design` of a completed design.
         source: name of the file and of its part, for messages.
 
     Raises:
-        DesignError: not TOML, or not a valid design.
+        DesignError: not TOML, not a valid design, or of a version whose tubes had smooth bores.
     """
     data = parse_toml(text, source, DesignError)
-    validated(data, source)
-    name = data["membrane"]["material"]
-    materials = dict(data.get("materials", {}))
-    material = materials.get(name) or MATERIALS[name].model_dump(exclude_none=True, exclude={"law"})
-    if "law" not in material:
-        materials[name] = {**material, "law": "constant"}
-    design = validated({**_with_smooth_bores(data), "materials": materials}, source)
+    design = validated(data, source)
+    if "bore" not in data["tube"]:
+        remedy = "compute the result again"
+        raise DesignError(
+            "is missing: an older version wrote it", kind=Kind.MISSING, file=source, field="tube.bore", remedy=remedy
+        )
     own = {key: value for key, value in design.materials.items() if MATERIALS.get(key) != value}
     return design.model_copy(update={"materials": own})
-
-
-def _with_smooth_bores(data: Mapping[str, Any]) -> dict[str, Any]:
-    """The tables of a design with smooth bores for tubes that state none, those of kinds and lines included."""
-
-    def smooth(table: Mapping[str, Any], names: Iterable[str] = ("tube", "microphone_tube")) -> dict[str, Any]:
-        return {**table, **{name: {"bore": "smooth", **table[name]} for name in names if name in table}}
-
-    kinds = data.get("tube_kinds", {})
-    return {**smooth(data), "tube_kinds": smooth(kinds, kinds), "lines": [smooth(line) for line in data["lines"]]}
 
 
 def write_design(design: ArrayDesign) -> str:
@@ -175,12 +164,14 @@ def stated_prototype(name: str) -> StatedArray:
     return StatedArray.model_validate(parse_toml(prototype_text(name), f"{name}.toml", DesignError))
 
 
-def resolve_design(argument: str | os.PathLike[str]) -> ArrayDesign:
-    """The design a user names: a prototype, else a file.
+def resolve_design(argument: DesignLike) -> ArrayDesign:
+    """The design that a caller gives: itself, a prototype by its name, or a file by its path.
 
     Raises:
         DesignError: neither a prototype nor a file that can be read, or not a valid design.
     """
+    if isinstance(argument, ArrayDesign):
+        return argument
     text = os.fspath(argument)
     names = prototype_names()
     if text in names:

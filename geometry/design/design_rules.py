@@ -5,20 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING
 
 from geometry.design import shell_rules
 from geometry.design.kind_rules import kind_rules, pattern_rules
 from geometry.design.layout_rules import area_rules, cylinder_rules, hand_rules, plane_rules
 from geometry.design.tube_rules import microphone_socket_rules, socket_rules, tube_rules
 from geometry.ground.refusal import Kind, Refusal
+from geometry.schema.array_fields import StatedArray
 from geometry.schema.field_errors import conflict
 from geometry.schema.materials import MATERIALS
 from geometry.schema.part_fields import SOCKET_COVER
 from geometry.schema.print_processes import process_of
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import StatedArray
 
 #: Most by which shims raise the lid of a mold, mm: the pins stay in their sockets.
 MOST_SHIMS = 1.0

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
 
 from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.schema.array_fields import Line, StatedArray
 from geometry.schema.field_errors import conflict, nearest
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import Line, StatedArray
-    from geometry.schema.kinds import PointKind
+from geometry.schema.kinds import PointKind
 
 #: So that dotted names and the formulas of studies can hold them.
 _KIND_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from geometry.ground.refusal import Kind, Refusal
 from geometry.plan import area, cylinder, hand, ring
+from geometry.schema.array_fields import StatedArray
 from geometry.schema.field_errors import conflict
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import StatedArray
 
 
 def plane_rules(design: StatedArray) -> Iterator[Refusal]:

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from geometry.ground.refusal import Refusal
+from geometry.schema.array_fields import StatedArray
 from geometry.schema.cavity_shapes import WIDEST_BOX, Box, Dome
 from geometry.schema.field_errors import conflict
-from geometry.schema.part_fields import SOCKET_COVER
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import StatedArray
-    from geometry.schema.manufacture import Printing
-    from geometry.schema.part_fields import Membrane, Microphone, Resonator, Shell
+from geometry.schema.manufacture import Printing
+from geometry.schema.part_fields import SOCKET_COVER, Membrane, Microphone, Resonator, Shell
 
 #: Material on either side of a glue groove, mm.
 _GROOVE_EDGE = 0.15

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from geometry.ground.refusal import Refusal, counted
 from geometry.plan import area, hand, ring
+from geometry.schema.array_fields import StatedArray
 from geometry.schema.field_errors import conflict
 from geometry.schema.part_fields import SOCKET_COVER, STUB_LENGTH_IN_RADII
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import StatedArray
 
 
 def tube_rules(design: StatedArray) -> Iterator[Refusal]:

@@ -1,5 +1,5 @@
-from .names import FORMATS as FORMATS
 from .part_files import (
+    FORMATS as FORMATS,
     ExportedFile as ExportedFile,
     SharedShape as SharedShape,
     tessellate_distinct as tessellate_distinct,

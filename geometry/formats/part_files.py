@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.assembly.part_list import part_set
-from geometry.formats.names import FORMATS
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.whole_files import whole_file
@@ -25,6 +24,8 @@ if TYPE_CHECKING:
 
     from geometry.solids.measure import Tessellation
 
+#: Formats of part files, by the ending of their names.
+FORMATS = ("stl", "step", "3mf")
 #: A file whose volume differs more than this from the CAD solid is refused.
 LARGEST_VOLUME_ERROR = 0.001
 #: Facets are made finer until the volume of their body keeps this.

@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+from cadquery.occ_impl.assembly import toCAF
+from OCP.IFSelect import IFSelect_ReturnStatus
+from OCP.Interface import Interface_Static
+from OCP.STEPCAFControl import STEPCAFControl_Writer
+from OCP.STEPControl import STEPControl_StepModelType
+from OCP.TCollection import TCollection_ExtendedString
+from OCP.TDataStd import TDataStd_Name
+from OCP.TDF import TDF_Label, TDF_LabelSequence
+from OCP.XCAFDoc import XCAFDoc_ShapeTool
 
 from geometry.assembly.model import ArrayModel, assembly_of, component_name
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import whole_file
-
-if TYPE_CHECKING:
-    from OCP.TDF import TDF_Label
 
 
 def write_step(model: ArrayModel, path: str | os.PathLike[str]) -> Path:
@@ -27,12 +33,6 @@ def write_step(model: ArrayModel, path: str | os.PathLike[str]) -> Path:
     Raises:
         OSError: the file cannot be written.
     """
-    from cadquery.occ_impl.assembly import toCAF
-    from OCP.IFSelect import IFSelect_ReturnStatus
-    from OCP.Interface import Interface_Static
-    from OCP.STEPCAFControl import STEPCAFControl_Writer
-    from OCP.STEPControl import STEPControl_StepModelType
-
     root, document = toCAF(assembly_of(model), coloredSTEP=True)
     parts = {component_name(model, part): part.part for part in model.placed}
 
@@ -54,9 +54,6 @@ def write_step(model: ArrayModel, path: str | os.PathLike[str]) -> Path:
 
 def _components(assembly: TDF_Label) -> list[tuple[TDF_Label, TDF_Label]]:
     """Instances in an assembly and the product of each."""
-    from OCP.TDF import TDF_Label, TDF_LabelSequence
-    from OCP.XCAFDoc import XCAFDoc_ShapeTool
-
     whole = TDF_Label()
     if XCAFDoc_ShapeTool.GetReferredShape_s(assembly, whole):
         assembly = whole
@@ -70,14 +67,9 @@ def _components(assembly: TDF_Label) -> list[tuple[TDF_Label, TDF_Label]]:
 
 
 def _name(label: TDF_Label) -> str:
-    from OCP.TDataStd import TDataStd_Name
-
     name = TDataStd_Name()
     return str(name.Get().ToExtString()) if label.FindAttribute(TDataStd_Name.GetID_s(), name) else ""
 
 
 def _rename(label: TDF_Label, name: str) -> None:
-    from OCP.TCollection import TCollection_ExtendedString
-    from OCP.TDataStd import TDataStd_Name
-
     TDataStd_Name.Set_s(label, TCollection_ExtendedString(name))

@@ -1,4 +1,5 @@
 from .array_files import read_mat as read_mat, read_npz as read_npz
+from .caller_warnings import warn_caller as warn_caller
 from .csv_files import read_csv as read_csv
 from .extras import MissingExtra as MissingExtra, NotInstalled as NotInstalled
 from .file_checks import library_reads as library_reads, ordinary_file as ordinary_file, read_bytes as read_bytes

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import IO, Any, Literal, TypeAlias
 
 import numpy as np
+import scipy.io
 from numpy.typing import NDArray
 
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, not_as_written, ordinary_file
@@ -83,8 +84,6 @@ def read_mat(
     Raises:
         Refusal: of that class: no such file, not MAT, cut short, or of more numbers than may be.
     """
-    import scipy.io
-
     path = ordinary_file(path, what, refusal, LARGEST_DATA)
     names = _plain_variables(path, what, refusal, most_numbers)
     with library_reads(path, what, refusal):

@@ -6,18 +6,17 @@ import html
 import json
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
+import trimesh
+from trimesh.viewer import scene_to_html
+from trimesh.visual.material import PBRMaterial
 
 from geometry.assembly.model import LOOKS, ArrayModel, PartKind, array_model
 from geometry.assembly.order_table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
 from geometry.ground.whole_files import whole_file
-
-if TYPE_CHECKING:
-    import trimesh
 
 #: Facets for the eye: within this part of a shape's size and this angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.002, 0.35
@@ -57,8 +56,6 @@ def write_viewer(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) 
         array: the design, or what :func:`geometry.assembly.model.array_model` put together of it already.
         path: of the page; an existing one is replaced only by a complete one.
     """
-    from trimesh.viewer import scene_to_html
-
     model = array_model(array)
     design = model.design
     scene = _scene(model, np.eye(4))
@@ -147,8 +144,6 @@ def _aspect(scene: trimesh.Scene) -> float:
 
 def _scene(model: ArrayModel, outer: np.ndarray) -> trimesh.Scene:
     """Every shape once as triangles, every placed part as a node."""
-    import trimesh
-
     from geometry.solids.measure import tessellate
 
     scene = trimesh.Scene(base_frame="array")
@@ -173,8 +168,6 @@ def _node(label: str) -> str:
 
 
 def _material(kind: PartKind) -> trimesh.visual.material.PBRMaterial:
-    from trimesh.visual.material import PBRMaterial
-
     colour, opacity = LOOKS[kind]
     # glTF's factors are linear in light, colours as written on pages are not (sRGB, IEC 61966-2-1).
     red, green, blue = (round(255 * (int(colour[k : k + 2], 16) / 255) ** 2.2) for k in (1, 3, 5))

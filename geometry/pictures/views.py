@@ -6,9 +6,9 @@ import itertools
 import math
 import os
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import cadquery as cq
 import numpy as np
@@ -30,9 +30,6 @@ from geometry.pictures.canvas import (
 from geometry.plan.cylinder import Cylinder
 from geometry.plan.routing import unit
 from geometry.solids.membrane import membranes_of
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
 
 _MOLD, _SCHEMATIC = "#d9c27a", "#b08fc7"
 #: Layers of the exploded view, from below.

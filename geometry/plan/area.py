@@ -8,15 +8,12 @@ same with rows and columns exchanged. It begins where every microphone comes to 
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from geometry.plan.meeting import angle_between, meetings
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import StatedArray
+from geometry.schema.array_fields import StatedArray
 
 Cell = tuple[int, int]
 

@@ -8,16 +8,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from geometry.ground.refusal import Kind, Refusal
 from geometry.plan.crossing import zero_crossing
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import StatedArray
+from geometry.schema.array_fields import StatedArray
 
 #: Chords per arc.
 _CHORDS = 64

@@ -8,16 +8,13 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from geometry.plan.meeting import angle_between, meetings
 from geometry.plan.routing import unit
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import StatedArray
+from geometry.schema.array_fields import StatedArray
 
 #: Fingers of a hand, with the thumb.
 FINGERS = 5

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from geometry.plan.crossing import zero_crossing
-
-if TYPE_CHECKING:
-    from geometry.schema.array_fields import StatedArray
+from geometry.schema.array_fields import StatedArray
 
 
 def side_lengths(design: StatedArray) -> tuple[float | None, ...]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from geometry.printing.overhangs import overhangs, sealed_cup
 from geometry.printing.pose import Pose, find_pose
 from geometry.schema.print_processes import PrintProcess, Relation, Rule, Verdict
 
@@ -112,8 +113,6 @@ def judge_shims(name: str, step: float, process: PrintProcess) -> Finding:
 
 def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[Round], pose: Pose) -> list[Finding]:
     """Findings that depend on the direction of building."""
-    from geometry.printing.overhangs import overhangs, sealed_cup
-
     findings = []
     if process.overhang_angle > 0:
         hang = overhangs(facets, process.overhang_angle, pose.upside_down)

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from geometry.assembly.part_list import PartKind, part_set
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import SharedShape, tessellation_tolerance
 from geometry.ground.refusal import Kind, Refusal
 from geometry.printing.print_rules import Finding, judge_cast, judge_printed, judge_shims
@@ -16,8 +18,6 @@ from geometry.schema.print_processes import PrintProcess, Verdict, find_process,
 
 if TYPE_CHECKING:
     import cadquery as cq
-
-    from geometry.design.array_design import ArrayDesign
 
 DEFAULT_PROCESS = "sla-resin"
 
@@ -49,7 +49,7 @@ class PrintReport:
 def print_report(
     parts: Mapping[str, cq.Workplane],
     process: str | os.PathLike[str] | PrintProcess | None = None,
-    design: ArrayDesign | None = None,
+    design: DesignLike | None = None,
     progress: Callable[[str, float], None] | None = None,
     shapes: Sequence[SharedShape] | None = None,
 ) -> PrintReport:
@@ -72,6 +72,7 @@ def print_report(
     Raises:
         Refusal: no such process, or no parts.
     """
+    design = None if design is None else resolve_design(design)
     if process is None:
         rules = process_of(design.printing) if design is not None else find_process(DEFAULT_PROCESS)
     else:

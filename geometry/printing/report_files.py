@@ -5,20 +5,17 @@ from __future__ import annotations
 import json
 import math
 import os
+from collections.abc import Iterable
 from dataclasses import asdict
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import geometry
+from geometry.formats.part_files import ExportedFile
 from geometry.ground.whole_files import write_text
+from geometry.printing.printability import PrintReport
 from geometry.schema.print_processes import NUMBERS, RULES, Rule
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from geometry.formats.part_files import ExportedFile
-    from geometry.printing.printability import PrintReport
 
 _ORDER = {"fail": 0, "warn": 1, "ok": 2}
 

@@ -10,21 +10,20 @@ would move 0.41 to 0.45 of the air.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from acoustic_fem import Library
 from acoustic_fem.quantities.checks import in_range, numbers
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
-from localize.contacts.radii import RADII
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.random_streams import Purpose, random_words, uniform
 
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
-
+RADII = (0.05, 100.0)
+"""Smallest and largest radius of a contact, mm."""
+MOVING = 5.0
+"""Radius of a contact that moves where none is given, mm: a finger."""
 GRAIN = (0.25, 4.0)
 """Shortest and longest wave of a rough contact along its path, mm: about half and eight times the ridges of a finger,
 which lie 0.4 to 0.5 mm apart; ours."""

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.fft
 import torch
 from numpy.typing import NDArray
 
+from acoustic_fem import Library
 from acoustic_fem.quantities.checks import in_range
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
@@ -35,10 +35,6 @@ from localize.signals.stimulus import (
     line_frequencies,
 )
 from localize.signals.touch_generator import TouchGenerator
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
 
 RATES = (250.0, 1e5)
 """Lowest and highest sample rate, Hz."""

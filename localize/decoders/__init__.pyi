@@ -1,8 +1,4 @@
-from .bayes import (
-    ROOM as ROOM,
-    BayesDecoder as BayesDecoder,
-    sound_levels as sound_levels,
-)
+from .bayes import BayesDecoder as BayesDecoder
 from .frame_covariance import (
     low_pass as low_pass,
     sampled_waves as sampled_waves,
@@ -10,16 +6,13 @@ from .frame_covariance import (
     whitening as whitening,
 )
 from .judgement import ResidualTest as ResidualTest
-from .likelihood import (
-    POWERS as POWERS,
-    SCREEN_ERROR as SCREEN_ERROR,
-    SURE as SURE,
-    TEMPERATURE as TEMPERATURE,
-    DecoderTables as DecoderTables,
-)
+from .likelihood import DecoderTables as DecoderTables
+from .options import DecoderOptions as DecoderOptions, TolerantOptions as TolerantOptions
 from .reconstruct import Reconstructor as Reconstructor
 from .sound_test import SoundTest as SoundTest
+from .surroundings import ROOM as ROOM, sound_levels as sound_levels
 from .tolerant import (
     TolerantDecoder as TolerantDecoder,
+    decoder_of as decoder_of,
     tolerant_decoder as tolerant_decoder,
 )

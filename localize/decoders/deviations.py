@@ -19,17 +19,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import DEVIATING, deviation_moments
 from localize.decoders.hypotheses import Hypotheses
-from localize.decoders.likelihood import POWERS, TEMPERATURE, DecoderTables
-
-STEPS = 2
-"""Times that the source, and its power, are found again without what deviations explain."""
-UNEXPLAINED = 0.02
-"""Share of a frame's power that the source is not asked to explain, against 1 for the noise: in directions in which a
-touch is hardly heard, what deviates is far more than the touch. From 0.005 to 0.05 the integral is met alike."""
-MOST_NUMBERS = 3e7
-"""Numbers of all shapes of all tables together: large arrays have fewer shapes."""
+from localize.decoders.likelihood import DecoderTables
+from localize.decoders.options import TolerantOptions
 
 
 class DeviatingTables:
@@ -39,16 +33,14 @@ class DeviatingTables:
         tables: of the hypotheses, point by point.
         hypotheses: what they are of.
         whiten: what makes noise and sound white, (n, n) float64, 1/Pa.
-        warmth: temperature over that of the tables.
+        options: of the decoder.
     """
 
-    def __init__(
-        self, tables: DecoderTables, hypotheses: Hypotheses, whiten: NDArray[np.float64], warmth: float
-    ) -> None:
-        self.tables, self.warmth = tables, warmth
+    def __init__(self, tables: DecoderTables, hypotheses: Hypotheses, whiten: Array, options: TolerantOptions) -> None:
+        self.tables, self._options = tables, options
         count, self.size, self.rank = tables.vectors.shape
         each = hypotheses.deviations.shape[1]
-        self.shapes = max(1, min(each, int(MOST_NUMBERS // (count * self.size * self.rank))))
+        self.shapes = max(1, min(each, int(options.shape_numbers // (count * self.size * self.rank))))
         self.changes = np.empty((count, self.shapes * self.size, self.rank), np.float32)
         self.beside = np.empty((count, self.size, self.size - self.rank))
         for number, response in enumerate(hypotheses.responses):
@@ -62,7 +54,7 @@ class DeviatingTables:
                 change = (basis.T @ whiten) @ moments
                 self.changes[table] = change.reshape(-1, self.rank)
 
-    def scores(self, x: NDArray[np.float64], tables: NDArray[np.int64]) -> NDArray[np.float64]:
+    def scores(self, x: Array, tables: NDArray[np.int64]) -> Array:
         """Log-likelihoods of recordings by hypotheses and their deviations, without those of noise alone.
 
         Args:
@@ -72,7 +64,8 @@ class DeviatingTables:
         Returns:
             (k, n) float64, nats.
         """
-        recordings, temperature = (len(tables), *x.shape[:2]), self.warmth * TEMPERATURE
+        options, powers = self._options, self._options.tried_powers
+        recordings, temperature = (len(tables), *x.shape[:2]), options.relative_temperature * options.temperature
         flat = x.reshape(-1, self.size)
         weight, loss = self.tables.weight[tables], self.tables.log_determinant[tables][:, None]
         # In the basis of each hypothesis, what it leaves empty last.
@@ -81,15 +74,15 @@ class DeviatingTables:
             np.matmul(flat, self.tables.vectors[table], out=row[:, : self.rank])
             np.matmul(flat, self.beside[table], out=row[:, self.rank :])
         along = cleaned = whole[..., : self.rank]
-        unexplained = 1 + UNEXPLAINED * (flat * flat).mean(1, keepdims=True)
+        unexplained = 1 + options.unexplained_fraction * (flat * flat).mean(1, keepdims=True)
         kept = np.ones(whole.shape)
         which = np.arange(len(tables))[:, None]
-        for step in range(STEPS):
+        for step in range(options.source_steps):
             power = (cleaned * cleaned @ weight + loss).argmin(-1)
-            heard = -TEMPERATURE * weight[which, :, power]
+            heard = -options.temperature * weight[which, :, power]
             kept[..., : self.rank] = 1 - heard
             source = cleaned / (unexplained + heard / (1 - heard))
-            change = self._change(source * POWERS[power][..., None], tables, step == STEPS - 1)
+            change = self._change(source * powers[power][..., None], tables, step == options.source_steps - 1)
             missing = change * kept[:, :, None]
             slope = (missing @ whole[..., None])[..., 0]
             bend = missing @ change.swapaxes(2, 3)
@@ -99,11 +92,11 @@ class DeviatingTables:
             explained = np.repeat(amplitude, recordings[2], 1)[:, :, None] @ change[..., : self.rank]
             cleaned = along - explained[:, :, 0]
         misfit = (along * along @ weight + loss)[which, np.arange(len(flat)), power]
-        fit = -0.5 * misfit.reshape(recordings).sum(2) / self.warmth
+        fit = -0.5 * misfit.reshape(recordings).sum(2) / options.relative_temperature
         determinant = np.linalg.slogdet(information)[1]
         return np.asarray(fit + 0.5 * (slope * amplitude).sum(2) - 0.5 * determinant)
 
-    def _change(self, source: NDArray[np.float64], tables: NDArray[np.int64], is_last: bool) -> NDArray[np.float64]:
+    def _change(self, source: Array, tables: NDArray[np.int64], is_last: bool) -> Array:
         """What the shapes do to sources (k, n, rank), in the bases of the tables; (k, n, n_shape, size).
 
         Single precision is enough to find the source again: what counts in the end is in double.

@@ -15,17 +15,22 @@ explains what parts that differ from the design do.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.special import logsumexp
 
-from geometry.ground.refusal import Refusal
-from localize.decoders.bayes import Ambient, BayesDecoder
+from acoustic_fem.calibration.fitted_model import UpdatedModel
+from acoustic_fem.library.transfer_functions import MEASURED
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
-from localize.decoders.likelihood import CHUNK
+from localize.decoders.level_likelihood import LevelLikelihood
+from localize.decoders.library_decoder import LibraryDecoder, in_parts
+from localize.decoders.options import DriftOptions
+from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice
@@ -36,195 +41,169 @@ if TYPE_CHECKING:
 
     from acoustic_fem import Library
 
-STATES = 11
-"""Number of stiffnesses, that of the calibration in the middle; 7.5 % apart, 15 that are 5 % apart do no better."""
-FARTHEST = 0.375
-"""Largest distance of a stiffness from that of the calibration, in its logarithm: at 2000 m it seems 30 % lower."""
-USUAL = 0.15
-"""Standard deviation of the logarithm of the stiffness before any touch was heard."""
-MOVES = 1e-3
-"""Probability with which the state moves to a neighbour from one touch to the next; 1e-4 to 1e-2 do alike."""
-LEAST = -4.0
-"""Logarithm of the least likelihood that one touch gives a state, against the best: none is excluded by one touch,
-which may be none."""
 
-
-@dataclass
-class _Belief:
-    """What is believed of a drift."""
-
-    log: NDArray[np.float64]
-    """Logarithm of the probability of each state, (n_state,)."""
-
-
-class DriftDecoder(BayesDecoder):
+class DriftDecoder(LibraryDecoder):
     """Maximum likelihood over the points of a calibrated array whose stiffness drifts.
 
-    Frames that are located are taken as touches in the order in which they come, and each moves what is believed of the
-    drift; whatever else a decoder is asked takes the belief as it is. It takes eleven times the tables, and several
-    times the time, of :class:`localize.BayesDecoder`.
+    :meth:`follow` takes touches in the order in which they come, with the belief about the drift, and gives the next
+    belief beside the answer. :meth:`locate` takes every touch as the first one. The decoder itself never changes. It
+    takes eleven times the tables, and several times the time, of :class:`localize.BayesDecoder`.
 
     Args:
         library: of a calibrated sensor, measured at all points or fitted, and of a design that the lumped batch takes;
             it covers 1 to 100 Hz.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
-        new: share of a frame that the frame before it does not hold, above 0, at most 1: 16 / 250 in a stream.
-        microphones: names of two or more that are listened to; by default all.
+        new: fraction of a frame that the frame before it does not hold, above 0, at most 1: 16 / 250 in a stream.
+        microphones: names of two or more that are used; by default all.
+        options: numbers that tune it.
 
     Raises:
-        Refusal: a library that is not calibrated, or in which points are still those of the design; a share out of
+        Refusal: a library that is not calibrated, or in which points are still those of the design; a fraction out of
             range; a design that the lumped batch does not take; a microphone that the library does not have; or as
             :class:`localize.BayesDecoder`.
     """
 
-    bounds_scores = False
+    options: DriftOptions
 
+    @one_thread()
     def __init__(
         self,
         library: Library,
-        microphone_noise: NoiseChoice = 1e-3,
+        microphone_noise: NoiseChoice = "design",
         ambient: Ambient = None,
         new: float = 1.0,
         microphones: tuple[str, ...] | None = None,
+        options: DriftOptions = DriftOptions(),
     ) -> None:
         if not 0 < new <= 1:
-            raise Refusal(f"new = {new} must be above 0 and at most 1")
-        objection = objection_to_drift(library)
-        if objection is not None:
-            raise Refusal(f"library {objection}")
-        self._listened_to = microphones
-        super().__init__(library, microphone_noise, ambient)
+            raise Refusal(field="new", value=new, allowed="above 0 and at most 1")
+        check_drift(library)
+        whole = response_of(library)
+        response = whole if microphones is None else whole.heard_by(microphones)
+        around = Surroundings.of(response, microphone_noise, ambient)
+        self.options = options
+        self.stiffness: Array = np.exp(np.linspace(-options.farthest, options.farthest, options.states))
+        """Stiffnesses of the states over that of the calibration; (n_state,) float64."""
+        kept = [whole.microphones.index(name) for name in response.microphones]
+        heard = self._transfer_functions(library)[:, :, kept]
+        each = [touch_covariances(replace(response, transfer_function=h), np.eye(SAMPLES)) for h in heard]
+        touched = np.stack(each, 1).reshape(-1, *each[0].shape[1:])
+        super().__init__(response, around, LevelLikelihood(touched, response, around, options))
         self._library, self._new = library, new
-        apart = np.log(self.stiffness)
-        self._usual = -0.5 * (apart / USUAL) ** 2
-        moves = new * MOVES / 2 * (np.eye(STATES, k=1) + np.eye(STATES, k=-1))
+        usual = -0.5 * (np.log(self.stiffness) / options.usual_deviation) ** 2
+        self.start: Array = usual - logsumexp(usual)
+        """Belief before the first touch: logarithm of the probability of each state; (n_state,) float64."""
+        states = np.eye(options.states, k=1) + np.eye(options.states, k=-1)
+        moves = new * options.move_probability / 2 * states
         self._transition = moves + np.diag(1 - moves.sum(1))
-        self._belief = _Belief(self._usual - logsumexp(self._usual))
 
     def heard_by(self, microphones: tuple[str, ...]) -> DriftDecoder:
-        """The same sensor by some of its microphones: what either hears of the drift both believe.
-
-        Args:
-            microphones: names, two or more.
-
-        Raises:
-            Refusal: a microphone that the library does not have, or fewer than two.
+        """The decoder of the same sensor by some of its microphones, whose states are the same; as of
+        :class:`localize.Locator`.
         """
-        rest = DriftDecoder(self._library, self.microphone_noise, self.ambient, self._new, microphones)
-        rest._belief = self._belief
-        return rest
+        return DriftDecoder(self._library, self.microphone_noise, self.ambient, self._new, microphones, self.options)
 
     @property
-    def assumes(self) -> str:
-        """What is taken for granted of the sensor, in words."""
+    def no_graph(self) -> str:
+        """Reason why no ONNX graph can hold this localizer, as a clause."""
+        return "it follows its sensor from touch to touch"
+
+    @property
+    def assumptions(self) -> str:
+        """What is assumed of the sensor, in words."""
         return "that the sensor is as its library has it, but for a stiffness that is followed"
 
-    @property
-    def stiffness(self) -> NDArray[np.float64]:
-        """Stiffnesses of the states over that of the calibration; (n_state,) float64."""
-        return np.exp(np.linspace(-FARTHEST, FARTHEST, STATES))
-
-    @property
-    def belief(self) -> NDArray[np.float64]:
-        """Probability of each state after the touches so far; (n_state,) float64."""
-        return np.exp(self._belief.log)
-
-    def reset(self) -> None:
-        """Forget the touches so far."""
-        self._belief.log = self._usual - logsumexp(self._usual)
-
-    def _heard(self, library: Library | ArrayResponse) -> ArrayResponse:
-        """The array, as the microphones hear it that are listened to."""
-        response = super()._heard(library)
-        return response if self._listened_to is None else response.heard_by(self._listened_to)
-
-    def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> NDArray[np.float64]:
-        """Covariances of the states, point by point."""
-        from acoustic_fem.calibration.fitted_model import UpdatedModel
-
-        assert not isinstance(library, ArrayResponse)
-        model = UpdatedModel(library)
-        u = np.zeros((STATES, model.count))
-        modulus = model.groups.index("modulus")
-        u[:, modulus] = np.log(self.stiffness) / model.scale[modulus]
-        names = list(response_of(library).microphones)
-        heard = model.transfer_function(u)[:, :, [names.index(name) for name in response.microphones]]
-        each = [touch_covariances(replace(response, transfer_function=h), np.eye(SAMPLES)) for h in heard]
-        return np.stack(each, 1).reshape(-1, *each[0].shape[1:])
-
     @one_thread()
-    def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
-        """Where the array was touched, one touch after the other, all points equally likely beforehand.
+    def follow(self, signals: ArrayLike | Tensor, state: Array) -> tuple[Array, Array]:
+        """Probability of each point of touches in the order in which they came, and the belief after them.
 
         Args:
-            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, as of
-                :meth:`localize.BayesDecoder.locate`.
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, as of :meth:`locate`.
+            state: belief before them, (n_state,) float64: :attr:`start`, or what the call before gave.
 
         Returns:
-            (n_point,) or (n, n_point) float64: probability per point in the state believed most after this touch.
+            (n_point,) or (n, n_point) float64, the probability per point in the state that is believed most after each
+            touch; and the logarithm of the probability of each state, (n_state,) float64.
 
         Raises:
-            Refusal: as :meth:`localize.BayesDecoder.locate`.
+            Refusal: as of :meth:`locate`.
         """
         batch, batched = checked_signals(signals, self.microphones)
         score = np.empty((len(batch), self.point_count))
         for number, by_state in enumerate(self._of_touches(batch)):
-            self._hear(by_state)
-            score[number] = by_state[:, self._belief.log.argmax()]
-        probability = np.exp(score - logsumexp(score, axis=1, keepdims=True))
-        return probability if batched else probability[0]
+            state = self._believed(by_state, state)
+            score[number] = by_state[:, state.argmax()]
+        probability = _probability(score)
+        return (probability if batched else probability[0]), state
 
-    def log_likelihood(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Log-likelihood of every point in the state believed most; as of :meth:`localize.BayesDecoder.log_likelihood`.
+    def joint_log_likelihood(self, batch: Array) -> Array:
+        """As of :class:`localize.BayesDecoder`, each signal taken as the first touch; (n, n_point) float64, nats."""
+        by_state = self._of_touches(batch)
+        return np.stack([each[:, self._believed(each, self.start).argmax()] for each in by_state])
 
-        Args:
-            frames: (n, n_microphone, 250) float64, Pa.
+    def log_likelihood(self, frames: Array) -> Array:
+        """As of :class:`localize.BayesDecoder`, each frame taken as the first touch; (n, n_point) float64, nats."""
+        return self.joint_log_likelihood(frames)
 
-        Returns:
-            (n, n_point) float64, nats, up to a constant per frame.
-        """
-        return self._by_state(frames)[..., self._belief.log.argmax()]
+    def _probability(self, batch: Array) -> Array:
+        return _probability(self.joint_log_likelihood(batch))
 
-    def _by_state(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _transfer_functions(self, library: Library) -> Array:
+        """Transfer functions of the states, (n_state, n_point, n_microphone, n_freq) complex128."""
+        model = UpdatedModel(library)
+        u = np.zeros((len(self.stiffness), model.count))
+        modulus = model.groups.index("modulus")
+        u[:, modulus] = np.log(self.stiffness) / model.scale[modulus]
+        return model.transfer_function(u)
+
+    def _by_state(self, frames: Array) -> Array:
         """Log-likelihoods of frames in all states, (n, n_point, n_state), nats."""
-        return super().log_likelihood(frames).reshape(len(frames), self.point_count, STATES)
+        return self.likelihood.scores(frames).reshape(len(frames), self.point_count, -1)
 
-    def _of_touches(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _of_touches(self, batch: Array) -> Array:
         """Log-likelihoods of touches, (n, n_point, n_state), nats, all frames of each together."""
         frames = cut_frames(batch)
-        flat = frames.reshape(-1, *frames.shape[2:])
-        score = np.concatenate([self._by_state(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
+        score = in_parts(self._by_state, frames, self.options.frames_at_once)
         return np.asarray(score.reshape(*frames.shape[:2], *score.shape[1:]).sum(1))
 
-    def _hear(self, by_state: NDArray[np.float64]) -> None:
-        """Take in what a touch of log-likelihoods (n_point, n_state) says of the state."""
-        told = logsumexp(by_state, axis=0)
-        told = self._new * np.maximum(told - told.max(), LEAST)
-        before = np.log(self.belief @ self._transition)
-        self._belief.log = before + told - logsumexp(before + told)
+    def _believed(self, by_state: Array, state: Array) -> Array:
+        """Belief after a touch of log-likelihoods (n_point, n_state)."""
+        evidence = logsumexp(by_state, axis=0)
+        evidence = self._new * np.maximum(evidence - evidence.max(), self.options.least_log_likelihood)
+        before = np.log(np.exp(state) @ self._transition)
+        return np.asarray(before + evidence - logsumexp(before + evidence))
 
 
-def objection_to_drift(library: Library | ArrayResponse) -> str | None:
-    """Reason why a drift cannot be followed about a library; None where it can.
+def _probability(score: Array) -> Array:
+    """Probabilities of points from log-likelihoods, both (n, n_point)."""
+    return np.exp(score - logsumexp(score, axis=1, keepdims=True))
+
+
+def check_drift(library: Library | ArrayResponse) -> None:
+    """Refuse a library about which no drift can be followed.
 
     Args:
         library: of a sensor.
-    """
-    from acoustic_fem.library.transfer_functions import MEASURED
 
+    Raises:
+        Refusal: it is not of a design, not calibrated, or not calibrated at all points.
+    """
     if isinstance(library, ArrayResponse):
-        return "must be one of a design: bare transfer functions do not tell what a drift changes"
+        problem = "must be one of a design, because bare transfer functions do not say what a drift changes"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")
     if library.fidelity != MEASURED:
-        return (
-            f"must be calibrated to follow a drift, was computed ({library.fidelity}): about parts that the sensor "
-            "does not have, more touches are named wrong so; make a library with calibrate or recalibrate"
+        problem = (
+            f"must be calibrated to follow a drift, but it was computed ({library.fidelity}): parts that differ from "
+            "the design would pass for a drift, and touches be assigned to wrong points"
         )
+        remedy = "make a library with calibrate or recalibrate"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="library", remedy=remedy)
     made = library.provenance.get("calibration", {})
     measured = len(made.get("measured_points", ()))
     if made.get("other_points") == "model" and measured < library.design.point_count:
-        return (
-            f"must be calibrated at all points to follow a drift: {measured} of {library.design.point_count} were "
-            "measured, and the others are those of the design"
+        problem = (
+            f"must be calibrated at all points to follow a drift, but only {measured} of {library.design.point_count} "
+            "were measured"
         )
-    return None
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")

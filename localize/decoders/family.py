@@ -12,13 +12,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.special import logsumexp, softmax
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import checked_signals
+from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 
@@ -28,7 +30,7 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
 
 
-class FamilyDecoder:
+class FamilyDecoder(Locator):
     """Maximum likelihood over points, the hypotheses summed out.
 
     Args:
@@ -44,48 +46,41 @@ class FamilyDecoder:
     def __init__(
         self,
         libraries: Sequence[Library | ArrayResponse],
-        microphone_noise: NoiseChoice = 1e-3,
+        microphone_noise: NoiseChoice = "design",
         prior: ArrayLike | None = None,
     ) -> None:
         if not libraries:
-            raise Refusal("libraries is empty: at least one hypothesis is needed")
+            raise Refusal(kind=Kind.MISSING, field="libraries", allowed="one or more, each a hypothesis")
         weight = np.ones(len(libraries)) if prior is None else np.asarray(prior, np.float64)
         if weight.shape != (len(libraries),) or not (np.isfinite(weight) & (weight > 0)).all():
-            raise Refusal(f"prior must hold {len(libraries)} finite values above 0, one per library")
+            allowed = f"{len(libraries)} finite values above 0, one per library"
+            raise Refusal(field="prior", value=weight.tolist(), allowed=allowed)
         self.decoders = tuple(BayesDecoder(library, microphone_noise) for library in libraries)
         first = self.decoders[0]
         for k, other in enumerate(self.decoders):
             same = other.point_count == first.point_count and (other.line == first.line).all()
             if not (same and (other.place == first.place).all() and other.microphones == first.microphones):
-                raise Refusal(f"library {k} has other points or microphones than the first one")
-        self.microphones = first.microphones
-        self.line = first.line
-        self.place = first.place
+                problem = "has other points or microphones than the first one"
+                raise Refusal(problem, kind=Kind.MISMATCH, field=f"libraries.{k + 1}")
+        self.array = first.array
         self._log_prior = np.log(weight / weight.sum())
 
     @property
-    def point_count(self) -> int:
-        """Number of sensing points."""
-        return len(self.line)
+    def kind(self) -> str:
+        """Kind of localizer."""
+        return "model-based decoder"
 
-    def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
-        """Where the array was touched, the hypotheses summed out.
+    @property
+    def assumptions(self) -> str:
+        """What is assumed of the sensor, in words."""
+        return "that the sensor is one of its libraries"
 
-        Args:
-            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+    def _probability(self, batch: Array) -> Array:
+        return np.asarray(softmax(logsumexp(self._joint(batch), axis=2), axis=1))
 
-        Returns:
-            (n_point,) or (n, n_point) float64: probability per point.
-
-        Raises:
-            Refusal: as :meth:`localize.BayesDecoder.locate`.
-        """
-        joint, batched = self._joint(signals)
-        probability = softmax(logsumexp(joint, axis=2), axis=1)
-        return np.asarray(probability if batched else probability[0])
-
-    def hypotheses(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
-        """Which hypothesis the signals speak for.
+    @one_thread()
+    def hypotheses(self, signals: ArrayLike | Tensor) -> Array:
+        """Probability of each hypothesis.
 
         Args:
             signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
@@ -96,13 +91,10 @@ class FamilyDecoder:
         Raises:
             Refusal: as :meth:`localize.BayesDecoder.locate`.
         """
-        joint, batched = self._joint(signals)
-        probability = softmax(logsumexp(joint, axis=1), axis=1)
+        batch, batched = checked_signals(signals, self.microphones)
+        probability = softmax(logsumexp(self._joint(batch), axis=1), axis=1)
         return np.asarray(probability if batched else probability[0])
 
-    @one_thread()
-    def _joint(self, signals: ArrayLike | Tensor) -> tuple[NDArray[np.float64], bool]:
+    def _joint(self, batch: Array) -> Array:
         """Log of likelihood times prior, (n, n_point, n_hypothesis), all frames of each signal together."""
-        batch, batched = checked_signals(signals, self.microphones)
-        joint = [decoder.joint_log_likelihood(batch) for decoder in self.decoders]
-        return np.stack(joint, -1) + self._log_prior, batched
+        return np.stack([each.joint_log_likelihood(batch) for each in self.decoders], -1) + self._log_prior

@@ -16,7 +16,7 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.signals.array_response import ArrayResponse, interpolation
 from localize.signals.disturbances import LOWEST_SOUND, MAINS, REFERENCE
 from localize.signals.frames import FRAME
@@ -57,7 +57,8 @@ def check_noise(choice: NoiseChoice) -> None:
         Refusal: neither "design" nor 1e-9 to 10 Pa.
     """
     if choice != "design" and not 1e-9 <= choice <= 10.0:
-        raise Refusal(f"microphone_noise = {choice} Pa must be between 1e-9 and 10 Pa")
+        allowed = "between 1e-9 and 10 Pa, or 'design'"
+        raise Refusal(field="microphone_noise", value=choice, unit="Pa", allowed=allowed)
 
 
 def low_pass() -> NDArray[np.float64]:
@@ -181,8 +182,13 @@ def noise_covariance(noise: float | NoiseSpectrum, lag: NDArray[np.float64]) -> 
     return np.where(lag == 0, noise**2, 0.0)
 
 
-def check_level(response: ArrayResponse, level: float | None) -> None:
-    """Refuse sound that is out of range, or that nobody knows the way of.
+def check_level(response: ArrayResponse, level: float | None, field: str = "ambient") -> None:
+    """Refuse sound that is out of range, or whose path to the microphones is not known.
+
+    Args:
+        response: the array.
+        level: dB SPL; None for quiet.
+        field: name of the argument.
 
     Raises:
         Refusal: a level outside 0 to 140 dB SPL, or an array without a design.
@@ -190,9 +196,10 @@ def check_level(response: ArrayResponse, level: float | None) -> None:
     if level is None:
         return
     if not 0 <= level <= 140:
-        raise Refusal(f"ambient = {level} dB SPL must be between 0 and 140, or None for quiet")
+        raise Refusal(field=field, value=level, unit="dB SPL", allowed="between 0 and 140, or None for quiet")
     if response.ambient_response is None:
-        raise Refusal(f"ambient = {level} dB SPL needs a library with a design, which tells how sound comes in")
+        problem = "needs a library with a design, which says how sound comes in"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field=field, value=level, unit="dB SPL")
 
 
 def ambient_covariance(response: ArrayResponse, level: float) -> NDArray[np.float64]:

@@ -23,41 +23,22 @@ from scipy.cluster.vq import kmeans2
 from scipy.interpolate import CubicSpline, make_interp_spline
 
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
-from geometry.ground.refusal import Refusal
-from localize.decoders.frame_covariance import DEVIATING, SOURCE_RMS, SourceDensity, source_density, touch_covariances
+from acoustic_fem.scatter.tolerances import ScatteredDesign, Tolerance
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
+from localize.decoders.frame_covariance import DEVIATING, SourceDensity, source_density, touch_covariances
+from localize.decoders.options import HypothesisOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
-    from acoustic_fem.scatter.tolerances import Tolerance
 
-DRAWS = 600
-"""Sensors that are drawn."""
-GROUPS = 8
-"""Groups of the draws of a point. Of 36 points in line 6 name 1 to 2 % fewer touches of made sensors, 24 as many."""
-MOST_TABLES = 640
-"""Hypotheses of all points together: larger arrays, whose lines are shorter, have fewer groups, at least two."""
-AS_DESIGNED = 0.2
-"""Prior of the sensor as it was designed."""
-NODES = 40
-"""Frequencies at which drawn sensors are solved, evenly spread on a logarithmic scale."""
-RATIO_FREQUENCIES = 12
-"""Frequencies of the ratios that draws are grouped by."""
-QUIETEST = 1e-3 / SOURCE_RMS
-"""Level over that in the touched cavity from which on a microphone tells much of a point."""
-ALIKE = 1e-6
-"""Spread of the ratios, nepers and radians, below which draws are one."""
-SHAPES = 6
-"""Shapes in which the draws of a group deviate from their mean. Of 36 points in line 3 name 1 to 2 % fewer touches, 8
-as many."""
-ABOVE_BAND = 0.02
-"""Weight, in the search for shapes, of frequencies above those of touches."""
 ROUNDING = 1e-12
-"""Share of the power of a touch that is added to what each microphone hears alone, for the sake of rounding."""
+"""Fraction of the power of a touch that is added to what each microphone hears alone, for the sake of rounding."""
 NOTHING = 1e-12
-"""Share of the power of the first shape below which another is one of rounding."""
-_BLOCK, _SEED = 50, 20161
+"""Fraction of the power of the first shape below which another is one of rounding."""
+_BLOCK = 50
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,42 +51,45 @@ class Hypotheses:
     """Shapes in which the logarithms of these transfer functions deviate, each by a standard normal amplitude;
     (n_hypothesis, n_shape, n_point, n_microphone, n_freq) complex64 at
     :data:`localize.decoders.frame_covariance.DEVIATING`, without those that all microphones share."""
-    log_prior: NDArray[np.float64]
+    log_prior: Array
     """Logarithm of the prior of each hypothesis of a point; (n_point, n_hypothesis) float64."""
 
 
-def made_hypotheses(library: Library, response: ArrayResponse, tolerances: Sequence[Tolerance]) -> Hypotheses:
+def as_built_hypotheses(
+    library: Library, response: ArrayResponse, tolerances: Sequence[Tolerance], options: HypothesisOptions
+) -> Hypotheses:
     """Hypotheses of a library's array, the sensor as it was designed the last one.
 
     Args:
         library: of a design.
         response: of that library, all of its microphones or some.
         tolerances: of manufacturing.
+        options: numbers of the hypotheses.
 
     Raises:
         Refusal: a design whose scatter is not known.
     """
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
-    nodes = np.geomspace(response.frequency[0], top, NODES)
+    nodes = np.geomspace(response.frequency[0], top, options.solved_frequencies)
     heard = [library.design.microphones.index(name) for name in response.microphones]
-    level, phase = (each[:, :, heard] for each in _drawn(library, nodes, tolerances))
+    level, phase = (each[:, :, heard] for each in _drawn(library, nodes, tolerances, options))
     loudness = np.abs(response.at(nodes))
-    groups = max(2, min(GROUPS, MOST_TABLES // response.point_count - 1))
+    groups = max(2, min(options.groups, options.most_hypotheses // response.point_count - 1))
     curves = np.zeros((groups, 2, *loudness.shape))
-    shapes = np.zeros((groups + 1, SHAPES, *loudness.shape), np.complex64)
+    shapes = np.zeros((groups + 1, options.shapes, *loudness.shape), np.complex64)
     prior = np.zeros((response.point_count, groups + 1))
-    prior[:, -1] = AS_DESIGNED
+    prior[:, -1] = options.prior_as_designed
     for point in range(response.point_count):
-        features = _ratios(level[:, point], phase[:, point], loudness[point], nodes)
-        label = _grouped(features, groups)
+        features = _ratios(level[:, point], phase[:, point], loudness[point], nodes, options)
+        label = _grouped(features, groups, options)
         drawn = level[:, point] + 1j * phase[:, point]
-        shapes[-1, :, point] = _shapes(drawn, loudness[point], nodes)
+        shapes[-1, :, point] = _shapes(drawn, loudness[point], nodes, options)
         for group in range(groups):
             of_group = label == group
             if of_group.any():
                 curves[group, :, point] = level[of_group, point].mean(0), phase[of_group, point].mean(0)
-                shapes[group, :, point] = _shapes(drawn[of_group], loudness[point], nodes)
-            prior[point, group] = (1 - AS_DESIGNED) * of_group.mean()
+                shapes[group, :, point] = _shapes(drawn[of_group], loudness[point], nodes, options)
+            prior[point, group] = (1 - options.prior_as_designed) * of_group.mean()
     change = CubicSpline(np.log(nodes), curves, axis=-1)(np.log(np.minimum(response.frequency, top)))
     factors = np.exp(change[:, 0] + 1j * change[:, 1])
     made = tuple(replace(response, transfer_function=response.transfer_function * factor) for factor in factors)
@@ -114,12 +98,13 @@ def made_hypotheses(library: Library, response: ArrayResponse, tolerances: Seque
     return Hypotheses((*made, response), deviations, np.log(np.maximum(prior, 1e-30)))
 
 
-def made_covariances(
+def as_built_covariances(
     library: Library | ArrayResponse,
     tolerances: Sequence[Tolerance],
-    whiten: NDArray[np.float64],
+    whiten: Array,
     density: SourceDensity = source_density,
-) -> NDArray[np.float64]:
+    options: HypothesisOptions = HypothesisOptions(),
+) -> Array:
     """Covariances of a touch of each point, averaged over the sensors that a design may come out as.
 
     Args:
@@ -127,6 +112,7 @@ def made_covariances(
         tolerances: of manufacturing.
         whiten: as of :func:`localize.decoders.frame_covariance.touch_covariances`.
         density: as there.
+        options: numbers of the hypotheses.
 
     Returns:
         (n_point, n, n) float64.
@@ -135,9 +121,9 @@ def made_covariances(
         Refusal: bare transfer functions, or a design whose scatter is not known.
     """
     if isinstance(library, ArrayResponse):
-        raise Refusal("library must be one of a design: bare transfer functions do not tell what its parts are")
+        raise bare_library()
     response = response_of(library)
-    hypotheses = made_hypotheses(library, response, tolerances)
+    hypotheses = as_built_hypotheses(library, response, tolerances, options)
     nearest = np.clip(response.frequency, DEVIATING[0], DEVIATING[-1])
     spectra = np.zeros((*response.transfer_function.shape, len(response.microphones)), np.complex128)
     for number, one in enumerate(hypotheses.responses):
@@ -154,17 +140,21 @@ def made_covariances(
     return np.asarray(sum(covariances))
 
 
+def bare_library() -> Refusal:
+    """Refusal of bare transfer functions where a design is needed."""
+    problem = "must be one of a design, because bare transfer functions do not say what its parts are"
+    return Refusal(problem, kind=Kind.UNSUITABLE, field="library")
+
+
 def _drawn(
-    library: Library, nodes: NDArray[np.float64], tolerances: Sequence[Tolerance]
+    library: Library, nodes: Array, tolerances: Sequence[Tolerance], options: HypothesisOptions
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Logarithms of the factors of drawn sensors: nepers and radians, (n_draw, n_point, n_microphone, n_node) each."""
-    from acoustic_fem.scatter.tolerances import ScatteredDesign
-
     scattered = ScatteredDesign(library.design, tolerances)
     parts = []
-    for first in range(0, DRAWS, _BLOCK):
-        count = min(_BLOCK, DRAWS - first)
-        factors = scatter_factors(scattered, library.medium, nodes, count, _SEED, first=first)
+    for first in range(0, options.draws, _BLOCK):
+        count = min(_BLOCK, options.draws - first)
+        factors = scatter_factors(scattered, library.medium, nodes, count, options.seed, first=first)
         parts.append(np.stack([np.log(np.abs(factors)), np.unwrap(np.angle(factors))]).astype(np.float32))
     level, phase = np.concatenate(parts, axis=1)
     return level, phase
@@ -173,23 +163,24 @@ def _drawn(
 def _ratios(
     level: NDArray[np.float32],
     phase: NDArray[np.float32],
-    loudness: NDArray[np.float64],
-    nodes: NDArray[np.float64],
-) -> NDArray[np.float64]:
+    loudness: Array,
+    nodes: Array,
+    options: HypothesisOptions,
+) -> Array:
     """What draws of a point are grouped by: ratios to its loudest microphone, (n_draw, n_feature).
 
     A microphone counts as far as it hears the point above the noise.
     """
     inside = np.flatnonzero((nodes >= BAND[0]) & (nodes <= BAND[1]))
-    at = inside[np.linspace(0, len(inside) - 1, RATIO_FREQUENCIES).round().astype(int)]
+    at = inside[np.linspace(0, len(inside) - 1, options.ratio_frequencies).round().astype(int)]
     loudest = int(loudness[:, at].sum(1).argmax())
-    weight = 1 / np.hypot(1, QUIETEST / loudness[:, at])
+    weight = 1 / np.hypot(1, options.quiet_ratio / loudness[:, at])
     each = (values[..., at] - values[:, loudest, None][..., at] for values in (level, phase))
     return np.concatenate([(weight * ratio).reshape(len(ratio), -1) for ratio in each], axis=1).astype(np.float64)
 
 
 def _shapes(
-    draws: NDArray[np.complex64], loudness: NDArray[np.float64], nodes: NDArray[np.float64]
+    draws: NDArray[np.complex64], loudness: Array, nodes: Array, options: HypothesisOptions
 ) -> NDArray[np.complex64]:
     """Principal components of how the draws of a group deviate from their mean, by the ratio to the loudest microphone.
 
@@ -197,22 +188,23 @@ def _shapes(
         draws: logarithms of the factors, (n_draw, n_microphone, n_node).
         loudness: of the microphones, (n_microphone, n_node).
         nodes: Hz.
+        options: numbers of the hypotheses.
 
     Returns:
-        (SHAPES, n_microphone, n_node), those beyond the number of draws zero.
+        (n_shape, n_microphone, n_node), those beyond the number of draws zero.
     """
     ratio = draws - draws[:, [loudness.sum(1).argmax()]]
     ratio = ratio - ratio.mean(0)
-    weight = np.where(nodes <= BAND[1], 1.0, ABOVE_BAND) / np.hypot(1, QUIETEST / loudness)
+    weight = np.where(nodes <= BAND[1], 1.0, options.weight_above_band) / np.hypot(1, options.quiet_ratio / loudness)
     weighed = (ratio * weight).reshape(len(ratio), -1)
-    amplitude = _leading(np.concatenate([weighed.real, weighed.imag], axis=1), SHAPES) * np.sqrt(len(ratio))
-    shapes = np.zeros((SHAPES, *ratio.shape[1:]), np.complex64)
+    amplitude = _leading(np.concatenate([weighed.real, weighed.imag], axis=1), options.shapes) * np.sqrt(len(ratio))
+    shapes = np.zeros((options.shapes, *ratio.shape[1:]), np.complex64)
     found = amplitude.T @ ratio.reshape(len(ratio), -1) / len(ratio)
     shapes[: len(found)] = found.reshape(-1, *ratio.shape[1:])
     return shapes
 
 
-def _leading(values: NDArray[np.float64], most: int) -> NDArray[np.float64]:
+def _leading(values: Array, most: int) -> Array:
     """Leading left singular vectors (m, k) of values (m, n), at most so many: those of what is nearly nothing left out.
 
     By the eigenvectors of the smaller of both products of the values with themselves: of hundreds of singular vectors,
@@ -225,11 +217,11 @@ def _leading(values: NDArray[np.float64], most: int) -> NDArray[np.float64]:
     return np.asarray((turn if few else values @ (turn / np.sqrt(np.where(kept, power, 1.0))))[:, kept][:, ::-1])
 
 
-def _grouped(features: NDArray[np.float64], groups: int) -> NDArray[np.int64]:
+def _grouped(features: Array, groups: int, options: HypothesisOptions) -> NDArray[np.int64]:
     """Group of each draw, (n_draw,) int64."""
-    if np.ptp(features, axis=0).max() < ALIKE:
+    if np.ptp(features, axis=0).max() < options.least_spread:
         return np.zeros(len(features), np.int64)
     with warnings.catch_warnings():  # an empty one is expected where draws are few or alike; its prior is none
         warnings.filterwarnings("ignore", "One of the clusters is empty", UserWarning)
-        _, label = kmeans2(features, groups, iter=30, minit="++", rng=np.random.default_rng(_SEED))
+        _, label = kmeans2(features, groups, iter=30, minit="++", rng=np.random.default_rng(options.seed))
     return np.asarray(label, np.int64)

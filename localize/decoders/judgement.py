@@ -1,4 +1,4 @@
-"""What a decision is worth: the best points, how far they are apart, and whether any point explains the signal.
+"""Worth of a decision: the best points, how far they are apart, and whether any point explains the signal.
 
 A touch of point i, whatever its waveform between 1 and 100 Hz, moves the microphones' samples almost only along those
 eigenvectors of its covariance C_i whose eigenvalue, for the loudest touch to be expected, stands above the noise. What
@@ -17,8 +17,8 @@ import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Refusal
-from localize.decoders.bayes import BayesDecoder
+from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import (
     ambient_covariance,
     check_level,
@@ -27,6 +27,8 @@ from localize.decoders.frame_covariance import (
     touch_covariances,
     whitening,
 )
+from localize.decoders.library_decoder import LibraryDecoder
+from localize.decoders.options import ResidualOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice
@@ -38,23 +40,18 @@ if TYPE_CHECKING:
 
     from acoustic_fem import Library
 
-TAIL = 10.0
-"""Power of what a touch may hold beyond 100 Hz, over that of the stimuli's noise."""
-LEAK = 1e-2
-"""Share of the noise's variance that the loudest touch may have in a direction that is left to the noise."""
-
 
 @dataclass(frozen=True, eq=False)
 class Judgement:
     """Decisions on n signals."""
 
     points: NDArray[np.int64]
-    """Most probable points, from 0, best first; (n, top) int64."""
-    probability: NDArray[np.float64]
+    """Most probable points, from 1, best first; (n, top) int64."""
+    probability: Array
     """Probabilities of these points; (n, top) float64."""
-    margin: NDArray[np.float64]
+    margin: Array
     """Logarithm of the ratio of the two highest probabilities; (n,) float64, nats."""
-    p_value: NDArray[np.float64]
+    p_value: Array
     """Probability that noise leaves as large a residual under the best point; (n,) float64."""
     explained: NDArray[np.bool_]
     """Whether the p-value is at least the rate of false alarms; where not, "none of these"; (n,) bool."""
@@ -67,10 +64,11 @@ class ResidualTest:
         library: transfer functions of the array that was made. An error of them of 1 % leaves a residual 40 dB below
             the signal, which stands above a noise that is lower.
         microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
-        loudest: Pa rms in the touched cavity, 1e-3 to 1e3: up to here a true touch passes.
+        loudest_touch_pa: pressure in the touched cavity up to which a true touch passes, Pa rms, 1e-3 to 1e3.
         ambient: sound around up to this level in dB SPL, 0 to 140, passes with a touch; None for quiet. It takes as
             many directions as there are lines below half the sample rate: with two microphones next to none is then
             left to test. Needs a library with a design.
+        options: numbers that tune it.
 
     Raises:
         Refusal: an argument out of range; touches too far above the noise for double precision; or as
@@ -81,45 +79,53 @@ class ResidualTest:
     def __init__(
         self,
         library: Library | ArrayResponse,
-        microphone_noise: NoiseChoice = 1e-3,
-        loudest: float = 1.0,
+        microphone_noise: NoiseChoice = "design",
+        loudest_touch_pa: float = 1.0,
         ambient: float | None = None,
+        options: ResidualOptions = ResidualOptions(),
     ) -> None:
-        if not 1e-3 <= loudest <= 1e3:
-            raise Refusal(f"loudest = {loudest} Pa must be between 1e-3 and 1e3 Pa")
+        if not 1e-3 <= loudest_touch_pa <= 1e3:
+            allowed = "between 1e-3 and 1e3 Pa"
+            raise Refusal(field="loudest_touch_pa", value=loudest_touch_pa, unit="Pa", allowed=allowed)
         check_noise(microphone_noise)
         response = response_of(library)
         check_level(response, ambient)
-        self.microphones = response.microphones
+        self.microphones, self.options = response.microphones, options
+        self._response, self._given = response, (microphone_noise, loudest_touch_pa, ambient, options)
         whiten = whitening(response.noise(microphone_noise))
         self._reduce = (whiten @ low_pass()).T.copy()
-        inside, above = loudest**2 / (BAND[1] - BAND[0]), TAIL * NOISE**2 / (SAMPLE_RATE / 2)
+        inside, above = loudest_touch_pa**2 / (BAND[1] - BAND[0]), options.tail * NOISE**2 / (SAMPLE_RATE / 2)
         covariance = touch_covariances(response, whiten, lambda f: np.where(f <= BAND[1], inside, above))
         if ambient is not None:
             each = np.kron(np.eye(len(response.microphones)), whiten)
             covariance += each @ ambient_covariance(response, ambient) @ each.T
         values, vectors = np.linalg.eigh(covariance)
-        if values.max() * np.finfo(np.float64).eps > LEAK:
-            raise Refusal(
-                f"loudest = {loudest} Pa or ambient = {ambient} dB SPL stands too far above microphone_noise = "
-                f"{microphone_noise}: in double precision nothing can be told from rounding; take a lower one, or "
-                "expect more noise"
+        if values.max() * np.finfo(np.float64).eps > options.leak:
+            raise too_loud(
+                "loudest_touch_pa",
+                loudest_touch_pa,
+                "Pa",
+                ("expect more noise, a quieter touch or less ", Field("ambient")),
             )
-        held = values > LEAK
+        held = values > options.leak
         self.freedom = (~held).sum(1)
         """(n_point,) degrees of freedom of one frame's residual."""
         rank = int(held.sum(1).max())
         self._vectors = np.ascontiguousarray(vectors[:, :, values.shape[1] - rank :])
         self._held = held[:, values.shape[1] - rank :].astype(np.float64)
 
+    def heard_by(self, microphones: tuple[str, ...]) -> ResidualTest:
+        """The test for some of the microphones, names of two or more."""
+        return ResidualTest(self._response.heard_by(microphones), *self._given)
+
     @one_thread()
-    def p_value(self, signals: ArrayLike | Tensor, point: ArrayLike) -> NDArray[np.float64]:
+    def p_value(self, signals: ArrayLike | Tensor, point: ArrayLike) -> Array:
         """Probability that noise leaves a residual as large as the signal's.
 
         Args:
             signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples; cut into frames that do not
                 overlap, whose residuals are added.
-            point: (n,) int64, from 0.
+            point: (n,) int64, from 1.
 
         Returns:
             (n,) float64.
@@ -129,28 +135,35 @@ class ResidualTest:
         """
         batch, _ = checked_signals(signals, self.microphones)
         points = np.asarray(point, np.int64)
-        if points.shape != (len(batch),) or not ((points >= 0) & (points < len(self.freedom))).all():
-            raise Refusal(f"point must hold {len(batch)} values from 0 to {len(self.freedom) - 1}, one per signal")
+        if points.shape != (len(batch),) or not ((points >= 1) & (points <= len(self.freedom))).all():
+            allowed = f"{len(batch)} values from 1 to {len(self.freedom)}, one per signal"
+            raise Refusal(field="point", value=points.tolist(), allowed=allowed)
         frames = cut_frames(batch)
         x = (frames @ self._reduce).reshape(*frames.shape[:2], -1)
         residual = np.empty(len(x))
         for here in np.unique(points):
             of_point = points == here
-            energy = (x[of_point] @ self._vectors[here]) ** 2 @ self._held[here]
+            energy = (x[of_point] @ self._vectors[here - 1]) ** 2 @ self._held[here - 1]
             residual[of_point] = ((x[of_point] ** 2).sum(2) - energy).sum(1)
-        freedom = self.freedom[points] * frames.shape[1]
+        freedom = self.freedom[points - 1] * frames.shape[1]
         # Where no direction is left to the noise, nothing can be refused.
         return np.where(freedom > 0, scipy.stats.chi2.sf(residual, np.maximum(freedom, 1)), 1.0)
 
 
+def too_loud(field: str, value: float, unit: str, remedy: tuple[str, ...]) -> Refusal:
+    """Refusal of touches or sound so far above the noise that double precision cannot tell anything from rounding."""
+    problem = "stands too far above microphone_noise: in double precision nothing can be told from rounding"
+    return Refusal(problem, kind=Kind.CONFLICT, field=field, value=value, unit=unit, remedy=remedy)
+
+
 def judge(
-    decoder: BayesDecoder,
+    decoder: LibraryDecoder,
     test: ResidualTest,
     signals: ArrayLike | Tensor,
     top: int = 3,
     false_alarm: float = 1e-3,
 ) -> Judgement:
-    """Name the best points of signals, and say where none of them explains the signal.
+    """Best points of signals, and whether any of them explains the signal.
 
     Args:
         decoder: of the array.
@@ -163,16 +176,17 @@ def judge(
         Refusal: an argument out of range, or as :meth:`localize.BayesDecoder.locate`.
     """
     if not 1 <= top <= decoder.point_count:
-        raise Refusal(f"top = {top} must be between 1 and {decoder.point_count}, the number of points")
+        raise Refusal(field="top", value=top, allowed=f"between 1 and {decoder.point_count}, the number of points")
     if not 0 < false_alarm < 1:
-        raise Refusal(f"false_alarm = {false_alarm} must be between 0 and 1, both excluded")
+        raise Refusal(field="false_alarm", value=false_alarm, allowed="between 0 and 1, both excluded")
     batch, _ = checked_signals(signals, decoder.microphones)
     score = decoder.log_probability(batch)
     order = np.argsort(-score, axis=1, kind="stable")
     ranked = np.take_along_axis(score, order, 1)
-    p_value = test.p_value(batch, order[:, 0])
+    points = order + 1
+    p_value = test.p_value(batch, points[:, 0])
     return Judgement(
-        points=order[:, :top],
+        points=points[:, :top],
         probability=np.exp(ranked[:, :top]),
         margin=ranked[:, 0] - ranked[:, 1],
         p_value=p_value,

@@ -14,99 +14,107 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import SAMPLES, low_pass
+from localize.decoders.options import DecoderOptions
 from localize.signals.noise_model import NoiseSpectrum
 
-POWERS = 10 ** (np.arange(-80.0, 40.1, 4.0) / 10)
-"""Values of g that are tried; a parabola through the best one and its neighbours gives the maximum."""
-WEAKEST = 1e-2
-"""Eigenvectors that hold less than this share of the assumed noise at g = 1 are left out: 1e-4 names the same points,
-40 dB louder ones as well."""
-NOISE_SHARE = 0.25
-"""Share of the noise that is told, in amplitude, that likelihoods assume; tried on 216 points were 1, 1/2, 0.3, 1/5 and
-1/10. See docs/decoder.md."""
-TEMPERATURE = NOISE_SHARE**-2
-"""Divisor of log-likelihoods: it counts misfits by the noise that is told again, so that probabilities are calibrated,
-see docs/decoder.md."""
-QUIET_BONUS = 30.0
-"""Advantage of quiet over sound, nats, after the temperature: the likelihood assumes less noise than there is, and
-would take the rest for sound. In quiet, sound was preferred by at most 35 nats on line-2 (1 of 100 by 27 or more), at
-60 dB SPL by at least 90."""
-SURE = 20.0
-"""Lead of the best point, nats: those this far behind it, and what single precision may err, are not scored again in
-double."""
-SCREEN_ERROR = 8 * float(np.finfo(np.float32).eps) / (2 * TEMPERATURE)
-"""Error that a score in single precision may have, nats, per unit of the sum of squares of a frame's white samples."""
 BOUND_ERROR = 8 * float(np.finfo(np.float32).eps)
 """Error that the length of a frame's part may have in single precision, per unit of the length of the whole."""
-CHUNK = 64
-"""Number of frames that are decoded at once."""
-FAR = 30.0
-"""Lead of the best point, nats, from which on another needs no score of its own: its probability is below 1e-13."""
-QUIET_ERROR = 1e-3
-"""Error of a score in single precision, nats at most, up to which it stands for that in double where many are wanted:
-it is a tenth of that in most frames."""
-DIRECTIONS = 16
-"""Number of directions that bound the score of a table. Of 36 points in line 3 to 4 of a loud frame are left."""
-LOUD_DIRECTIONS = 64
-"""Number of directions in which touches are loudest, among which those that a table leaves empty are looked for."""
-FEW_NUMBERS = 4e5
-"""Numbers of the vectors of all tables up to which all of them are scored in double at once: of 36 points in line and
-less, choosing takes longer than it saves."""
-TOO_MANY = 1 / 5
-"""Share of the tables from which on all of them are scored at once, in single precision, sooner than one by one."""
 
 
 @dataclass(frozen=True, eq=False)
-class DecoderTables:
-    """Tables that the likelihood of a frame is computed from, for one level of the sound around."""
+class GaussianTables:
+    """Log-likelihood of white frames under covariances g C + 1, maximised over the power g."""
 
-    reduce: NDArray[np.float64]
-    """Matrix from the samples to fewer ones whose noise is white of variance 1; (n_microphone * 250, n_microphone *
-    SAMPLES) float64, 1/Pa."""
-    vectors: NDArray[np.float64]
-    """Eigenvectors of each C_i where the noise is white; (n_table, n_microphone * SAMPLES, rank) float64, a table for
-    each point, or for each hypothesis of each point."""
-    weight: NDArray[np.float64]
+    vectors: Array
+    """Eigenvectors of each C; (n_table, n, rank) float64, a table for each covariance."""
+    weight: Array
     """Weight of the energy along each eigenvector, of one, per value of g; (n_table, rank, n_power) float64."""
-    log_determinant: NDArray[np.float64]
+    log_determinant: Array
     """Logarithm of the covariance's determinant over that of the noise, over the temperature; (n_table, n_power)
     float64, nats."""
+
+    @classmethod
+    def of(cls, covariances: Array, options: DecoderOptions, whiten: Array | None = None) -> GaussianTables:
+        """Tables of covariances of touches.
+
+        Args:
+            covariances: of touches of 0 dB, (n_table, n, n) float64.
+            options: of the decoder.
+            whiten: matrix that makes the noise white, (n, n) float64; None where the covariances are so already.
+        """
+        values, vectors = np.empty(covariances.shape[:2]), np.empty_like(covariances)
+        step = options.frames_at_once
+        for k in range(0, len(covariances), step):  # of many tables a copy of all would take memory
+            part = covariances[k : k + step]
+            part = part if whiten is None else whiten @ part @ whiten.T
+            values[k : k + step], vectors[k : k + step] = np.linalg.eigh(part)
+        # The largest eigenvalues come last. The same number for every table keeps the arrays rectangular.
+        rank = max(1, int((values > options.weakest_direction).sum(1).max()))
+        gain = np.clip(values[:, -rank:, None], 0, None) * options.tried_powers
+        return cls(
+            np.ascontiguousarray(vectors[:, :, -rank:]),
+            -gain / (1 + gain) / options.temperature,
+            np.log1p(gain).sum(1) / options.temperature,
+        )
+
+    def scores(self, x: Array, part: slice = slice(None)) -> Array:
+        """Log-likelihoods of white frames, without that of noise alone.
+
+        Args:
+            x: (n, size) float64.
+            part: tables that are asked for; by default all.
+
+        Returns:
+            (n, n_table) float64, nats.
+        """
+        gain = (x @ self.vectors[part]) ** 2 @ self.weight[part]
+        return vertex(-0.5 * (gain + self.log_determinant[part, None, :])).T
+
+
+@dataclass(frozen=True, eq=False)
+class DecoderTables(GaussianTables):
+    """Tables of a decoder for one level of the sound around: a table for each point, or each hypothesis of a point."""
+
+    reduce: Array
+    """Matrix from the samples to fewer ones whose noise is white of variance 1; (n_microphone * 250, n_microphone *
+    SAMPLES) float64, 1/Pa."""
     offset: float
     """Log-likelihood of the noise and sound alone, nats, which tells levels apart."""
+    options: DecoderOptions
+    """Options that the tables were made with."""
 
 
-def tables_of(touched: NDArray[np.float64], whiten: NDArray[np.float64], level: float | None) -> DecoderTables:
+def tables_of(touched: Array, whiten: Array, level: float | None, options: DecoderOptions) -> DecoderTables:
     """Tables of covariances of touches.
 
     Args:
         touched: (n_table, n, n) float64, Pa^2.
-        whiten: what makes noise and sound white, (n, n) float64, 1/Pa.
+        whiten: matrix that makes noise and sound white, (n, n) float64, 1/Pa.
         level: of the sound, dB SPL; None for quiet.
+        options: of the decoder.
     """
-    values, vectors = np.empty(touched.shape[:2]), np.empty_like(touched)
-    for k in range(0, len(touched), CHUNK):  # of many tables a copy of all would take memory
-        values[k : k + CHUNK], vectors[k : k + CHUNK] = np.linalg.eigh(whiten @ touched[k : k + CHUNK] @ whiten.T)
-    # The largest eigenvalues come last. The same number for every point keeps the tables rectangular.
-    rank = max(1, int((values > WEAKEST).sum(1).max()))
-    gain = np.clip(values[:, -rank:, None], 0, None) * POWERS
+    tables = GaussianTables.of(touched, options, whiten)
+    bonus = options.quiet_bonus if level is None else 0.0
     return DecoderTables(
+        tables.vectors,
+        tables.weight,
+        tables.log_determinant,
         reduce=(whiten @ np.kron(np.eye(len(whiten) // SAMPLES), low_pass())).T.copy(),
-        vectors=np.ascontiguousarray(vectors[:, :, -rank:]),
-        weight=-gain / (1 + gain) / TEMPERATURE,
-        log_determinant=np.log1p(gain).sum(1) / TEMPERATURE,
-        offset=float(np.log(np.diag(whiten)).sum() / TEMPERATURE) + (QUIET_BONUS if level is None else 0.0),
+        offset=float(np.log(np.diag(whiten)).sum() / options.temperature) + bonus,
+        options=options,
     )
 
 
-def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
-    """Noise that likelihoods are computed with, from the one that is told."""
+def assumed_noise(noise: float | NoiseSpectrum, options: DecoderOptions) -> float | NoiseSpectrum:
+    """Noise that likelihoods are computed with, from the given one."""
     if isinstance(noise, NoiseSpectrum):
-        return NoiseSpectrum(noise.power * NOISE_SHARE**2, noise.source)
-    return noise * NOISE_SHARE
+        return NoiseSpectrum(noise.power * options.noise_fraction**2, noise.source)
+    return noise * options.noise_fraction
 
 
-def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def vertex(values: Array) -> Array:
     """Maximum over the last axis of samples of a smooth curve: that of the parabola around the largest one.
 
     Args:
@@ -133,15 +141,15 @@ def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
 class ScreenedLevel:
     """Frames and their scores at one level of the sound around."""
 
-    x: NDArray[np.float64]
+    x: Array
     """Frames where noise and sound are white of variance 1; (n, n_microphone * SAMPLES) float64."""
-    alone: NDArray[np.float64]
+    alone: Array
     """Scores of noise and sound without a touch; (n, 1) float64, nats."""
-    score: NDArray[np.float64]
+    score: Array
     """Scores of the tables; (n, n_table) float64, nats."""
-    error: NDArray[np.float64]
+    error: Array
     """What scores may be too low by; (n,) float64, nats."""
-    best: NDArray[np.float64]
+    best: Array
     """What the best score is at least; (n,) float64, nats."""
 
 
@@ -156,7 +164,8 @@ class Screen:
         self.tables = tables
         self.is_one_of_several = is_one_of_several
         self.points, self.size, self.rank = tables.vectors.shape
-        self.is_exact = tables.vectors.size <= FEW_NUMBERS
+        self.options = tables.options
+        self.is_exact = tables.vectors.size <= self.options.exact_numbers
         """Whether all scores are in double."""
         if self.is_exact:
             return
@@ -165,15 +174,15 @@ class Screen:
         self.weight = tables.weight.astype(np.float32)
         self.log_determinant = tables.log_determinant.astype(np.float32)
 
-    def __call__(self, flat: NDArray[np.float64]) -> ScreenedLevel:
+    def __call__(self, flat: Array) -> ScreenedLevel:
         """Scores of (n, n_microphone 250) samples."""
         return self.screened(flat @ self.tables.reduce)
 
-    def screened(self, x: NDArray[np.float64]) -> ScreenedLevel:
+    def screened(self, x: Array) -> ScreenedLevel:
         """Scores of white frames, (n, size)."""
         power, alone = self.alone(x)
         if self.is_exact:
-            score = self.all_exact(x) + alone
+            score = self.tables.scores(x) + alone
             return ScreenedLevel(x, alone, score, np.zeros(len(x)), score.max(1))
         energy = ((x.astype(np.float32) @ self.vectors) ** 2).reshape(len(x), self.points, self.rank)
         # (point, frame, ...): one matrix product per point.
@@ -181,39 +190,35 @@ class Screen:
         values = -0.5 * (gain + self.log_determinant[:, None, :])
         # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
         score = np.minimum(vertex(values), values.max(-1) + 1).T + alone
-        error = SCREEN_ERROR * power
+        error = self.options.screen_error * power
         return ScreenedLevel(x, alone, score, error, score.max(1) - error)
 
-    def alone(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def alone(self, x: Array) -> tuple[Array, Array]:
         """Sum of squares of white frames, (n,), and log-likelihood of noise and sound without a touch, (n, 1) nats."""
         power = (x**2).sum(1)
         # Large, and the same for all points: left out where there is no other level to compare with.
-        return power, np.where(self.is_one_of_several, self.tables.offset - power / (2 * TEMPERATURE), 0.0)[:, None]
+        return power, np.where(
+            self.is_one_of_several, self.tables.offset - power / (2 * self.options.temperature), 0.0
+        )[:, None]
 
-    def score_again(self, level: ScreenedLevel, least: NDArray[np.float64]) -> None:
+    def score_again(self, level: ScreenedLevel, least: Array) -> None:
         """Put scores of double precision in the place of those that may reach ``least``, (n,) nats."""
         if self.is_exact:
             return
         again = level.score > (least - level.error)[:, None]
         level.score[again] = self.exact(level.x, again)[again] + np.broadcast_to(level.alone, again.shape)[again]
 
-    def all_exact(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Scores of white frames (n, size) in double precision by all tables, without those of noise alone; (n,
-        n_table) nats.
-        """
-        gain = (x @ self.tables.vectors) ** 2 @ self.tables.weight
-        return vertex(-0.5 * (gain + self.tables.log_determinant[:, None, :])).T
-
-    def some(self, x: NDArray[np.float64], chosen: NDArray[np.bool_]) -> NDArray[np.float64]:
+    def some(self, x: Array, chosen: NDArray[np.bool_]) -> Array:
         """Scores as of :meth:`exact`, (n, n_table) nats; of quiet frames with many in single precision."""
-        many = (chosen.mean(1) > TOO_MANY) & (SCREEN_ERROR * (x**2).sum(1) < QUIET_ERROR)
+        options = self.options
+        many = (chosen.mean(1) > options.many_tables) & (options.screen_error * (x**2).sum(1) < options.single_error)
         score = self.exact(x, chosen & ~many[:, None])
         if many.any():
             level = self.screened(x[many])
             score[many] = level.score - level.alone
         return score
 
-    def exact(self, x: NDArray[np.float64], chosen: NDArray[np.bool_]) -> NDArray[np.float64]:
+    def exact(self, x: Array, chosen: NDArray[np.bool_]) -> Array:
         """Scores of white frames (n, size) in double precision by the tables that are chosen for each, (n, n_table)
         bool, without those of noise alone; (n, n_table) nats, zero elsewhere.
         """
@@ -242,7 +247,8 @@ class Bounds:
 
     def __init__(self, tables: DecoderTables) -> None:
         count, size, rank = tables.vectors.shape
-        self.directions = min(DIRECTIONS, size - rank)
+        self._temperature = tables.options.temperature
+        self.directions = min(tables.options.bound_directions, size - rank)
         loud = _loud_directions(tables)
         beside = np.zeros((size, count, self.directions), np.float32)
         for table, vectors in enumerate(tables.vectors if self.directions else ()):
@@ -256,26 +262,29 @@ class Bounds:
         self._beside = beside.reshape(size, -1)
         self._usual = -0.5 * tables.log_determinant.min(1)
 
-    def __call__(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    def __call__(self, x: Array) -> Array:
         """What the scores of white frames (n, size) are at most, without those of noise alone; (n, n_table) nats."""
         power = (x**2).sum(1, keepdims=True)
         if not self.directions:
-            return self._usual + 0.5 * power / TEMPERATURE + 1.0
+            return self._usual + 0.5 * power / self._temperature + 1.0
         energy = ((x.astype(np.float32) @ self._beside) ** 2).reshape(len(x), -1, self.directions).sum(2)
         rounding = BOUND_ERROR * np.sqrt(power)
         missing = np.maximum(np.sqrt(energy.astype(np.float64)) - rounding, 0.0) ** 2
         # The parabola of a score rises by less than a nat above what is true.
-        return np.asarray(self._usual + 0.5 * (power - missing) / TEMPERATURE + 1.0)
+        return np.asarray(self._usual + 0.5 * (power - missing) / self._temperature + 1.0)
 
 
-def _loud_directions(tables: DecoderTables) -> NDArray[np.float64]:
+def _loud_directions(tables: DecoderTables) -> Array:
     """Directions in which touches of all tables are loudest, each as long as they are there; (size, n_direction)."""
     count, size, _ = tables.vectors.shape
-    unit = int(np.abs(POWERS - 1.0).argmin())
+    options = tables.options
+    unit = int(np.abs(options.tried_powers - 1.0).argmin())
     together = np.zeros((size, size))
-    for table in range(0, count, max(1, count // LOUD_DIRECTIONS)):
-        heard = -TEMPERATURE * tables.weight[table, :, unit]
+    for table in range(0, count, max(1, count // options.loud_directions)):
+        heard = -options.temperature * tables.weight[table, :, unit]
         power = heard / np.maximum(1 - heard, np.finfo(np.float64).eps)
         together += (tables.vectors[table] * (power / power.sum())) @ tables.vectors[table].T
     values, vectors = np.linalg.eigh(together)
-    return np.asarray(vectors[:, -LOUD_DIRECTIONS:] * np.sqrt(np.maximum(values[-LOUD_DIRECTIONS:], 0.0)))
+    return np.asarray(
+        vectors[:, -options.loud_directions :] * np.sqrt(np.maximum(values[-options.loud_directions :], 0.0))
+    )

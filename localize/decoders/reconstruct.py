@@ -22,9 +22,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy.linalg
 import scipy.signal
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import SOURCE_RMS, check_noise, noise_covariance, source_density
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals
@@ -49,7 +50,7 @@ LONGEST = 1000
 class Waveform:
     """Pressure in the touched cavity, Pa at 1 kHz."""
 
-    pressure: NDArray[np.float64]
+    pressure: Array
     """Posterior mean of the pressure; (n, n_sample) float64, Pa. Its first ``window - latency - 1`` and last
     ``latency`` samples have no whole window and are NaN."""
     deviation: float
@@ -73,18 +74,19 @@ class Reconstructor:
     def __init__(
         self,
         library: Library | ArrayResponse,
-        microphone_noise: NoiseChoice = 1e-3,
+        microphone_noise: NoiseChoice = "design",
         window: int = 250,
         latency: int = 16,
         source_rms: float = SOURCE_RMS,
     ) -> None:
         check_noise(microphone_noise)
         if not 2 <= window <= LONGEST:
-            raise Refusal(f"window = {window} must be between 2 and {LONGEST} samples")
+            raise Refusal(field="window", value=window, unit="samples", allowed=f"between 2 and {LONGEST} samples")
         if not 0 <= latency < window:
-            raise Refusal(f"latency = {latency} must be between 0 and window - 1 = {window - 1} samples")
+            allowed = f"between 0 and {window - 1} samples, a window less one"
+            raise Refusal(field="latency", value=latency, unit="samples", allowed=allowed)
         if not 1e-6 <= source_rms <= 1e3:
-            raise Refusal(f"source_rms = {source_rms} Pa must be between 1e-6 and 1e3 Pa")
+            raise Refusal(field="source_rms", value=source_rms, unit="Pa", allowed="between 1e-6 and 1e3 Pa")
         response = response_of(library)
         self.microphones = response.microphones
         self.window = window
@@ -94,21 +96,21 @@ class Reconstructor:
         self._frequency = np.arange(BAND[0], top + 1e-9, _STEP)
         self._response = response.at(self._frequency)
         self._power = source_density(self._frequency) * (source_rms / SOURCE_RMS) ** 2 * _STEP
-        self._made: dict[int, tuple[NDArray[np.float64], float]] = {}
+        self._made: dict[int, tuple[Array, float]] = {}
 
     @property
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self._response)
 
-    def filters(self, point: int) -> NDArray[np.float64]:
-        """FIR filter of each microphone, whose tap k takes the sample k before the newest; (n_microphone, window)
-        float64.
+    def filters(self, point: int) -> Array:
+        """FIR filter of each microphone for a point, from 1; tap k takes the sample k before the newest; (n_microphone,
+        window) float64.
         """
         return self._filter(point)[0].copy()
 
     def deviation(self, point: int) -> float:
-        """Posterior standard deviation at a point, Pa, for a touch as loud as assumed."""
+        """Posterior standard deviation at a point, from 1, Pa, for a touch as loud as assumed."""
         return self._filter(point)[1]
 
     @one_thread()
@@ -118,7 +120,7 @@ class Reconstructor:
         Args:
             signals: (n, n_microphone, n_sample) or (n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples and a
                 window.
-            point: from 0.
+            point: from 1.
 
         Raises:
             Refusal: no such point, signals shorter than the window, or as :meth:`localize.BayesDecoder.locate`.
@@ -127,18 +129,18 @@ class Reconstructor:
         batch, _ = checked_signals(signals, self.microphones)
         count = batch.shape[-1]
         if count < self.window:
-            raise Refusal(f"signals have {counted(count, 'sample')}, must have at least a window of {self.window}")
+            problem = f"have {counted(count, 'sample')}, must have at least a window of {self.window}"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="signals")
         whole = scipy.signal.fftconvolve(batch, taps[None], mode="valid", axes=2).sum(1)
         pressure = np.full((len(batch), count), np.nan)
         pressure[:, self.window - 1 - self.latency : count - self.latency] = whole
         return Waveform(pressure=pressure, deviation=deviation)
 
     @one_thread()
-    def _filter(self, point: int) -> tuple[NDArray[np.float64], float]:
-        if not 0 <= point < self.point_count:
-            raise Refusal(f"point = {point} must be between 0 and {self.point_count - 1}")
+    def _filter(self, point: int) -> tuple[Array, float]:
+        _check_point(point, self.point_count)
         if point not in self._made:
-            h, taps = self._response[point], self.window
+            h, taps = self._response[point - 1], self.window
             lag = np.arange(-(taps - 1), taps) / SAMPLE_RATE
             turn = np.exp(2j * math.pi * self._frequency[:, None] * lag)
             # E[y_a(t + lag) y_b(t)]; tap k is the sample at -k, so rows and columns run backwards in time.
@@ -160,7 +162,7 @@ def short_window_waveform(
     point: int,
     window: int = PAPER_WINDOW,
     hop: int = PAPER_HOP,
-) -> NDArray[np.float64]:
+) -> Array:
     """Waveform in the paper's way: short-window transform, least squares over microphones (ours) per bin, and back.
 
     The product with a transfer function is exact only for windows much longer than the impulse response. At the
@@ -170,7 +172,7 @@ def short_window_waveform(
         library: transfer functions that cover 1 to 100 Hz; there the waveform ends, for beyond them the array lets
             nothing but noise through.
         signals: (n, n_microphone, n_sample) or (n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
-        point: from 0.
+        point: from 1.
         window: samples, Hann window, 4 to 1000.
         hop: samples, 1 to half the window.
 
@@ -181,16 +183,22 @@ def short_window_waveform(
         Refusal: an argument outside its range, or as :meth:`localize.BayesDecoder.locate`.
     """
     response = response_of(library)
-    if not 0 <= point < response.point_count:
-        raise Refusal(f"point = {point} must be between 0 and {response.point_count - 1}")
-    if not 4 <= window <= LONGEST or not 1 <= hop <= window // 2:
-        raise Refusal(f"window = {window}, hop = {hop}: must be 4 to {LONGEST} samples and 1 to half the window")
+    _check_point(point, response.point_count)
+    if not 4 <= window <= LONGEST:
+        raise Refusal(field="window", value=window, unit="samples", allowed=f"between 4 and {LONGEST} samples")
+    if not 1 <= hop <= window // 2:
+        raise Refusal(field="hop", value=hop, unit="samples", allowed=f"between 1 and {window // 2}, half the window")
     batch, _ = checked_signals(signals, response.microphones)
     transform = scipy.signal.ShortTimeFFT(np.hanning(window + 1)[:window], hop, SAMPLE_RATE)
     spectrum = transform.stft(batch)
     known = transform.f <= BAND[1]
     # Below the lowest frequency of the library its value there stands for the static one.
-    h = response.at(np.maximum(transform.f[known], response.frequency[0]))[point]
+    h = response.at(np.maximum(transform.f[known], response.frequency[0]))[point - 1]
     source = np.zeros((len(batch), *spectrum.shape[2:]), complex)
     source[:, known] = np.einsum("mf,nmft->nft", h.conj(), spectrum[:, :, known]) / (np.abs(h) ** 2).sum(0)[:, None]
     return np.asarray(transform.istft(source, k1=batch.shape[-1]))
+
+
+def _check_point(point: int, count: int) -> None:
+    if not 1 <= point <= count:
+        raise Refusal(field="point", value=point, allowed=f"between 1 and {count}, the points of the array")

@@ -15,8 +15,10 @@ import numpy as np
 import scipy.special
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import ambient_covariance, check_level, check_noise, low_pass, whitening
+from localize.decoders.judgement import too_loud
+from localize.decoders.options import SoundOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -27,17 +29,6 @@ if TYPE_CHECKING:
 
     from acoustic_fem import Library
 
-FALSE_ALARM = 1e-6
-"""Share of frames of sound on the library's own sensor that are not called so: one in four hours at 62 a second."""
-GAIN = 0.15
-"""Largest share by which a microphone's gain may differ from their mean without mattering: gains are fitted to each
-frame."""
-MISMATCH = 0.06
-"""Share of a frame, in amplitude, that sound may leave beside its directions on a mis-made sensor, gains apart; see
-docs/evidence/decoder.md for how many sensors that holds of."""
-LEAK = 1e-2
-"""Share of the noise's variance that the loudest sound may have in a direction that is left to the noise."""
-
 
 class SoundTest:
     """Test that tells sound without a touch from everything else.
@@ -45,8 +36,9 @@ class SoundTest:
     Args:
         library: of a design, which tells how sound comes in.
         microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
-        loudest: dB SPL, 0 to 140: up to here sound is recognised. The louder, the more of what lies below 20 Hz passes
-            for sound: from 100 dB SPL on all of it.
+        loudest_sound_db: level up to which sound is recognised, dB SPL, 0 to 140. The louder, the more of what lies
+            below 20 Hz passes for sound: from 100 dB SPL on all of it.
+        options: numbers that tune it.
 
     Raises:
         Refusal: an argument out of range; a library without a design; sound too far above the noise for double
@@ -55,34 +47,41 @@ class SoundTest:
 
     @one_thread()
     def __init__(
-        self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3, loudest: float = 80.0
-    ) -> None:  # fmt: skip
+        self,
+        library: Library | ArrayResponse,
+        microphone_noise: NoiseChoice = "design",
+        loudest_sound_db: float = 80.0,
+        options: SoundOptions = SoundOptions(),
+    ) -> None:
         check_noise(microphone_noise)
         response = response_of(library)
-        check_level(response, loudest)
-        self.microphones = response.microphones
+        check_level(response, loudest_sound_db, "loudest_sound_db")
+        self.microphones, self.options = response.microphones, options
+        self._response, self._given = response, (microphone_noise, loudest_sound_db, options)
         noise = response.noise(microphone_noise)
         self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
         """Noise of a microphone that the test was made for, Pa rms over 0 to 500 Hz."""
         each = np.eye(len(response.microphones))
         whiten = whitening(noise)
         together = np.kron(each, whiten)
-        values, vectors = np.linalg.eigh(together @ ambient_covariance(response, loudest) @ together.T)
-        if values.max() * np.finfo(np.float64).eps > LEAK:
-            raise Refusal(
-                f"loudest = {loudest} dB SPL stands too far above microphone_noise = {microphone_noise}: in double "
-                "precision nothing can be told from rounding; take a lower one, or expect more noise"
-            )
+        values, vectors = np.linalg.eigh(together @ ambient_covariance(response, loudest_sound_db) @ together.T)
+        if values.max() * np.finfo(np.float64).eps > options.leak:
+            remedy = ("expect more noise, or quieter sound",)
+            raise too_loud("loudest_sound_db", loudest_sound_db, "dB SPL", remedy)
         reduce = np.kron(each, whiten @ low_pass())
         self._all = np.asarray(reduce.T, np.float64, copy=True)
-        self.directions = vectors[:, values <= LEAK]
+        self.directions = vectors[:, values <= options.leak]
         """Directions that sound does not reach, where the noise is white, (n_microphone SAMPLES, freedom) float64."""
         self._beside = np.asarray((self.directions.T @ reduce).T, np.float64, copy=True)
         self.freedom = self._beside.shape[1]
         """Degrees of freedom of one frame's residual."""
 
+    def heard_by(self, microphones: tuple[str, ...]) -> SoundTest:
+        """The test for some of the microphones, names of two or more."""
+        return SoundTest(self._response.heard_by(microphones), *self._given)
+
     @one_thread()
-    def p_value(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+    def p_value(self, signals: ArrayLike | Tensor) -> Array:
         """Probability that noise leaves a residual as large as the signal's beside sound.
 
         Args:
@@ -99,10 +98,8 @@ class SoundTest:
         return np.asarray(scipy.special.chdtrc(self.freedom * frames.shape[1], _energy(frames, self._beside)))
 
     @one_thread()
-    def beside(
-        self, signals: ArrayLike | Tensor, noise: float = 1.0
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Energy that sound does not explain, and the most that it and noise may leave, see :data:`MISMATCH`.
+    def beside(self, signals: ArrayLike | Tensor, noise: float = 1.0) -> tuple[Array, Array]:
+        """Energy that sound does not explain, and the most that it and noise may leave, see :class:`SoundOptions`.
 
         Args:
             signals: (n, n_microphone, n_sample), as :meth:`p_value`.
@@ -125,15 +122,17 @@ class SoundTest:
         gram = parts @ parts.swapaxes(1, 2)
         gains = np.linalg.solve(gram + np.eye(count), np.ones((len(frames), count, 1)))
         change = gains / gains.mean(1, keepdims=True) - 1
-        gains = 1 + change * np.minimum(1.0, GAIN / np.maximum(np.abs(change).max(1, keepdims=True), 1e-12))
+        gains = 1 + change * np.minimum(
+            1.0, self.options.gain / np.maximum(np.abs(change).max(1, keepdims=True), 1e-12)
+        )
         found = (gains * (gram @ gains)).sum((1, 2))
-        return found, noise**2 * self.usual(frames.shape[1]) + MISMATCH**2 * _energy(frames, self._all)
+        return found, noise**2 * self.usual(frames.shape[1]) + self.options.mismatch**2 * _energy(frames, self._all)
 
     def usual(self, frames: int = 1) -> float:
-        """Energy that noise leaves beside sound at most, but in a share :data:`FALSE_ALARM` of signals of so many
+        """Energy that noise leaves beside sound at most, but in a fraction ``false_alarm`` of signals of so many
         frames; the unit is that of the noise in one direction.
         """
-        return float(scipy.special.chdtri(self.freedom * frames, FALSE_ALARM))
+        return float(scipy.special.chdtri(self.freedom * frames, self.options.false_alarm))
 
     def is_sound(self, signals: ArrayLike | Tensor) -> NDArray[np.bool_]:
         """Whether sound explains signals, on the library's sensor or on one that is made a little differently.
@@ -150,12 +149,12 @@ class SoundTest:
         found, most = self.beside(signals)
         return found <= most
 
-    def _frames(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+    def _frames(self, signals: ArrayLike | Tensor) -> Array:
         batch, _ = checked_signals(signals, self.microphones)
         frames = cut_frames(batch)
         return frames.reshape(*frames.shape[:2], -1)
 
 
-def _energy(frames: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:
+def _energy(frames: Array, directions: Array) -> Array:
     """(n, n_frame, n_microphone 250) along (n_microphone 250, m), summed over frames, (n,)."""
     return np.asarray(((frames @ directions) ** 2).sum((1, 2)))

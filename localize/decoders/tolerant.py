@@ -17,34 +17,29 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.scatter.tolerances import UNCALIBRATED, UnknownScatterError
-from geometry.ground.refusal import Refusal
-from localize.decoders.bayes import Ambient, BayesDecoder, air_of
+from acoustic_fem.library.transfer_functions import MEASURED
+from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign, Tolerance, UnknownScatterError
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
+from localize.decoders.bayes import BayesDecoder
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
-from localize.decoders.hypotheses import made_hypotheses
-from localize.decoders.likelihood import FAR, TEMPERATURE, Bounds, Screen
-from localize.signals.array_response import ArrayResponse
+from localize.decoders.hypotheses import as_built_hypotheses, bare_library
+from localize.decoders.level_likelihood import LevelLikelihood
+from localize.decoders.library_decoder import LibraryDecoder
+from localize.decoders.likelihood import Bounds, Screen
+from localize.decoders.options import TolerantOptions
+from localize.decoders.surroundings import Ambient, Surroundings
+from localize.signals.array_response import response_of
 from localize.signals.frames import cut_frames
 from localize.signals.noise_model import NoiseChoice
+from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
-    from acoustic_fem.scatter.tolerances import Tolerance
-
-WARMTH = 2.0
-"""Temperature over that of the decoder of a known sensor; tried were 1 to 5."""
-TOGETHER = 256
-"""Number of frames that are decoded at once: a hypothesis is fitted in one go to all that it may have made."""
-MISFIT = 3.0
-"""What the best hypothesis may leave of a frame, by what the noise that was told leaves where nothing else is heard.
-Sensors as designed leave 1.2 to 3.2 (its determinants count, and so does what a frame's edges cut off). More says that
-the sensor is none of those that were drawn, and log-likelihoods are divided by its square as well."""
-CANDIDATES = 10
-"""Hypotheses whose deviations are looked for in a frame; 40 name 0.2 % more touches of 36 points in line."""
 
 
-class TolerantDecoder(BayesDecoder):
+class TolerantDecoder(LibraryDecoder):
     """Maximum likelihood over the points of one array whose parts deviate from the design.
 
     It takes several times the tables, and the time, of :class:`localize.BayesDecoder`, and some seconds to make.
@@ -54,52 +49,54 @@ class TolerantDecoder(BayesDecoder):
         tolerances: of manufacturing; by default :data:`acoustic_fem.scatter.UNCALIBRATED`.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
-        microphones: names of two or more that are listened to; by default all.
+        microphones: names of two or more that are used; by default all.
+        options: numbers that tune it.
 
     Raises:
         Refusal: bare transfer functions, a measured library, a design whose scatter is not known, a microphone that
             the library does not have, or as :class:`localize.BayesDecoder`.
     """
 
-    bounds_scores = False  # of points: hypotheses have bounds
+    options: TolerantOptions
 
+    @one_thread()
     def __init__(
         self,
         library: Library,
         tolerances: Sequence[Tolerance] | None = None,
-        microphone_noise: NoiseChoice = 1e-3,
+        microphone_noise: NoiseChoice = "design",
         ambient: Ambient = None,
         microphones: tuple[str, ...] | None = None,
+        options: TolerantOptions = TolerantOptions(),
     ) -> None:
+        if not hasattr(library, "fidelity"):
+            raise bare_library()
+        if library.fidelity == MEASURED:
+            problem = "must be computed, because a measured one knows its sensor; take localize.BayesDecoder"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")
+        response = response_of(library)
+        response = response if microphones is None else response.heard_by(microphones)
+        around = Surroundings.of(response, microphone_noise, ambient)
         self.tolerances = UNCALIBRATED if tolerances is None else tuple(tolerances)
-        self._listened_to = microphones
-        super().__init__(library, microphone_noise, ambient)
-
-    def _heard(self, library: Library | ArrayResponse) -> ArrayResponse:
-        """The array, as the microphones hear it that are listened to."""
-        response = super()._heard(library)
-        return response if self._listened_to is None else response.heard_by(self._listened_to)
-
-    def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> NDArray[np.float64]:
-        """Covariances of the hypotheses, point by point."""
-        if isinstance(library, ArrayResponse):
-            raise Refusal("library must be one of a design: bare transfer functions do not tell what its parts are")
-        if _is_measured(library):
-            raise Refusal("library must be computed: a measured one knows its sensor; take localize.BayesDecoder")
-        self.hypotheses = made_hypotheses(library, response, self.tolerances)
+        self.hypotheses = as_built_hypotheses(library, response, self.tolerances, options.hypotheses)
         each = [touch_covariances(one, np.eye(SAMPLES)) for one in self.hypotheses.responses]
-        return np.stack(each, 1).reshape(-1, *each[0].shape[1:])
-
-    def _prepare(self, whitening: Sequence[NDArray[np.float64]]) -> None:
-        """Levels of sound, with the deviations of the hypotheses."""
-        super()._prepare(whitening)
-        self._bounds = tuple(Bounds(tables) for tables in self.tables)
+        touched = np.stack(each, 1).reshape(-1, *each[0].shape[1:])
+        likelihood = LevelLikelihood(touched, response, around, options)
+        super().__init__(response, around, likelihood)
+        self._library, self.options = library, options
+        self._bounds = tuple(Bounds(tables) for tables in likelihood.tables)
         self._deviating = tuple(
-            DeviatingTables(tables, self.hypotheses, each, WARMTH)
-            for tables, each in zip(self.tables, whitening, strict=True)
+            DeviatingTables(tables, self.hypotheses, each, options)
+            for tables, each in zip(likelihood.tables, likelihood.whitening, strict=True)
         )
 
-    def joint_log_likelihood(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
+    def heard_by(self, microphones: tuple[str, ...]) -> TolerantDecoder:
+        """The decoder of the same sensor by some of its microphones; as of :class:`localize.Locator`."""
+        return TolerantDecoder(
+            self._library, self.tolerances, self.microphone_noise, self.ambient, microphones, self.options
+        )
+
+    def joint_log_likelihood(self, batch: Array) -> Array:
         """Log-likelihood of every point, all frames of each signal together: they are of one sensor.
 
         Args:
@@ -109,10 +106,10 @@ class TolerantDecoder(BayesDecoder):
             (n, n_point) float64, nats, up to a constant per signal.
         """
         frames = cut_frames(batch)
-        several = max(1, TOGETHER // frames.shape[1])
+        several = max(1, self.options.frames_together // frames.shape[1])
         return np.concatenate([self._of_recordings(frames[k : k + several]) for k in range(0, len(frames), several)])
 
-    def log_likelihood(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
+    def log_likelihood(self, frames: Array) -> Array:
         """Log-likelihood of every point.
 
         Args:
@@ -123,36 +120,33 @@ class TolerantDecoder(BayesDecoder):
         """
         return self._of_recordings(frames[:, None])
 
-    def _leading(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Log-likelihoods of points: which hypotheses are scored is decided there."""
-        return self.joint_log_likelihood(batch)
-
-    def misfit(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What the best hypothesis leaves of frames (n, n_microphone, 250), Pa: (n,) float64, as
-        :meth:`localize.BayesDecoder.misfit`.
-        """
-        heard = _Heard(self._screens, self._bounds, frames[:, None])
+    def misfit(self, frames: Array) -> Array:
+        """As of :meth:`localize.Locator.misfit`, by the best hypothesis; (n,) float64."""
+        heard = _ScoredRecordings(self.likelihood.screens, self._bounds, frames[:, None], self.options)
         return self._misfit(self._fitted(heard), heard)
 
-    def _of_recordings(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _of_recordings(self, frames: Array) -> Array:
         """(n, n_frame, n_microphone, 250) to (n, n_point), the log-likelihoods, nats."""
-        heard = _Heard(self._screens, self._bounds, frames)
+        heard = _ScoredRecordings(self.likelihood.screens, self._bounds, frames, self.options)
         found = self._fitted(heard)
         fitted = np.isfinite(found)
-        doubt = np.maximum(1.0, self._misfit(found, heard) / MISFIT)[:, None] ** 2
+        distrust = np.maximum(1.0, self._misfit(found, heard) / self.options.explained_misfit)[:, None] ** 2
         # The others can be no better than the worst of these.
         least = np.where(fitted, found, np.inf).min(1, keepdims=True)
         prior = np.tile(self.log_prior.ravel(), len(self.tables))
-        heard.know(np.minimum(heard.score, least) + prior > (found + prior).max(1, keepdims=True) - FAR * doubt)
+        heard.know(
+            np.minimum(heard.score, least) + prior
+            > (found + prior).max(1, keepdims=True) - self.options.far_lead * distrust
+        )
         score = np.where(fitted, found, np.minimum(heard.score, least))
         best = score.reshape(len(score), len(self.tables), *self.log_prior.shape).max(1)
-        return np.asarray(np.logaddexp.reduce(best + self.log_prior, axis=2) / doubt)
+        return np.asarray(np.logaddexp.reduce(best + self.log_prior, axis=2) / distrust)
 
-    def _fitted(self, heard: _Heard) -> NDArray[np.float64]:
+    def _fitted(self, heard: _ScoredRecordings) -> Array:
         """Scores of the likeliest hypotheses of recordings with their deviations; (n, n_level n_table) nats, of the
         others -inf.
         """
-        likeliest = heard.likeliest(min(CANDIDATES, heard.score.shape[1]))
+        likeliest = heard.likeliest(min(self.options.candidates, heard.score.shape[1]))
         fitted = np.zeros(heard.score.shape, bool)
         np.put_along_axis(fitted, likeliest, True, axis=1)
         found = np.full(heard.score.shape, -np.inf)
@@ -163,14 +157,14 @@ class TolerantDecoder(BayesDecoder):
             found[np.ix_(chosen, columns)] = score.T
         return found
 
-    def _misfit(self, found: NDArray[np.float64], heard: _Heard) -> NDArray[np.float64]:
+    def _misfit(self, found: Array, heard: _ScoredRecordings) -> Array:
         """What the best hypothesis leaves of each recording, by what the noise that was told leaves; (n,)."""
         recording, column = np.arange(len(found)), found.argmax(1)
         level = column // self.log_prior.size
         fit = found[recording, column] - np.stack(heard.alone)[level, recording]
         power = np.stack([(each**2).sum((1, 2)) for each in heard.white])[level, recording]
         empty = heard.white[0][0].size * (1 - 1 / len(self.microphones))
-        return (power / TEMPERATURE - 2 * WARMTH * fit) / empty
+        return (power / self.options.temperature - 2 * self.options.relative_temperature * fit) / empty
 
     def _together(self, likeliest: NDArray[np.int64]) -> list[NDArray[np.int64]]:
         """Columns of scores that are found in one go: of several recordings each, of a single one those of a level."""
@@ -182,12 +176,20 @@ class TolerantDecoder(BayesDecoder):
         return np.split(columns, np.flatnonzero(np.diff(columns // self.log_prior.size)) + 1)
 
     @property
-    def assumes(self) -> str:
-        """What is taken for granted of the sensor, in words."""
-        air = air_of(self.provenance)
-        return (
-            f"that the sensor was made from its design within the tolerances of manufacturing, and not calibrated{air}"
-        )
+    def no_graph(self) -> str:
+        """Reason why no ONNX graph can hold this localizer, as a clause."""
+        return "it fits deviations to each frame"
+
+    @property
+    def largest_misfit(self) -> float | None:
+        """Largest median misfit of a sensor within its tolerances."""
+        return self.options.misfit_of_two if len(self.microphones) == 2 else self.options.misfit_of_more
+
+    @property
+    def assumptions(self) -> str:
+        """What is assumed of the sensor, in words."""
+        built = "that the sensor was built from its design within manufacturing tolerances and not calibrated"
+        return built + self.array.in_air
 
     @property
     def shapes(self) -> int:
@@ -195,32 +197,32 @@ class TolerantDecoder(BayesDecoder):
         return self._deviating[0].shapes
 
     @property
-    def log_prior(self) -> NDArray[np.float64]:
+    def log_prior(self) -> Array:
         """Logarithm of the prior of each hypothesis of a point; (n_point, n_hypothesis) float64."""
         return self.hypotheses.log_prior
 
 
-SPARE = 6
-"""Hypotheses that are scored at once beyond those that are wanted: with them the best are found in one go mostly."""
-
-
-class _Heard:
+class _ScoredRecordings:
     """Recordings with the scores of hypotheses, level by level: each what it is at most, until it is known.
 
     Args:
         screens: of the levels of sound.
         bounds: of the same.
         frames: (n, n_frame, n_microphone, 250) float64, Pa.
+        options: of the decoder.
     """
 
-    def __init__(self, screens: Sequence[Screen], bounds: Sequence[Bounds], frames: NDArray[np.float64]) -> None:
+    def __init__(
+        self, screens: Sequence[Screen], bounds: Sequence[Bounds], frames: Array, options: TolerantOptions
+    ) -> None:
         self._screens, self._shape = tuple(screens), frames.shape[:2]
+        self._options = options
         flat = frames.reshape(len(frames) * frames.shape[1], -1)
         white = [flat @ screen.tables.reduce for screen in screens]
         alone = [screen.alone(x)[1] for screen, x in zip(screens, white, strict=True)]
         self.white = [x.reshape(*self._shape, -1) for x in white]
         """Frames where noise and sound are white, of each level (n, n_frame, size)."""
-        self.alone = [each.reshape(self._shape).sum(1) / WARMTH for each in alone]
+        self.alone = [each.reshape(self._shape).sum(1) / self._options.relative_temperature for each in alone]
         """Scores of noise and sound without a touch, of each level (n,) nats."""
         self.score = self._joint([bound(x) for bound, x in zip(bounds, white, strict=True)])
         """Scores of the hypotheses, one level after the other, without deviations; (n, n_level n_table) nats."""
@@ -228,7 +230,7 @@ class _Heard:
 
     def likeliest(self, count: int) -> NDArray[np.int64]:
         """So many of the hypotheses that score highest; (n, count)."""
-        first = min(count + SPARE, self.score.shape[1])
+        first = min(count + self._options.extra_candidates, self.score.shape[1])
         self.know(self.score >= -np.partition(-self.score, first - 1, axis=1)[:, [first - 1]])
         least = -np.partition(np.where(self._known, -self.score, np.inf), count - 1, axis=1)[:, [count - 1]]
         self.know(self.score > least)
@@ -249,55 +251,58 @@ class _Heard:
         self.score[wanted] = self._joint(scores)[wanted]
         self._known |= wanted
 
-    def _joint(self, scores: list[NDArray[np.float64]]) -> NDArray[np.float64]:
+    def _joint(self, scores: list[Array]) -> Array:
         """Of all frames of a recording together, from those of frames by levels, (n n_frame, n_table) each."""
-        together = [score.reshape(*self._shape, -1).sum(1) / WARMTH for score in scores]
+        together = [score.reshape(*self._shape, -1).sum(1) / self._options.relative_temperature for score in scores]
         return np.concatenate([score + own[:, None] for score, own in zip(together, self.alone, strict=True)], axis=1)
 
 
-def tolerant_decoder(
-    library: Library,
-    microphone_noise: NoiseChoice = 1e-3,
-    ambient: Ambient = None,
-    microphones: tuple[str, ...] | None = None,
-) -> TolerantDecoder | None:
-    """The decoder of a sensor that nobody calibrated, with the usual tolerances.
+def decoder_of(
+    library: Library, microphone_noise: NoiseChoice = "design", ambient: Ambient = None
+) -> TolerantDecoder | BayesDecoder:
+    """Decoder that a sensor asks for: of a computed library the one that models manufacturing tolerances.
 
     Args:
         library: measured or computed.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
-        microphones: as of :class:`TolerantDecoder`.
 
     Returns:
-        None of a measured library, whose sensor is known, and where it is not known how a design scatters.
+        :class:`localize.BayesDecoder` for a measured library, whose sensor is known, and where it is not known how a
+        design scatters.
 
     Raises:
         Refusal: as :class:`localize.BayesDecoder`.
     """
-    if not _is_measured(library):
+    return tolerant_decoder(library, microphone_noise, ambient) or BayesDecoder(library, microphone_noise, ambient)
+
+
+def tolerant_decoder(
+    library: Library, microphone_noise: NoiseChoice = "design", ambient: Ambient = None
+) -> TolerantDecoder | None:
+    """Decoder of a sensor that nobody calibrated, with the usual tolerances; arguments as of :func:`decoder_of`.
+
+    Returns:
+        None for a measured library, and where it is not known how a design scatters.
+
+    Raises:
+        Refusal: as :class:`localize.BayesDecoder`.
+    """
+    if library.fidelity != MEASURED:
         with suppress(UnknownScatterError):
-            return TolerantDecoder(library, None, microphone_noise, ambient, microphones)
+            return TolerantDecoder(library, None, microphone_noise, ambient)
     return None
 
 
-def objection_to_tolerances(library: Library) -> str | None:
-    """Reason why tolerances of manufacturing cannot be reckoned with; None where they can, or the sensor is known.
+def unknown_tolerances(library: Library) -> str | None:
+    """Reason why manufacturing tolerances cannot be modelled; None where they can, or where the sensor is known.
 
     Args:
         library: measured or computed.
     """
-    from acoustic_fem.scatter.tolerances import ScatteredDesign
-
-    if not _is_measured(library):
+    if library.fidelity != MEASURED:
         try:
             ScatteredDesign(library.design, UNCALIBRATED)
         except UnknownScatterError as error:
             return str(error)
     return None
-
-
-def _is_measured(library: Library) -> bool:
-    from acoustic_fem.library.transfer_functions import MEASURED
-
-    return library.fidelity == MEASURED

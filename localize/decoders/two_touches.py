@@ -20,10 +20,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import check_noise, low_pass, touch_covariances, whitening
-from localize.decoders.hypotheses import made_covariances
-from localize.decoders.likelihood import CHUNK, POWERS, vertex
+from localize.decoders.hypotheses import as_built_covariances
+from localize.decoders.likelihood import GaussianTables
+from localize.decoders.options import TwoTouchOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice
@@ -35,14 +37,8 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.scatter.tolerances import Tolerance
 
-LEVELS = (-20.0, -10.0, 0.0, 10.0, 20.0)
-"""Powers of the second touch over that of the first that are tried, dB."""
-WEAKEST = 1e-4
-"""Share of the noise at g = 1 below which eigenvectors are left out."""
-THRESHOLD = 5.0
-"""Gain of the best pair over the best point, nats, from which there are two touches."""
-UNCALIBRATED_THRESHOLD = 35.0
-"""The same with tolerances."""
+MOST_POINTS = 64
+"""Largest number of points whose pairs are searched."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,12 +46,12 @@ class TwoTouches:
     """Decisions on n signals."""
 
     pair: NDArray[np.int64]
-    """Best two points, from 0, the lower one first; (n, 2) int64."""
-    level: NDArray[np.float64]
+    """Best two points, from 1, the lower one first; (n, 2) int64."""
+    level: Array
     """Power of the second point over that of the first, the best of the grid; (n,) float64, dB."""
     point: NDArray[np.int64]
-    """Best single point, from 0; (n,) int64."""
-    gain: NDArray[np.float64]
+    """Best single point, from 1; (n,) int64."""
+    gain: Array
     """Log-likelihood of the best pair over that of the best point; (n,) float64, nats."""
     is_two: NDArray[np.bool_]
     """Whether the gain is above the threshold; (n,) bool."""
@@ -69,9 +65,10 @@ class TwoTouchDecoder:
     Args:
         library: transfer functions that cover 1 to 100 Hz, of 2 to 64 points and at least two microphones.
         microphone_noise: as of :class:`localize.BayesDecoder`.
-        threshold: nats; by default :data:`THRESHOLD`, with tolerances :data:`UNCALIBRATED_THRESHOLD`.
+        threshold: gain from which there are two touches, nats; by default that of the options.
         tolerances: of manufacturing, of a sensor that nobody calibrated, such as
             :data:`acoustic_fem.scatter.UNCALIBRATED`; None where the library knows its sensor.
+        options: numbers that tune it.
 
     Raises:
         Refusal: too many points, a threshold below 0, tolerances of bare transfer functions or of a design whose
@@ -82,39 +79,38 @@ class TwoTouchDecoder:
     def __init__(
         self,
         library: Library | ArrayResponse,
-        microphone_noise: NoiseChoice = 1e-3,
+        microphone_noise: NoiseChoice = "design",
         threshold: float | None = None,
         tolerances: Sequence[Tolerance] | None = None,
+        options: TwoTouchOptions = TwoTouchOptions(),
     ) -> None:
         check_noise(microphone_noise)
         if threshold is None:
-            threshold = THRESHOLD if tolerances is None else UNCALIBRATED_THRESHOLD
+            threshold = options.threshold if tolerances is None else options.tolerant_threshold
         if not threshold >= 0:
-            raise Refusal(f"threshold = {threshold} must be 0 or above")
+            raise Refusal(field="threshold", value=threshold, unit="nats", allowed="0 or above")
         response = response_of(library)
-        if response.point_count > 64:
-            raise Refusal(f"{response.point_count} points: pairs are searched among at most 64")
-        self.microphones = response.microphones
-        self.line = response.line
-        self.place = response.place
-        self.threshold = threshold
-        self.pairs = np.array(list(combinations(range(response.point_count), 2)))
-        """(n_pair, 2) points of each pair, from 0."""
+        if response.point_count > MOST_POINTS:
+            problem = f"has {response.point_count} points; pairs are searched among at most {MOST_POINTS}"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")
+        self.array = response.array
+        self.threshold, self.options = threshold, options
+        self.pairs = np.array(list(combinations(range(1, response.point_count + 1), 2)))
+        """Points of each pair, from 1; (n_pair, 2) int64."""
         whiten = whitening(response.noise(microphone_noise))
         self._reduce = (whiten @ low_pass()).T.copy()
         if tolerances is None:
             single = touch_covariances(response, whiten)
         else:
-            single = made_covariances(library, tolerances, whiten)
-        self._single = _Tables(single)
+            single = as_built_covariances(library, tolerances, whiten)
+        self._single = GaussianTables.of(single, options)
         # The sum of the powers is 1, so that both touches keep within the powers tried at every ratio.
-        second = 1 / (1 + 10 ** (-np.array(LEVELS) / 10))
-        self._double = [
-            _Tables((1 - share) * single[self.pairs[:, 0]] + share * single[self.pairs[:, 1]]) for share in second
-        ]
+        second = 1 / (1 + 10 ** (-np.array(options.level_differences) / 10))
+        one, other = (single[self.pairs[:, k] - 1] for k in (0, 1))
+        self._double = [GaussianTables.of((1 - share) * one + share * other, options) for share in second]
 
     @one_thread()
-    def log_likelihood(self, frames: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def log_likelihood(self, frames: Array) -> tuple[Array, Array]:
         """Log-likelihoods of every point and of every pair, maximised over the powers.
 
         Args:
@@ -124,10 +120,16 @@ class TwoTouchDecoder:
             (n, n_point) and (n, n_pair, n_level) float64, nats, up to the same constant per frame.
         """
         x = (frames @ self._reduce).reshape(len(frames), -1)
-        return self._single(x), np.stack([tables(x) for tables in self._double], -1)
+        return self._scores(self._single, x), np.stack([self._scores(tables, x) for tables in self._double], -1)
+
+    def _scores(self, tables: GaussianTables, x: Array) -> Array:
+        """Scores of white frames (n, size) by all tables, (n, n_table), a part of the tables at once."""
+        step = self.options.frames_at_once
+        parts = (tables.scores(x, slice(k, k + step)) for k in range(0, len(tables.vectors), step))
+        return np.concatenate(list(parts), axis=1)
 
     def locate(self, signals: ArrayLike | Tensor) -> TwoTouches:
-        """Which points were touched, and whether there were two.
+        """The touched points, and whether there are two.
 
         Args:
             signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples; longer ones are cut into frames
@@ -136,43 +138,22 @@ class TwoTouchDecoder:
         Raises:
             Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
-        batch, _ = checked_signals(signals, self.microphones)
+        batch, _ = checked_signals(signals, self.array.microphones)
         frames = cut_frames(batch)
         flat = frames.reshape(-1, *frames.shape[2:])
-        parts = [self.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)]
+        step = self.options.frames_at_once
+        parts = [self.log_likelihood(flat[k : k + step]) for k in range(0, len(flat), step)]
         one, two = (
             np.concatenate([part[k] for part in parts]).reshape(*frames.shape[:2], *parts[0][k].shape[1:]).sum(1)
             for k in (0, 1)
         )
         best = two.reshape(len(two), -1).argmax(1)
-        pair, level = np.divmod(best, len(LEVELS))
+        pair, level = np.divmod(best, len(self.options.level_differences))
         gain = two.reshape(len(two), -1).max(1) - one.max(1)
         return TwoTouches(
             pair=self.pairs[pair],
-            level=np.array(LEVELS)[level],
-            point=one.argmax(1),
+            level=np.array(self.options.level_differences)[level],
+            point=one.argmax(1) + 1,
             gain=gain,
             is_two=gain > self.threshold,
         )
-
-
-class _Tables:
-    """Likelihood of zero-mean Gaussians with covariances g C_k + 1, maximised over g."""
-
-    def __init__(self, covariances: NDArray[np.float64]) -> None:
-        values, vectors = np.linalg.eigh(covariances)
-        rank = max(1, int((values > WEAKEST).sum(1).max()))
-        self.vectors = np.ascontiguousarray(vectors[:, :, -rank:])
-        self.values = np.clip(values[:, -rank:], 0, None)
-        self.log_determinant = np.stack([np.log1p(self.values * power).sum(1) for power in POWERS], -1)
-
-    def __call__(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, size) to (n, n_covariance)."""
-        result = np.empty((len(x), len(self.vectors)))
-        for first in range(0, len(self.vectors), CHUNK):
-            part = slice(first, first + CHUNK)
-            gain = self.values[part, :, None] * POWERS
-            energy = (x @ self.vectors[part]) ** 2
-            score = -0.5 * (energy @ (-gain / (1 + gain)) + self.log_determinant[part, None, :])
-            result[:, part] = vertex(score).T
-        return result

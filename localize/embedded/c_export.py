@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from acoustic_fem import Library
 from localize.embedded.budget import Budget, Cost, cost_of
 from localize.embedded.decoder_tables import EmbeddedTables, Precision, embedded_tables
 from localize.embedded.readme import readme
 from localize.embedded.source import source_files, table_bytes
 from localize.signals.array_response import ArrayResponse
 from localize.signals.noise_model import NoiseChoice
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 
 @dataclass(frozen=True, eq=False)

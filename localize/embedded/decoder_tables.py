@@ -12,15 +12,15 @@ directions that a point leaves empty, l_k = 0, tell most points apart before any
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 import scipy.signal
 from numpy.typing import NDArray
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
-from localize.decoders.bayes import POWERS, TEMPERATURE, WEAKEST, share_of
 from localize.decoders.frame_covariance import (
     CUTOFF,
     SAMPLES,
@@ -30,16 +30,14 @@ from localize.decoders.frame_covariance import (
     touch_covariances,
     whitening,
 )
+from localize.decoders.likelihood import assumed_noise
+from localize.decoders.options import DecoderOptions
 from localize.decoders.sound_test import SoundTest
 from localize.embedded.reflections import BLOCK, reflections
-from localize.live.front_end import HIGH_PASS
-from localize.live.stream import LEAST_SILENCE, SILENCE
+from localize.live.options import HIGH_PASS, StreamOptions
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import SAMPLE_RATE
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 Single = NDArray[np.float32]
 #: Precision of the tables of a decoder in C.
@@ -139,16 +137,17 @@ def embedded_tables(
     response = response_of(library)
     warn_of_uncovered(response)
     noise = response.noise(microphone_noise)
+    options = DecoderOptions()
     rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-    whole = joint_whitening(response, share_of(noise), None)
+    whole = joint_whitening(response, assumed_noise(noise, options), None)
     triangle = np.tril_indices(SAMPLES)
     values, vectors = np.linalg.eigh(whole @ touch_covariances(response, np.eye(SAMPLES)) @ whole.T)
-    filled = max(1, int((values > WEAKEST).sum(1).max()))
+    filled = max(1, int((values > options.weakest_direction).sum(1).max()))
     size = -(-len(whole) // BLOCK) * BLOCK
     rank = size - (size - filled) // BLOCK * BLOCK  # blocks of reflections end where the empty directions do
     eigenvalues = np.clip(values[:, -rank:], 0, None)
     eigenvalues[:, : rank - filled] = 0.0
-    determinant = np.log1p(eigenvalues[:, :, None] * POWERS).sum(1) / TEMPERATURE
+    determinant = np.log1p(eigenvalues[:, :, None] * options.tried_powers).sum(1) / options.temperature
     empty = _loudest_first(vectors[:, :, :-filled], values[:, -filled:], vectors[:, :, -filled:])
     vectors = _padded(np.concatenate([empty, vectors[:, :, -filled:]], axis=2), size)
     turned = [reflections(each, precision == "int16") for each in vectors]
@@ -161,7 +160,7 @@ def embedded_tables(
         microphones=response.microphones,
         precision=precision,
         noise_rms=rms,
-        silence=max(SILENCE * rms, LEAST_SILENCE),
+        silence=max(StreamOptions.silence * rms, StreamOptions.least_silence),
         whitening=whole[triangle].astype(np.float32),  # the same for every microphone
         eigenvalues=eigenvalues.astype(np.float32),
         half_log_determinant=(0.5 * determinant).astype(np.float32),

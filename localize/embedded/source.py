@@ -8,15 +8,14 @@ from importlib.resources import files
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.decoders.bayes import POWERS, TEMPERATURE
 from localize.decoders.frame_covariance import DECIMATION, SAMPLES, TAPS
-from localize.decoders.sound_test import GAIN, MISMATCH
+from localize.decoders.options import DecoderOptions, SoundOptions
 from localize.embedded.decoder_tables import (
     EmbeddedTables,
     high_pass_coefficients,
     low_pass_taps,
 )
-from localize.live.stream import DEAD
+from localize.live.options import StreamOptions
 
 #: Sources that are the same for every array.
 SOURCES = ("touch_decoder.h", "touch_decoder.c", "touch_bench.c")
@@ -24,6 +23,8 @@ SOURCES = ("touch_decoder.h", "touch_decoder.c", "touch_bench.c")
 TOP = 3
 #: Powers that are tried at once.
 AT_ONCE = 16
+#: Powers of a touch that are tried.
+POWERS = DecoderOptions().tried_powers
 #: Powers that are tried, and the last one again up to whole groups.
 POWER_COUNT = len(POWERS) + -len(POWERS) % AT_ONCE
 _WIDTH = 8
@@ -110,11 +111,11 @@ def _constants(tables: EmbeddedTables) -> str:
 def _scalars(tables: EmbeddedTables) -> dict[str, float]:
     return {
         "touch_silence": tables.silence,
-        "touch_dead": DEAD * tables.noise_rms,
-        "touch_half": 1 / (2 * TEMPERATURE),
+        "touch_dead": StreamOptions.dead_fraction * tables.noise_rms,
+        "touch_half": 1 / (2 * DecoderOptions().temperature),
         "touch_sound_usual": tables.usual,
-        "touch_sound_mismatch": MISMATCH**2,
-        "touch_sound_gain": GAIN,
+        "touch_sound_mismatch": SoundOptions.mismatch**2,
+        "touch_sound_gain": SoundOptions.gain,
     }
 
 

@@ -3,52 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any
 
 import numpy as np
 import scipy.stats
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Refusal, counted
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
+from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import COMPONENT_INTERVALS, SAMPLE_LENGTH, StimulusSource, multi_sines
 from localize.signals.threads import one_thread
 from localize.signals.touch_generator import TouchGenerator
 
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
-
 MOST_TOUCHES = 1_000_000
 """Most touches of a point that are judged."""
 RELIABILITY_BINS = 10
 """Number of equal ranges of the stated probability."""
-
-
-class Locator(Protocol):
-    """Locator that can be evaluated: the network's localizer and the model-based decoder alike."""
-
-    @property
-    def microphones(self) -> Sequence[str]:
-        """Names of the microphones."""
-
-    @property
-    def point_count(self) -> int:
-        """Number of sensing points."""
-
-    def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
-        """Probability per point of signals.
-
-        Args:
-            signals: (n, n_microphone, n_sample), Pa, at 1 kHz.
-
-        Returns:
-            (n, n_point) float64.
-        """
 
 
 def wilson_interval(share: float, touches: int) -> tuple[float, float]:
@@ -193,7 +168,7 @@ def evaluate(
     The stimuli come from a stream of their own: none was seen in training, whatever the seeds.
 
     Args:
-        localizer: anything with ``locate``, ``microphones`` and ``point_count``.
+        localizer: network, graph or decoder.
         library: the array that is touched, which need not be the one the localizer was made for, as long as points
             and microphones agree.
         touches_per_point: at least 1.

@@ -14,10 +14,11 @@ import numpy as np
 import scipy.stats
 from numpy.typing import NDArray
 
-from localize.evaluation.accuracy import Evaluation, Locator, evaluate
+from localize.evaluation.accuracy import Evaluation, evaluate
 from localize.signals.array_response import ArrayResponse
 from localize.signals.finger_stimuli import STIMULI
 from localize.signals.frames import FRAME
+from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
 
 NOISES = (0.0, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)

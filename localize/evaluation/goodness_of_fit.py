@@ -14,10 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from geometry.ground.refusal import Refusal
-from localize.decoders.bayes import BayesDecoder
-from localize.decoders.tolerant import TolerantDecoder
 from localize.live.events import Decision
 from localize.signals.frames import FRAME, checked_signals
+from localize.signals.locator import Locator
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
 
@@ -27,7 +26,7 @@ LOUDEST = 16
 """Number of those that a level is looked for with."""
 AT_LEVEL = 200.0
 """Multiple of the noise to which louder frames are brought: they leave more of what a sensor is not as it should be."""
-OF_TWO, OF_MORE, OF_KNOWN = 4.0, 100.0, 2.0
+LEAST_SUSPECT = 4.0
 """What sensors leave at most: not calibrated ones of two microphones, of more, and calibrated ones.
 
 Medians on virtual rigs of seeds 9110 to 9112: of two microphones 1.5 to 2.5 (2.8 at 2000 m, which nobody told), by
@@ -60,8 +59,8 @@ class SensorFit:
     the touches. Of two it is the one that leaves less, for all that is known is how they differ."""
 
     @property
-    def doubt(self) -> str | None:
-        """Reason to doubt what was decided, in words; None where there is none."""
+    def warning(self) -> str | None:
+        """Reason to distrust what was decided, in words; None where there is none."""
         if self.off_level is not None:
             name, level = self.off_level
             louder, quieter = ("louder", "quieter") if level > 0 else ("quieter", "louder")
@@ -104,7 +103,7 @@ class LoudFrames:
 
 
 @one_thread()
-def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None = None) -> SensorFit | None:
+def sensor_fit(decoder: Locator, frames: ArrayLike, noise: ArrayLike | None = None) -> SensorFit | None:
     """How well a decoder explains the loudest touches, and whether one microphone is far off its level.
 
     Args:
@@ -113,13 +112,13 @@ def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None
         noise: of the microphones as it was measured, (n_microphone,) Pa rms; by default that of the decoder.
 
     Returns:
-        None of fewer than 8 frames, and where it is not known what sensors leave: of a computed library whose
+        None for fewer than 8 frames, and where it is not known what sensors leave: of a computed library whose
         tolerances are not known.
 
     Raises:
         Refusal: as :meth:`localize.BayesDecoder.locate`, or noise of another number of microphones.
     """
-    expected, given = _expected(decoder), np.asarray(frames)
+    expected, given = decoder.largest_misfit, np.asarray(frames)
     if expected is None or len(given) < FEWEST:
         return None
     heard = checked_signals(given, decoder.microphones)[0][:MOST].copy()
@@ -130,7 +129,7 @@ def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None
     heard /= np.maximum(level, 1.0)[:, None, None]
     misfit = _left(decoder, heard)
     # Of more microphones one that is off may leave less than sensors of some designs do.
-    if misfit <= min(expected, OF_TWO):
+    if misfit <= min(expected, LEAST_SUSPECT):
         return SensorFit(misfit, expected, decoder.microphones)
     loudest = heard[np.argsort(-level, kind="stable")[:LOUDEST]]
     unchanged = _left(decoder, loudest)
@@ -141,29 +140,18 @@ def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None
     return SensorFit(misfit, expected, decoder.microphones, (decoder.microphones[best], level) if off else None)
 
 
-def _expected(decoder: BayesDecoder) -> float | None:
-    """Most that sensors leave as a decoder expects them; None where that is not known."""
-    from acoustic_fem.library.transfer_functions import MEASURED
-
-    if isinstance(decoder, TolerantDecoder):
-        return OF_TWO if len(decoder.microphones) == 2 else OF_MORE
-    return OF_KNOWN if decoder.provenance.get("fidelity") == MEASURED else None
-
-
-def _louder(decoder: BayesDecoder, noise: NDArray[np.float64]) -> float:
+def _louder(decoder: Locator, noise: NDArray[np.float64]) -> float:
     """The noise over that which the decoder was told, rms, at least 1."""
     if noise.shape != (len(decoder.microphones),):
         raise Refusal(f"noise has shape {noise.shape}, must be ({len(decoder.microphones)},): one per microphone")
     return max(1.0, float(np.sqrt(np.mean(noise**2))) / decoder.noise_rms)
 
 
-def _left(decoder: BayesDecoder, frames: NDArray[np.float64]) -> float:
+def _left(decoder: Locator, frames: NDArray[np.float64]) -> float:
     return float(np.median(decoder.misfit(frames)))
 
 
-def _level(
-    decoder: BayesDecoder, frames: NDArray[np.float64], microphone: int, unchanged: float
-) -> tuple[float, float]:
+def _level(decoder: Locator, frames: NDArray[np.float64], microphone: int, unchanged: float) -> tuple[float, float]:
     """Level of a microphone, dB, at which touches are explained best, and what is left then; unchanged at 0 dB."""
 
     def left(level: float) -> float:

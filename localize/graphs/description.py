@@ -6,7 +6,6 @@ for is allocated later without another look.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 from collections.abc import Iterator
@@ -26,8 +25,6 @@ LARGEST_DESCRIPTION = 20_000_000
 """Most bytes of a description: the largest array has 120,000 points, and a long training a curve of 10,000 epochs."""
 LARGEST_MODEL = 256_000_000
 """Most bytes of the weights or the graph of one localizer."""
-SEAL = "sha256"
-"""Field of a description with the checksum of all its other fields, and of what it describes."""
 
 Digest = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 Share = Annotated[float, Field(ge=0, le=1)]
@@ -139,22 +136,6 @@ def described(model: type[_Model], text: str | bytes, source: str | os.PathLike[
             raise refusal(f"{source}: {where}{': ' * bool(where)}{said}") from None
         shown = json.dumps(found["input"], default=str)
         raise refusal(f"{source}: {where} = {shown:.80} is refused: {said[:1].lower()}{said[1:]}") from None
-
-
-def sealed(description: dict[str, Any], content: bytes = b"") -> dict[str, Any]:
-    """A description with the checksum of its other fields, and of the content that it describes."""
-    return {**description, SEAL: _checksum(description, content)}
-
-
-def is_sealed(description: dict[str, Any], content: bytes = b"") -> bool:
-    """Whether a description and its content are as :func:`sealed` left them."""
-    own = {name: value for name, value in description.items() if name != SEAL}
-    return description.get(SEAL) == _checksum(own, content)
-
-
-def _checksum(description: dict[str, Any], content: bytes) -> str:
-    text = json.dumps(description, sort_keys=True, ensure_ascii=True)
-    return hashlib.sha256(text.encode("ascii") + b"\n" + content).hexdigest()
 
 
 @contextmanager

@@ -6,26 +6,27 @@ import os
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.record import is_sealed
 from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import parse_json
+from geometry.ground.typed import Array
 from localize.graphs.description import (
     LARGEST_MODEL,
     GraphDescription,
     LocalizerError,
     check_format,
     described,
-    is_sealed,
 )
 from localize.graphs.foreign_graph import ForeignGraph
 from localize.graphs.graph_check import BATCH, INPUT, OUTPUTS, check_interface, doubt
-from localize.signals.frames import FRAME, checked_signals, combined_probability, cut_frames
+from localize.signals.frames import FRAME, combined_probability, cut_frames
+from localize.signals.locator import ArrayFacts, Locator
 
 if TYPE_CHECKING:
     from onnx import ModelProto
-    from torch import Tensor
 
 FORMAT = "acoustic-fem onnx"
 VERSION = 1
@@ -33,7 +34,7 @@ KEY = "acoustic-fem"
 """Key of the JSON text among the metadata of a file."""
 
 
-class OnnxLocalizer:
+class OnnxLocalizer(Locator):
     """Localizer read from an ONNX file, run by ONNX Runtime on one thread.
 
     Args:
@@ -53,13 +54,17 @@ class OnnxLocalizer:
             model = onnx.load_model_from_string(content)
         if not model.HasField("graph"):
             raise LocalizerError(f"{path}: cut short or not an ONNX file: it holds no graph")
-        said = _read_description(model, path)
-        self.description: dict[str, Any] = said.model_dump()
-        self.design, self.kind, self.microphones = said.design, str(said.kind), tuple(said.microphones)
-        self.line = np.asarray(said.line, np.int64)
-        self.place = np.asarray(said.place, np.int64)
-        self.noise_rms = said.noise_rms
-        self.provenance = said.provenance
+        stated = _read_description(model, path)
+        self.description: dict[str, Any] = stated.model_dump()
+        self._kind = str(stated.kind)
+        self.array = ArrayFacts(
+            stated.design,
+            tuple(stated.microphones),
+            np.asarray(stated.line, np.int64),
+            np.asarray(stated.place, np.int64),
+            stated.provenance,
+            stated.noise_rms,
+        )
         try:
             check_interface(model, len(self.microphones), self.point_count)
         except Refusal as error:
@@ -80,28 +85,25 @@ class OnnxLocalizer:
             )
 
     @property
-    def point_count(self) -> int:
-        """Number of sensing points."""
-        return len(self.line)
+    def kind(self) -> str:
+        """Kind of localizer that the graph holds."""
+        return self._kind
 
-    def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
-        """Where the array was touched; as :meth:`localize.Localizer.locate`.
+    @property
+    def assumptions(self) -> str:
+        """What is assumed of the sensor or of touches, in words."""
+        return super().assumptions if self.kind == "network" else self.array.assumptions
 
-        Args:
-            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+    @property
+    def no_graph(self) -> str:
+        """Reason why no ONNX graph can hold this localizer, as a clause."""
+        return "it is an ONNX file already"
 
-        Returns:
-            (n_point,) or (n, n_point) float64: probability per point.
-
-        Raises:
-            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
-        """
-        batch, batched = checked_signals(signals, self.microphones)
+    def _probability(self, batch: Array) -> Array:
         frames = cut_frames(batch)
         flat = frames.reshape(-1, *frames.shape[2:]).astype(np.float32)
         score = np.concatenate([self._graph.run(flat[k : k + BATCH]) for k in range(0, len(flat), BATCH)])
-        probability = combined_probability(score.astype(np.float64).reshape(*frames.shape[:2], -1))
-        return probability if batched else probability[0]
+        return combined_probability(score.astype(np.float64).reshape(*frames.shape[:2], -1))
 
 
 class _OwnGraph:
@@ -132,10 +134,10 @@ def _read_description(model: ModelProto, path: str | os.PathLike[str]) -> GraphD
     source = f"{path}: {KEY}"
     values = parse_json(texts[0], source, LocalizerError)
     check_format(values, FORMAT, VERSION, source, LocalizerError)
-    said = described(GraphDescription, texts[0], source, LocalizerError)
-    if said.sha256 is not None and not is_sealed(values, bare_graph(model)):
+    stated = described(GraphDescription, texts[0], source, LocalizerError)
+    if stated.sha256 is not None and not is_sealed(values, bare_graph(model)):
         raise LocalizerError(f"{path}: changed or damaged: its checksum is not that of what it holds")
-    return said
+    return stated
 
 
 def bare_graph(model: ModelProto) -> bytes:

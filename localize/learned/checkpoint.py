@@ -7,7 +7,6 @@ file of another training, and a damaged one, is refused.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 from collections.abc import Mapping
@@ -19,10 +18,11 @@ import torch
 from torch import Tensor, nn
 
 from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.record import is_sealed, sealed, sha256
 from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import whole_file
-from localize.graphs.description import LARGEST_MODEL, described, is_sealed, sealed
+from localize.graphs.description import LARGEST_MODEL, described
 from localize.learned.localizer_description import TrainingState
 from localize.signals.touch_generator import TouchGenerator
 
@@ -154,12 +154,11 @@ def _metadata(held: bytes) -> dict[str, Any]:
 
 def _content(tensors: Mapping[str, Tensor]) -> bytes:
     """Digest of tensors, each with its name, type and shape."""
-    digest = hashlib.sha256()
+    parts: list[str | bytes] = []
     for name in sorted(tensors):
         value = tensors[name].contiguous()
-        digest.update(f"{name} {value.dtype} {tuple(value.shape)}\n".encode())
-        digest.update(value.numpy().tobytes())
-    return digest.digest()
+        parts += [f"{name} {value.dtype} {tuple(value.shape)}\n", value.numpy().tobytes()]
+    return bytes.fromhex(sha256(*parts))
 
 
 def _with_prefix(tensors: Mapping[str, Tensor], prefix: str) -> dict[str, Tensor]:

@@ -10,14 +10,13 @@ from typing import Any
 
 import numpy as np
 import torch
-from numpy.typing import ArrayLike, NDArray
-from torch import Tensor
 
+from geometry.ground.typed import Array
 from localize.graphs.description import LocalizerError, naming
 from localize.learned.classifier import NetworkShape, TouchClassifier
 from localize.learned.localizer_description import LocalizerDescription, read_model, save_model, with_weights
-from localize.signals.frames import checked_signals, combined_probability, cut_frames
-from localize.signals.threads import one_thread
+from localize.signals.frames import combined_probability, cut_frames
+from localize.signals.locator import ArrayFacts, Locator
 
 FORMAT = "acoustic-fem localizer"
 VERSION = 1
@@ -25,68 +24,33 @@ DESCRIPTION_FILE = "localizer.json"
 
 
 @dataclass(frozen=True, eq=False)
-class Localizer:
+class Localizer(Locator):
     """Network trained on the transfer functions of one array, made by :func:`localize.train`."""
 
     classifier: TouchClassifier = field(repr=False)
     """Network with its features and normalisation."""
     shape: NetworkShape
     """Sizes of the network."""
-    design: str
-    """Name of the design."""
-    microphones: tuple[str, ...]
-    """Names of the microphones, in the order of the signals."""
-    line: NDArray[np.int64]
-    """Line of each point, as the library numbers it; (n_point,) int64."""
-    place: NDArray[np.int64]
-    """Place of each point along its line, as the library numbers it; (n_point,) int64."""
+    array: ArrayFacts
+    """Array that it was trained for, and the noise of its training."""
     plan: Mapping[str, Any] = field(repr=False)
     """Fields of the training plan, seed included."""
     training: Mapping[str, Any] = field(repr=False)
     """Record of the training: loss and accuracy per epoch, seconds, touches."""
-    provenance: Mapping[str, Any] = field(repr=False)
-    """Design, fidelity, air, frequencies and versions."""
 
     @property
-    def kind(self) -> str:
-        """Kind of localizer, as graphs state theirs."""
-        return "network"
+    def no_graph(self) -> str:
+        """Empty: an ONNX graph can hold this localizer."""
+        return ""
 
-    @property
-    def point_count(self) -> int:
-        """Number of sensing points."""
-        return self.shape.points
-
-    @property
-    def noise_rms(self) -> float:
-        """Noise of every microphone in training, Pa rms."""
-        return float(self.training["microphone_noise"])
-
-    @one_thread()
-    def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
-        """Where the array was touched.
-
-        A recording longer than 250 samples is cut into frames, the last one ending with it, which are taken as
-        independent observations of one touch.
-
-        Args:
-            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
-
-        Returns:
-            (n_point,) or (n, n_point) float64: probability per point.
-
-        Raises:
-            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
-        """
-        batch, batched = checked_signals(signals, self.microphones)
+    def _probability(self, batch: Array) -> Array:
         frames = cut_frames(batch)
         flat = torch.from_numpy(frames.reshape(-1, *frames.shape[2:]).astype(np.float32))
         self.classifier.eval()
         with torch.inference_mode():
             logits = torch.cat([self.classifier(part) for part in flat.split(512)])
         per_frame = logits.double().log_softmax(-1).unflatten(0, frames.shape[:2])
-        probability = combined_probability(per_frame.numpy())
-        return probability if batched else probability[0]
+        return combined_probability(per_frame.numpy())
 
     def save(self, folder: str | os.PathLike[str]) -> None:
         """Write ``localizer.json`` and the weights it names, as safetensors, into a folder.
@@ -116,18 +80,21 @@ def load_localizer(folder: str | os.PathLike[str]) -> Localizer:
             allowed.
     """
     path = Path(folder) / DESCRIPTION_FILE
-    values, said, weights = read_model(path, LocalizerDescription, (FORMAT, VERSION, "a localizer"), LocalizerError)
+    values, stated, weights = read_model(path, LocalizerDescription, (FORMAT, VERSION, "a localizer"), LocalizerError)
     with naming(path, LocalizerError):
-        shape = said.network.shape()
-        classifier = with_weights(lambda: TouchClassifier(len(said.microphones), shape), weights)
+        shape = stated.network.shape()
+        classifier = with_weights(lambda: TouchClassifier(len(stated.microphones), shape), weights)
     return Localizer(
         classifier=classifier,
         shape=shape,
-        design=said.design,
-        microphones=tuple(said.microphones),
-        line=np.asarray(said.line, np.int64),
-        place=np.asarray(said.place, np.int64),
+        array=ArrayFacts(
+            stated.design,
+            tuple(stated.microphones),
+            np.asarray(stated.line, np.int64),
+            np.asarray(stated.place, np.int64),
+            stated.provenance,
+            float(values["training"]["microphone_noise"]),
+        ),
         plan=values["plan"],
         training=values["training"],
-        provenance=said.provenance,
     )

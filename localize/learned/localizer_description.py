@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import hashlib
 import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -14,6 +13,7 @@ from pydantic import ConfigDict, Field, create_model, model_validator
 from torch import Tensor
 
 from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.record import is_sealed, sealed, sha256
 from geometry.ground.refusal import Refusal
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import whole_file, write_text
@@ -27,8 +27,6 @@ from localize.graphs.description import (
     Strict,
     check_format,
     described,
-    is_sealed,
-    sealed,
 )
 from localize.learned.classifier import MapClassifier, NetworkShape
 from localize.learned.features import FeatureChoice, map_count
@@ -144,7 +142,7 @@ def save_model(path: Path, description: Mapping[str, Any], classifier: MapClassi
 
     path.parent.mkdir(parents=True, exist_ok=True)
     weights = save({name: value.contiguous() for name, value in classifier.state_dict().items()})
-    digest = hashlib.sha256(weights).hexdigest()
+    digest = sha256(weights)
     name = f"weights-{digest[:12]}.safetensors"
     with whole_file(path.parent / name) as beside:
         beside.write_bytes(weights)
@@ -183,7 +181,7 @@ def read_model(
         raise refusal(f"{path}: changed or damaged: its checksum is not that of what it says")
     weights_path = path.parent / values["weights"]
     weights = read_bytes(weights_path, f"the weights of {what}", refusal, LARGEST_MODEL)
-    if hashlib.sha256(weights).hexdigest() != values["weights_sha256"]:
+    if sha256(weights) != values["weights_sha256"]:
         raise refusal(f"{weights_path}: cut short or changed: its checksum is not the one in {path.name}")
     with library_reads(weights_path, f"the weights of {what}", refusal):
         return values, said, load(weights)

@@ -26,17 +26,16 @@ import torch
 from torch import Tensor, nn
 
 from acoustic_fem.library.provenance import versions
-from geometry.ground.refusal import Refusal
+from geometry.ground.record import sealed
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import whole_file
-from localize.decoders.bayes import BayesDecoder
-from localize.decoders.drift import DriftDecoder
-from localize.decoders.likelihood import SCREEN_ERROR, SURE, TEMPERATURE, DecoderTables
-from localize.decoders.tolerant import TolerantDecoder
-from localize.graphs.description import sealed
+from localize.decoders.library_decoder import LibraryDecoder
+from localize.decoders.likelihood import DecoderTables
 from localize.graphs.graph_check import INPUT, OUTPUTS
 from localize.graphs.onnx_localizer import FORMAT, KEY, VERSION, bare_graph
 from localize.learned.localizer import Localizer
 from localize.signals.frames import FRAME
+from localize.signals.locator import Locator
 from localize.signals.stimulus import SAMPLE_RATE
 
 if TYPE_CHECKING:
@@ -45,22 +44,25 @@ if TYPE_CHECKING:
 OPSET = 20
 
 
-def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str]) -> None:
+def export_onnx(localizer: Locator, path: str | os.PathLike[str]) -> None:
     """Write a trained network or a model-based decoder as one ONNX file.
 
     Args:
-        localizer: what :func:`localize.train` made, or a :class:`localize.BayesDecoder`.
+        localizer: a network of :func:`localize.train`, or a :class:`localize.BayesDecoder`.
         path: of the file, such as ``localizer.onnx``; it is there whole or not at all.
 
     Raises:
-        Refusal: a :class:`localize.TolerantDecoder`, which fits deviations to each frame, or a
-            :class:`localize.DriftDecoder`, which remembers the frames before.
+        Refusal: a localizer that no graph can hold, such as :class:`localize.TolerantDecoder`, which fits deviations
+            to each frame, or :class:`localize.DriftDecoder`, which follows its sensor from touch to touch.
     """
-    if isinstance(localizer, TolerantDecoder):
-        raise Refusal("localizer must not be a TolerantDecoder: what it fits to a frame is in no graph yet")
-    if isinstance(localizer, DriftDecoder):
-        raise Refusal("localizer must not be a DriftDecoder: a graph does not remember the frames before")
-    graph = _NetworkGraph(localizer) if isinstance(localizer, Localizer) else DecoderGraph(localizer)
+    if localizer.no_graph:
+        problem = f"cannot be written as a graph: {localizer.no_graph}"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="localizer")
+    if isinstance(localizer, Localizer):
+        graph: nn.Module = _NetworkGraph(localizer)
+    else:
+        assert isinstance(localizer, LibraryDecoder)
+        graph = DecoderGraph(localizer)
     model = _translated(graph.eval(), len(localizer.microphones))
     model.producer_name = "acoustic-fem"
     del model.metadata_props[:]
@@ -86,9 +88,10 @@ class _NetworkGraph(nn.Module):
 class DecoderGraph(nn.Module):
     """Graph of the likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best in double."""
 
-    def __init__(self, decoder: BayesDecoder) -> None:
+    def __init__(self, decoder: LibraryDecoder) -> None:
         super().__init__()
         several = len(decoder.tables) > 1
+        self._sure_lead = decoder.options.sure_lead
         self._levels = tuple(_LevelGraph(tables, several) for tables in decoder.tables)
         self.levels = nn.ModuleList(self._levels)
 
@@ -104,7 +107,7 @@ class DecoderGraph(nn.Module):
         flat = frames.double().flatten(1)
         levels = [(level, *level.screened(flat)) for level in self._levels]
         # Points are left to single precision only where none of any level may come near the best of all.
-        least = torch.stack([score.amax(0) - error for _, _, score, error in levels]).amax(0) - SURE
+        least = torch.stack([score.amax(0) - error for _, _, score, error in levels]).amax(0) - self._sure_lead
         score = torch.stack([level.again(x, score, least - error) for level, x, score, error in levels]).amax(0).T
         return score.softmax(-1).float(), score.log_softmax(-1).float()
 
@@ -128,6 +131,7 @@ class _LevelGraph(nn.Module):
         )
         self.points, size, self.rank = vectors.shape
         self.offset = tables.offset
+        self.screen_error, self.temperature = tables.options.screen_error, tables.options.temperature
         for name, table in (
             ("reduce", reduce),
             # One matrix for all points: (n_microphone SAMPLES, n_point rank).
@@ -148,7 +152,7 @@ class _LevelGraph(nn.Module):
         values = -0.5 * (energy.transpose(0, 1) @ self.screen_weight + self.screen_determinant[:, None, :])
         # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
         score = torch.minimum(_vertex(values), values.amax(-1) + 1).double()
-        return x, score + self._alone(x), SCREEN_ERROR * x.square().sum(1)
+        return x, score + self._alone(x), self.screen_error * x.square().sum(1)
 
     def again(self, x: Tensor, score: Tensor, least: Tensor) -> Tensor:
         """Scores (n_point, n), in double precision of the points that may reach ``least`` (n,)."""
@@ -163,7 +167,7 @@ class _LevelGraph(nn.Module):
         """(n,) nats, of noise and sound without a touch, as in :mod:`localize.decoders.bayes` of one level."""
         if not self.is_one_of_several:
             return torch.zeros_like(x[:, 0])
-        return self.offset - x.square().sum(1) / (2 * TEMPERATURE)
+        return self.offset - x.square().sum(1) / (2 * self.temperature)
 
 
 def _vertex(values: Tensor) -> Tensor:
@@ -199,12 +203,12 @@ def _translated(graph: nn.Module, microphones: int) -> ModelProto:
     return program.model_proto
 
 
-def _description(localizer: Localizer | BayesDecoder) -> dict[str, Any]:
+def _description(localizer: Locator) -> dict[str, Any]:
     """What a file says of itself."""
     return {
         "format": FORMAT,
         "version": VERSION,
-        "kind": "network" if isinstance(localizer, Localizer) else "model-based decoder",
+        "kind": localizer.kind,
         "design": localizer.design,
         "microphones": list(localizer.microphones),
         "line": localizer.line.tolist(),

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 import torch
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from torch import Tensor
 
-from localize.evaluation.accuracy import Locator
+from geometry.ground.typed import Array
 from localize.live.events import Decision
-from localize.live.front_end import AS_IT_COMES, Listening
+from localize.live.options import AS_IT_COMES, StreamOptions
 from localize.live.stream import TouchStream
 from localize.recordings.recording import read_recording
 from localize.recordings.touch_manifest import (
@@ -28,6 +28,7 @@ from localize.recordings.touch_manifest import (
 )
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
+from localize.signals.locator import ArrayFacts, Locator
 from localize.signals.random_streams import choice, random_words, uniform
 from localize.signals.stimulus import SAMPLE_RATE, Device
 
@@ -47,14 +48,15 @@ class PartAccuracy:
     """Number of recordings."""
 
 
-class _Ears:
+class _NoLocator(Locator):
     """Hears where a stream hears something, and names nothing."""
 
     def __init__(self, microphones: tuple[str, ...], noise_rms: float) -> None:
-        self.microphones, self.noise_rms = microphones, noise_rms
+        nowhere = np.zeros(1, np.int64)
+        self.array = ArrayFacts("", microphones, nowhere, nowhere, noise_rms=noise_rms)
 
-    def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
-        return np.ones(1)
+    def _probability(self, batch: Array) -> Array:
+        return np.ones((len(batch), 1))
 
 
 class RecordedFrames:
@@ -210,7 +212,7 @@ def touched_frames(
     signals: NDArray[np.float64],
     microphones: Sequence[str],
     noise_rms: float,
-    listening: Listening = AS_IT_COMES,
+    options: StreamOptions = AS_IT_COMES,
 ) -> NDArray[np.int64]:
     """First samples of the frames in which a stream hears a touch.
 
@@ -218,12 +220,12 @@ def touched_frames(
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
         microphones: their names.
         noise_rms: Pa rms of a microphone, by which silence is told.
-        listening: what is done with the samples first.
+        options: what is done with the samples first.
 
     Returns:
         (n,) int64, ascending.
     """
-    events = TouchStream(_Ears(tuple(microphones), noise_rms), listening=listening).push(signals)
+    events = TouchStream(_NoLocator(tuple(microphones), noise_rms), options=options).push(signals)
     ends = [round(e.time * SAMPLE_RATE) for e in events if isinstance(e, Decision) and e.state == "touch"]
     return np.array(ends, np.int64) - FRAME
 

@@ -5,15 +5,16 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
 from localize.decoders.frame_covariance import whole_frame_covariance
 from localize.learned.checkpoint import Checkpoint, training_identity
@@ -30,9 +31,6 @@ from localize.signals.random_streams import Purpose
 from localize.signals.stimulus import Device
 from localize.signals.threads import one_thread
 from localize.signals.touch_generator import SHARD, TouchGenerator, TouchSignals
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 __all__ = ["TrainingPlan", "soft_labels", "train"]
 
@@ -123,10 +121,14 @@ def train(
     return Localizer(
         classifier=classifier,
         shape=shape,
-        design=response.name,
-        microphones=response.microphones,
-        line=response.line,
-        place=response.place,
+        array=replace(
+            response.array,
+            noise_rms=float(noise_rms),
+            provenance={
+                **response.provenance,
+                "localizer": versions(plan.seed, ("numpy", "safetensors", "scipy", "torch")),
+            },
+        ),
         plan=asdict(plan),
         training={
             "loss": [entry.loss for entry in curve],
@@ -141,10 +143,6 @@ def train(
             "sensors": 1 if seen is None else len(seen),
             "device": device,
             **of_recordings,
-        },
-        provenance={
-            **response.provenance,
-            "localizer": versions(plan.seed, ("numpy", "safetensors", "scipy", "torch")),
         },
     )
 

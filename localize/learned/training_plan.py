@@ -6,13 +6,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from geometry.ground.refusal import Refusal
+from localize.signals.array_response import ArrayResponse
+from localize.signals.disturbances import ROOM_LEVELS, MicrophoneMismatch, check_ambient
+from localize.signals.noise_model import NoiseChoice
+from localize.signals.stimulus import StimulusSource
 
 if TYPE_CHECKING:
     from localize.learned.features import FeatureChoice
-    from localize.signals.array_response import ArrayResponse
-    from localize.signals.disturbances import MicrophoneMismatch
-    from localize.signals.noise_model import NoiseChoice
-    from localize.signals.stimulus import StimulusSource
 
 PLANS = ("usual", "paper")
 """Names of the plans of :meth:`TrainingPlan.of`."""
@@ -120,7 +120,6 @@ class TrainingPlan:
 
     def __post_init__(self) -> None:
         from localize.learned.features import map_count
-        from localize.signals.disturbances import check_ambient
         from localize.signals.finger_stimuli import STIMULI
 
         check_ranges(
@@ -191,8 +190,6 @@ class TrainingPlan:
 
     def sound(self, response: ArrayResponse) -> tuple[float, float] | None:
         """Lowest and highest level of the sound outside that touches on an array have, dB SPL; None for silence."""
-        from localize.signals.disturbances import ROOM_LEVELS
-
         if self.ambient != "rooms":
             return self.ambient
         return None if response.ambient_response is None else ROOM_LEVELS
@@ -213,6 +210,4 @@ class TrainingPlan:
     @property
     def mismatch(self) -> MicrophoneMismatch | None:
         """Scatter that the microphones' gains are drawn from; None where they are all alike."""
-        from localize.signals.disturbances import MicrophoneMismatch
-
         return MicrophoneMismatch(self.microphone_gain) if self.microphone_gain else None

@@ -5,11 +5,9 @@ from .events import (
     State as State,
     TrackedPlace as TrackedPlace,
 )
-from .front_end import AS_IT_COMES as AS_IT_COMES, Listening as Listening
 from .listener import Heard as Heard, Latencies as Latencies, LiveListener as LiveListener, Notice as Notice
+from .options import AS_IT_COMES as AS_IT_COMES, StreamOptions as StreamOptions, TouchOptions as TouchOptions
 from .recorder import LiveRecorder as LiveRecorder
 from .sound_device import DeviceSource as DeviceSource, input_devices as input_devices
 from .sources import ReplaySource as ReplaySource, Source as Source
-from .spare import StreamLocator as StreamLocator
-from .stream import REFUSED as REFUSED, TouchStream as TouchStream
-from .touches import Array as Array
+from .stream import TouchStream as TouchStream

@@ -10,6 +10,7 @@ import json
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from pathlib import Path
 from time import perf_counter, sleep
 from typing import Literal, Protocol
 
@@ -17,20 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from localize.live.events import Decision, Fault, TouchEvent, TrackedGesture, TrackedPlace
+from localize.live.options import ListenerOptions
 from localize.live.recorder import LiveRecorder
 from localize.live.sources import Block, BlockQueue, Source, SourceError
 from localize.live.stream import TouchStream
 from localize.signals.resampling import StreamResampler
 from localize.signals.stimulus import SAMPLE_RATE
-
-POLL = 0.1
-"""Time without a block after which a source is asked whether it is well, s."""
-STALL = 1.0
-"""Time without a sample after which a source is lost, whatever it says, s."""
-WAITS = (0.5, 1.0, 2.0, 5.0)
-"""Times before each attempt to open a lost source again, s; the last one repeats."""
-RECENT = 1000
-"""Number of samples of 1 kHz that are kept to be looked at."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +80,8 @@ class LiveListener:
         stream: listens to them; new.
         recorder: writes them as they come in.
         wait: called with the time to wait, s, before a lost source is opened again.
-        trackers: tell touches, places and gestures while they happen; by default nobody does.
+        trackers: report touches, places and gestures while they happen; by default nothing does.
+        options: when a source is lost and how it is opened again.
     """
 
     def __init__(
@@ -97,18 +91,28 @@ class LiveListener:
         recorder: LiveRecorder | None = None,
         wait: Callable[[float], None] = sleep,
         trackers: Sequence[Tracker] = (),
+        options: ListenerOptions = ListenerOptions(),
     ) -> None:
-        self.source, self.stream, self.recorder = source, stream, recorder
+        self.source, self.stream, self.recorder, self.options = source, stream, recorder, options
         self._trackers = tuple(trackers)
         self.stopped = ""
         """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
         self._wait = wait
         self._channels = len(stream.locator.microphones)
-        self.recent: NDArray[np.float64] = np.zeros((self._channels, RECENT))
-        """(n_microphone, RECENT) Pa: the newest samples, replaced whenever there are more."""
+        self._paths: list[Path] = [] if recorder is None else recorder.paths
+        self.recent: NDArray[np.float64] = np.zeros((self._channels, options.recent))
+        """(n_microphone, n) Pa: the newest samples, replaced whenever there are more."""
         self._began: float | None = None  # when the stream's sample 0 was there
         self._due = 0  # number of the stream's sample that comes next
         self._new_run()
+
+    @property
+    def recordings(self) -> tuple[Path, ...]:
+        """Files that were recorded so far."""
+        return tuple(self._paths)
+
+    def __iter__(self) -> Generator[Heard, None, None]:
+        return self.listen()
 
     def listen(self) -> Generator[Heard, None, None]:
         """Events until the source ends; close it to stop earlier.
@@ -148,7 +152,7 @@ class LiveListener:
         while True:
             # Asked before the queue is: what came in before it ended is heard.
             ended, reason = self.source.ended, self.source.trouble
-            block = queue.get(0.0 if ended or reason else POLL)
+            block = queue.get(0.0 if ended or reason else self.options.poll)
             if block is not None:
                 heard_at = perf_counter()
                 yield from self._take(block)
@@ -157,14 +161,15 @@ class LiveListener:
                 return None
             elif reason:
                 return reason
-            elif perf_counter() - heard_at > STALL:
-                return f"no samples for {STALL:g} s"
+            elif perf_counter() - heard_at > self.options.stall:
+                return f"no samples for {self.options.stall:g} s"
 
     def _opened_again(self, reason: str) -> Generator[Heard, None, BlockQueue]:
         """Open a lost source as soon as it is there; other reasons than the last one are told."""
         attempt = 0
         while True:
-            self._wait(WAITS[min(attempt, len(WAITS) - 1)])
+            waits = self.options.waits
+            self._wait(waits[min(attempt, len(waits) - 1)])
             attempt += 1
             try:
                 return self.source.open()
@@ -207,7 +212,7 @@ class LiveListener:
             return
         self._due = self._offset + self._resampler.next
         events = self.stream.push(samples, self._due - samples.shape[1])
-        self.recent = np.concatenate([self.recent, samples], axis=1)[:, -RECENT:]
+        self.recent = np.concatenate([self.recent, samples], axis=1)[:, -self.options.recent :]
         for event in events:
             available = self._available(event, block)
             yield Heard(event, available)

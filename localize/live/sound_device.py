@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.live.sources import BLOCK, QUEUE, Block, BlockQueue, SourceError, checked_channels
+from geometry.ground.refusal import Field, Kind, said_by
+from localize.live.sources import BLOCK, QUEUE, Block, BlockQueue, SourceError, checked_channels, rate_out_of_range
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 
 INSTALL = "pip install 'acoustic-fem[live]'; on Linux PortAudio itself: apt install libportaudio2"
@@ -35,9 +36,9 @@ def load_sounddevice() -> Any:
     except ModuleNotFoundError as error:
         if error.name != "sounddevice":
             raise
-        raise SourceError(f"sounddevice is not installed: {INSTALL}") from None
+        raise SourceError("sounddevice is not installed", kind=Kind.NOT_INSTALLED, remedy=INSTALL) from None
     except OSError as error:  # what it raises where it finds no PortAudio
-        raise SourceError(f"{error}: {INSTALL}") from None
+        raise SourceError(said_by(error), kind=Kind.NOT_INSTALLED, remedy=INSTALL) from None
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,7 @@ def input_devices(sounddevice: Any | None = None) -> list[InputDevice]:
         hosts = [host["name"] for host in audio.query_hostapis()]
         found = list(audio.query_devices())
     except audio.PortAudioError as error:
-        raise SourceError(f"PortAudio: {_words(error)}") from None
+        raise SourceError(f"PortAudio: {_words(error)}", kind=Kind.STOPPED) from None
     try:
         default = audio.query_devices(kind="input")["index"]
     except audio.PortAudioError:  # there is none
@@ -118,10 +119,7 @@ class DeviceSource:
         self._device = self._find(device)
         self._channels = checked_channels(microphones, channels, self._device.channels, self._device.name)
         if not LOWEST_RATE <= self._device.rate <= HIGHEST_RATE:
-            raise SourceError(
-                f"{self._device.name}: sample rate = {self._device.rate:g} Hz must be between {LOWEST_RATE:g} and "
-                f"{HIGHEST_RATE:g} Hz"
-            )
+            raise rate_out_of_range(self._device.rate, self._device.name)
         self.rate = self._device.rate
         self._full_scale = full_scale
         self.limit = LARGEST * full_scale
@@ -162,7 +160,7 @@ class DeviceSource:
             self._stream.start()
         except (self._audio.PortAudioError, ValueError) as error:
             self.close()
-            raise SourceError(f"{self._device.name}: {_words(error)}") from None
+            raise SourceError(_words(error), kind=Kind.STOPPED, file=self._device.name) from None
         self._opened = True
         return queue
 
@@ -195,7 +193,8 @@ class DeviceSource:
     def _find(self, device: int | str | None) -> InputDevice:
         devices = input_devices(self._audio)
         if not devices:
-            raise SourceError("no device that can record is there; plug one in, or play a file with `replay`")
+            remedy = ("plug one in, or play a file with ", Field("replay"))
+            raise SourceError("no device that can record is there", kind=Kind.MISSING, remedy=remedy)
         if device is None:
             found = [each for each in devices if each.default] or devices[:1]
         elif isinstance(device, int):
@@ -205,8 +204,8 @@ class DeviceSource:
             found = found or [each for each in devices if device.lower() in each.name.lower()]
         if len(found) != 1:
             names = ", ".join(f"{each.number} {each.name!r}" for each in found or devices)
-            what = "fits several" if found else "is not there"
-            raise SourceError(f"device = {device} {what}: {names}")
+            problem = f"fits several: {names}" if found else f"is not there: {names}"
+            raise SourceError(problem, kind=Kind.UNKNOWN, field="device", value=device)
         return found[0]
 
     def _look_again(self) -> None:
@@ -216,13 +215,13 @@ class DeviceSource:
         try:
             self._audio._initialize()
         except self._audio.PortAudioError as error:
-            raise SourceError(f"PortAudio: {_words(error)}") from None
+            raise SourceError(f"PortAudio: {_words(error)}", kind=Kind.STOPPED) from None
         for each in input_devices(self._audio):
             same = (each.name, each.host) == (self._device.name, self._device.host)
             if same and each.channels > self._channels.max():
                 self._device = replace(each, rate=self.rate)
                 return
-        raise SourceError(f"{self._device.name}: is not there")
+        raise SourceError("is not there", kind=Kind.MISSING, file=self._device.name)
 
 
 def _words(error: Exception) -> str:

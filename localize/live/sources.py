@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.sound.sound_file import read_wav
 from geometry.ground.file_checks import MOST_NUMBERS
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE, check_length
 
@@ -137,11 +137,19 @@ def checked_channels(
     given = channels or {name: number for number, name in enumerate(microphones, 1)}
     if set(given) != set(microphones) or len(set(given.values())) < len(given):
         stated = ",".join(f"{name}={number}" for name, number in given.items())
-        raise SourceError(f"channels = {stated} must give {', '.join(microphones)} a number each, all different")
+        allowed = f"a number each for {', '.join(microphones)}, all different"
+        raise SourceError(field="channels", value=stated, allowed=allowed)
     for name, number in given.items():
         if not 1 <= number <= available:
-            raise SourceError(f"{what}: has {available} channels; channel {number} of microphone {name} is not there")
+            problem = f"is not there for microphone {name}: {what} has {available} channels"
+            raise SourceError(problem, kind=Kind.MISSING, field="channels", value=number)
     return np.array([given[name] - 1 for name in microphones])
+
+
+def rate_out_of_range(rate: float, file: str | os.PathLike[str]) -> SourceError:
+    """Refusal of a sample rate, Hz, of a file or the device of a name."""
+    allowed = f"between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
+    return SourceError(file=file, field="sample rate", value=rate, unit="Hz", allowed=allowed)
 
 
 class ReplaySource:
@@ -170,16 +178,12 @@ class ReplaySource:
         sound = read_wav(self._path)
         picked = checked_channels(microphones, channels, len(sound.channels), str(self._path))
         if not LOWEST_RATE <= sound.rate <= HIGHEST_RATE:
-            raise SourceError(
-                f"{self._path}: sample rate = {sound.rate:g} Hz must be between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
-            )
+            raise rate_out_of_range(sound.rate, self._path)
         count = sound.length
         check_length(self._path, count, sound.rate, SourceError)
         if count * len(picked) > MOST_NUMBERS:
-            raise SourceError(
-                f"{self._path}: has {count} samples of {len(picked)} microphones; "
-                f"what is played must have at most {MOST_NUMBERS} in all"
-            )
+            problem = f"has {count} samples of {len(picked)} microphones; at most {MOST_NUMBERS} in all can be played"
+            raise SourceError(problem, kind=Kind.UNSUITABLE, file=self._path)
         self._samples = np.stack([full_scale * sound.channels[str(k + 1)] for k in picked])
         self.rate = sound.rate
         self.limit = None if sound.full_scale is None else sound.full_scale * full_scale

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 
 class TouchFilter:
@@ -36,10 +36,12 @@ class TouchFilter:
         stay: float = 0.7, jump: float = 0.01,
     ) -> None:  # fmt: skip
         if not (stay > 0 and jump > 0 and stay + jump <= 1):
-            raise Refusal(f"stay = {stay} and jump = {jump} must be above 0, their sum at most 1")
+            allowed = f"above 0, and with jump = {jump} at most 1"
+            raise Refusal(field="stay", value=stay, allowed=allowed)
         lines, places = np.asarray(line), np.asarray(place)
         if lines.ndim != 1 or lines.shape != places.shape or not len(lines):
-            raise Refusal(f"line and place have shapes {lines.shape} and {places.shape}: must be equal, (n_point,)")
+            problem = f"has shape {places.shape}, must be that of line, (n_point,) = {lines.shape}"
+            raise Refusal(problem, kind=Kind.WRONG_TYPE, field="place")
         neighbour = (lines[:, None] == lines) & (np.abs(places[:, None] - places) == 1)
         count = neighbour.sum(1)
         step = np.divide(neighbour, count[:, None], out=np.zeros(neighbour.shape), where=count[:, None] > 0)
@@ -119,9 +121,10 @@ class TouchFilter:
         points = len(self.transition)
         if values.ndim != dimensions or values.shape[-1] != points or not values.size:
             expected = f"({points},)" if dimensions == 1 else f"(n_frame, {points})"
-            raise Refusal(f"log_likelihood has shape {values.shape}, must be {expected}")
+            problem = f"has shape {values.shape}, must be {expected}"
+            raise Refusal(problem, kind=Kind.WRONG_TYPE, field="log_likelihood")
         if not np.isfinite(values).all():
-            raise Refusal("log_likelihood holds values that are not finite")
+            raise Refusal("holds values that are not finite", kind=Kind.UNSUITABLE, field="log_likelihood")
         return values
 
 

@@ -15,46 +15,20 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal, Protocol
+from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import softmax
 
+from geometry.ground.typed import Array
 from localize.live.events import HOP, Decision, Fault, TouchEvent
+from localize.live.options import TouchOptions
 from localize.live.touch_filter import TouchFilter
 from localize.signals.frames import FRAME
+from localize.signals.locator import ArrayFacts, Locator
 from localize.signals.stimulus import SAMPLE_RATE
 
-PAUSE = 0.05
-"""Longest interruption after which a contact goes on, s."""
-HELD = 6
-"""Number of frames, 96 ms, that a point must be named for: for fewer within a longer contact it is passed over."""
-LIKELY = 0.5
-"""Probability that a point must reach, by what its frames hold of it, to be touched in a contact shorter than that:
-sound that rises and falls within one touch makes such pieces."""
-STAY, JUMP = 0.97, 1e-3
-"""Probability of staying at a point from one frame to the next, 16 ms later, and of landing anywhere."""
-FALLEN, RISEN = 0.4, 2.0
-"""Share of a contact's loudest frame to which its level must fall, and factor by which it must rise from there, where a
-new touch begins."""
-AGREE = 3
-"""Number of frames in a row that must name the same point before it is told."""
-MOST = 3750
-"""Number of frames, a minute, after which a contact is taken for a new one."""
 _LEAST_PROBABILITY = 1e-12
-
-
-class Array(Protocol):
-    """Points of an array."""
-
-    @property
-    def line(self) -> NDArray[np.int64]:
-        """Line of each point; (n_point,) int64."""
-
-    @property
-    def place(self) -> NDArray[np.int64]:
-        """Place of each point along its line; (n_point,) int64."""
 
 
 @dataclass(frozen=True)
@@ -74,9 +48,14 @@ class Touch:
 
 
 class ContactCutter:
-    """Cutter of a stream's decisions into contacts."""
+    """Cutter of a stream's decisions into contacts.
 
-    def __init__(self) -> None:
+    Args:
+        options: when a contact begins.
+    """
+
+    def __init__(self, options: TouchOptions = TouchOptions()) -> None:
+        self._options = options
         self._last: Decision | None = None
         self._loudest = self._least = 0.0
         self._count = 0
@@ -85,14 +64,15 @@ class ContactCutter:
         """Say what a decision means for contacts: one that begins ends that before it."""
         last = self._last
         # Time steps back where a device counts anew.
-        apart = last is None or not 0 < event.time - last.time <= PAUSE + HOP / SAMPLE_RATE
+        apart = last is None or not 0 < event.time - last.time <= self._options.pause + HOP / SAMPLE_RATE
         if event.state != "touch":
             self._last = None if apart else last
             return "over" if apart else "goes on"
-        rises = self._least < FALLEN * self._loudest and event.level > RISEN * self._least
+        fallen = self._least < self._options.fallen * self._loudest
+        rises = fallen and event.level > self._options.risen * self._least
         self._last = event
         self._count += 1
-        if apart or rises or self._count > MOST:
+        if apart or rises or self._count > self._options.longest:
             self._loudest = self._least = event.level
             self._count = 1
             return "begins"
@@ -102,23 +82,26 @@ class ContactCutter:
         return "goes on"
 
 
-def touches_of(events: Iterable[Decision | Fault], array: Array) -> list[Touch]:
+def touches_of(
+    events: Iterable[Decision | Fault], array: ArrayFacts | Locator, options: TouchOptions = TouchOptions()
+) -> list[Touch]:
     """Touches into which the decisions of a stream join.
 
     Args:
         events: what :meth:`localize.TouchStream.push` returned, in order.
-        array: whatever decided: its points' lines and places.
+        array: lines and places of the points that were decided on.
+        options: how decisions join.
     """
     contacts: list[list[Decision]] = []
-    cutter = ContactCutter()
+    cutter = ContactCutter(options)
     for event in events:
         if isinstance(event, Decision):
             if cutter.take(event) == "begins":
                 contacts.append([])
             if event.state == "touch":
                 contacts[-1].append(event)
-    listener = TouchFilter(array.line, array.place, STAY, JUMP)
-    return [touch for contact in contacts for touch in _touches(contact, listener)]
+    tracked = TouchFilter(array.line, array.place, options.stay, options.jump)
+    return [touch for contact in contacts for touch in _touches(contact, tracked, options)]
 
 
 class _Evidence:
@@ -129,11 +112,11 @@ class _Evidence:
     """
 
     def __init__(self) -> None:
-        self._sum: NDArray[np.float64] | float = 0.0
+        self._sum: Array | float = 0.0
         self._levels = self._loudest = 0.0
-        self._of_loudest: NDArray[np.float64] = np.empty(0)
+        self._of_loudest: Array = np.empty(0)
 
-    def take(self, log_probability: NDArray[np.float64], level: float) -> None:
+    def take(self, log_probability: Array, level: float) -> None:
         """Take the next frame: (n_point,) nats, and its level."""
         self._sum = self._sum + level * log_probability
         self._levels += level
@@ -151,18 +134,19 @@ class TouchTracker:
     """Tracker that tells beginnings, moves and ends of touches while they happen.
 
     Args:
-        array: whatever decides: its points' lines and places.
+        array: lines and places of the points that are decided on.
         delay: s, by which the stream hears later than its samples are: :attr:`localize.TouchStream.delay`.
+        options: how decisions join.
     """
 
-    def __init__(self, array: Array, delay: float = 0.0) -> None:
-        self._cutter, self._delay = ContactCutter(), delay
-        self._filter = TouchFilter(array.line, array.place, STAY, JUMP)
+    def __init__(self, array: ArrayFacts | Locator, delay: float = 0.0, options: TouchOptions = TouchOptions()) -> None:
+        self._cutter, self._delay, self._options = ContactCutter(options), delay, options
+        self._filter = TouchFilter(array.line, array.place, options.stay, options.jump)
         self._touch = 0  # number of the last one that came down
         self._point: int | None = None  # that is told, from 0
         self._contact: list[Decision] = []
         self._evidence = _Evidence()
-        self._belief: NDArray[np.float64] = np.empty(0)
+        self._belief: Array = np.empty(0)
         self._other = 0  # frames in a row that name another point
 
     def take(self, event: object) -> list[TouchEvent]:
@@ -179,6 +163,7 @@ class TouchTracker:
 
     def _goes_on(self, event: Decision) -> list[TouchEvent]:
         assert event.distribution is not None
+        options = self._options
         self._contact.append(event)
         loudest = max(each.level for each in self._contact)
         count = len(self._contact)
@@ -190,36 +175,36 @@ class TouchTracker:
         best = int(self._belief.argmax())
         if self._point is None:
             # The first frames hold next to nothing of the touch.
-            agreed = count >= AGREE and {each.point for each in self._contact[-AGREE:]} == {best + 1}
-            likely = count >= HELD and self._belief[best] >= LIKELY
+            agreed = count >= options.agree and {each.point for each in self._contact[-options.agree :]} == {best + 1}
+            likely = count >= options.held and self._belief[best] >= options.likely
             return self._down(event.time, best) if agreed or likely else []
         self._other = self._other + 1 if best != self._point else 0
-        if self._other < HELD:
+        if self._other < options.held:
             return []
         self._point, self._other = best, 0
-        return [self._told("moved", event.time, self._contact[-HELD].time)]
+        return [self._event("moved", event.time, self._contact[-options.held].time)]
 
     def _down(self, time: float, point: int) -> list[TouchEvent]:
         self._touch += 1
         self._point = point
-        return [self._told("down", time, self._contact[0].time)]
+        return [self._event("down", time, self._contact[0].time)]
 
     def _end(self, time: float) -> list[TouchEvent]:
         """The contact so far is over."""
         told: list[TouchEvent] = []
         if self._contact:
             last = self._contact[-1].time
-            if self._point is None and self._belief.max() >= LIKELY:
+            if self._point is None and self._belief.max() >= self._options.likely:
                 told += self._down(max(time, last), int(self._belief.argmax()))
             if self._point is not None:
-                told.append(self._told("up", max(time, last), last))
+                told.append(self._event("up", max(time, last), last))
         self._contact, self._point, self._other = [], None, 0
         self._evidence = _Evidence()
         self._filter.reset()
         return told
 
-    def _told(self, kind: Literal["down", "moved", "up"], time: float, first: float) -> TouchEvent:
-        """Event that is told at a time, of what the frame that ends at ``first`` was the first to show."""
+    def _event(self, kind: Literal["down", "moved", "up"], time: float, first: float) -> TouchEvent:
+        """Event that is reported at a time, of what the frame that ends at ``first`` was the first to show."""
         assert self._point is not None
         return TouchEvent(
             time=time,
@@ -232,31 +217,29 @@ class TouchTracker:
         )
 
 
-def _touches(contact: list[Decision], listener: TouchFilter) -> list[Touch]:
+def _touches(contact: list[Decision], tracked: TouchFilter, options: TouchOptions) -> list[Touch]:
     each = np.stack([decision.distribution for decision in contact if decision.distribution is not None])
     heard = np.array([decision.level if decision.weight is None else decision.weight for decision in contact])
     weight = HOP / FRAME * heard / heard.max() * _covered(len(contact)) ** 2
     log_probability = np.log(each.clip(_LEAST_PROBABILITY))
-    probability = listener.forward_backward(weight[:, None] * log_probability)
+    probability = tracked.forward_backward(weight[:, None] * log_probability)
     named = probability.argmax(1)
     edges = [0, *(np.flatnonzero(np.diff(named)) + 1).tolist(), len(named)]
-    runs = [(a, b) for a, b in pairwise(edges) if b - a >= HELD]
+    runs = [(a, b) for a, b in pairwise(edges) if b - a >= options.held]
     if not runs:  # too short for anything else: the point of most weight, where there is one
         of_points = weight @ probability / weight.sum()
         best = int(of_points.argmax())
-        return [_touch(contact, log_probability, heard, best)] if of_points[best] >= LIKELY else []
+        return [_touch(contact, log_probability, heard, best)] if of_points[best] >= options.likely else []
     return [_touch(contact[a:b], log_probability[a:b], heard[a:b], int(named[a])) for a, b in runs]
 
 
-def _covered(count: int) -> NDArray[np.float64]:
+def _covered(count: int) -> Array:
     """(count,) share of each frame of a contact that the contact fills: less at its beginning and end."""
     frame = np.arange(count)
     return np.clip(np.minimum(frame + 1, count - frame) * HOP / FRAME, 0.0, 1.0)
 
 
-def _touch(
-    decisions: list[Decision], log_probability: NDArray[np.float64], heard: NDArray[np.float64], point: int
-) -> Touch:
+def _touch(decisions: list[Decision], log_probability: Array, heard: Array, point: int) -> Touch:
     evidence = _Evidence()
     for of_frame, level in zip(log_probability, heard.tolist(), strict=True):
         evidence.take(of_frame, level)

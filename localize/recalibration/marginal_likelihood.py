@@ -28,7 +28,7 @@ from scipy.special import logsumexp
 
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
-from localize.decoders.likelihood import POWERS, TEMPERATURE
+from localize.decoders.options import DecoderOptions
 from localize.live.front_end import high_pass_sections
 from localize.signals.array_response import interpolation
 from localize.signals.stimulus import BAND, SAMPLE_RATE
@@ -36,6 +36,7 @@ from localize.signals.threads import one_thread
 
 Complex = NDArray[np.complex128]
 
+POWERS, TEMPERATURE = DecoderOptions().tried_powers, DecoderOptions().temperature
 STEP = 1.0
 """Step of the integral over frequency, Hz: covariances then repeat after 1 s, four frames."""
 COARSE = 2

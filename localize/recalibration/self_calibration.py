@@ -22,7 +22,7 @@ from acoustic_fem.library.transfer_functions import Library, described, measured
 from geometry.ground.refusal import Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
-from localize.live.front_end import Listening
+from localize.live.options import StreamOptions
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
 from localize.recalibration.parameter_search import FINE, ascend, distinct, search
 from localize.recalibration.rejections import FALSE_ALARM, NEEDED, Objections, likeliest_order
@@ -148,7 +148,7 @@ def self_calibrate(
     """
     if not 1e-9 <= microphone_noise <= 10:
         raise Refusal(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
-    Listening(high_pass)
+    StreamOptions(high_pass)
     response = response_of(library)
     heard = _usable(np.asarray(frames, np.float64), response, microphone_noise)
     _check_channels(heard, response.microphones)
@@ -285,7 +285,7 @@ def _calibrated(
         gain_error=float(difference.std(ddof=1) / np.sqrt(len(held_out))),
         rival=min((found[0].value - one.value for one in found[1:]), default=np.inf),
         rival_held_out=min((float((best.frames - one.frames).sum()) for one in rivals), default=np.inf),
-        explained=float((test.p_value(held_out, named) >= FALSE_ALARM).mean()),
+        explained=float((test.p_value(held_out, named + 1) >= FALSE_ALARM).mean()),
         agreement=float((unseen.evidence(responses(u)).share.argmax(1) == named).mean()),
         order=order,
         touches=np.bincount(whole.evidence(responses(u)).share.argmax(1), minlength=response.point_count),

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
-from localize.evaluation.accuracy import Locator
-from localize.live.front_end import HIGH_PASS, HighPass
+from localize.live.front_end import HighPass
+from localize.live.options import HIGH_PASS
 from localize.recognition.handwriting import WRITTEN, LineReader
 from localize.recognition.power_maps import WINDOW
 from localize.recognition.recognizer import Recognizer
@@ -29,12 +29,10 @@ from localize.recognition.recorded_takes import (
 )
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
+from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.tracking.sliding import straight_slide
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,7 +21,8 @@ from localize.contacts.contact import surface_of
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.frame_covariance import INTEGRATION_STEP
 from localize.learned.features import COLUMNS, FREQUENCIES
-from localize.live.front_end import HIGH_PASS, HighPass
+from localize.live.front_end import HighPass
+from localize.live.options import HIGH_PASS
 from localize.recognition.letter_classifier import LETTERS, Hand, written
 from localize.recognition.pen_path import PAD, PenTracker
 from localize.signals.array_response import ArrayResponse

@@ -7,13 +7,14 @@ import json
 import os
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
 from geometry.ground.refusal import Refusal
 from localize.decoders.reconstruct import Reconstructor
@@ -30,9 +31,6 @@ from localize.recognition.takes import PASSING, SUBJECTS, TakeMaker
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.threads import one_thread
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 HELD_OUT = 0.25
 """Number of simulated takes that are held out, as a share of those that are trained on: 4 to 1."""

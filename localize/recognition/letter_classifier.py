@@ -14,6 +14,7 @@ import numpy as np
 
 from geometry.ground.typed import Array
 from localize.contacts import FINGER, Contact, Tool, joined, stroke
+from localize.contacts.contact import surface_of
 from localize.signals.array_response import ArrayResponse
 from localize.signals.random_streams import PURPOSES, Purpose
 
@@ -135,8 +136,6 @@ def written(
     Raises:
         Refusal: an array without places.
     """
-    from localize.contacts.contact import surface_of
-
     random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(PURPOSES.index(purpose), 1, sample)))
     strokes = strokes_of(letter, hand, random)
     place, _ = surface_of(response)

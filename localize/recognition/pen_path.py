@@ -20,6 +20,7 @@ import scipy.sparse
 from numpy.typing import NDArray
 
 from geometry.ground.typed import Array
+from localize.contacts.contact import surface_of
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
@@ -85,8 +86,6 @@ class PenTracker:
     """
 
     def __init__(self, response: ArrayResponse) -> None:
-        from localize.contacts.contact import surface_of
-
         place, _ = surface_of(response)
         self._pitch = pitch = pitch_of(response)
         room = np.ptp(place, axis=0)

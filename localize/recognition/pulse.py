@@ -11,26 +11,25 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.signal
 from numpy.typing import ArrayLike
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
-from localize.decoders.bayes import BayesDecoder
 from localize.decoders.frame_covariance import INTEGRATION_STEP, SAMPLES, SOURCE_RMS, touch_covariances, whitening
+from localize.decoders.level_likelihood import LevelLikelihood
+from localize.decoders.library_decoder import PointDecoder
+from localize.decoders.options import DecoderOptions
 from localize.decoders.reconstruct import Reconstructor
+from localize.decoders.surroundings import Surroundings
 from localize.recognition.takes import prepared
 from localize.signals.array_response import ArrayResponse, interpolated_from_zero, response_of
 from localize.signals.frames import checked_signals
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, SAMPLE_RATE
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
 
 RATES = (40.0, 160.0)
 """Lowest and highest heart rate that is looked for, beats a minute."""
@@ -66,7 +65,7 @@ class PulseReading:
     """Pulse that was read from a recording."""
 
     point: int
-    """Point under which it is felt, from 0."""
+    """Point under which it is felt, from 1."""
     probability: float
     """Probability of that point."""
     waveform: Array
@@ -80,7 +79,7 @@ class PulseReading:
     """Standard deviation of that mean, from how beats differ, beats a minute; NaN with less than three beats."""
 
 
-class PulseDecoder(BayesDecoder):
+class PulseDecoder:
     """Decoder of the points under which pulses are felt; time runs :data:`SLOWER` times as fast for it.
 
     Args:
@@ -88,30 +87,24 @@ class PulseDecoder(BayesDecoder):
         microphone_noise: as of :class:`localize.BayesDecoder`.
     """
 
-    def __init__(self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3) -> None:
+    def __init__(self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = "design") -> None:
         response = response_of(library)
         noise = response.noise(microphone_noise)
+        own = None
         if isinstance(noise, NoiseSpectrum):
             hertz = np.arange(len(noise.power))
             # It has no noise below 1 Hz, where it would grow without limit.
             power = np.interp(np.maximum(hertz / SLOWER, 1.0), hertz, noise.power) / SLOWER
             own = NoiseSpectrum(power * HEARD_NOISE**2, noise.source)
-            super().__init__(_faster(response, own), "design")
+            microphone_noise = "design"
         else:
-            super().__init__(_faster(response, None), noise * HEARD_NOISE / math.sqrt(SLOWER))
-
-    def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> Array:
-        """Covariances of pulses."""
-
-        def density(frequency: Array) -> Array:
-            shape = 1 / (1 + (frequency / SLOWER / SOFT) ** SLOPE)
-            return np.asarray(SOURCE_RMS**2 * shape / (shape.sum() * INTEGRATION_STEP))
-
-        return touch_covariances(response, np.eye(SAMPLES), density)
-
-    def _white(self, response: ArrayResponse, noise: float | NoiseSpectrum, level: float | None) -> Array:
-        """Without hum of mains, which lies above what is left of the signals."""
-        return np.asarray(np.kron(np.eye(len(response.microphones)), whitening(noise)))
+            microphone_noise = noise * HEARD_NOISE / math.sqrt(SLOWER)
+        faster = _faster(response, own)
+        around = Surroundings.of(faster, microphone_noise)
+        touched = touch_covariances(faster, np.eye(SAMPLES), _pulse_density)
+        self._decoder = PointDecoder(
+            faster, around, LevelLikelihood(touched, faster, around, DecoderOptions(), _whitening)
+        )
 
     def named(self, signals: Array) -> Array:
         """Probability of each point, (n_point,) float64.
@@ -119,7 +112,18 @@ class PulseDecoder(BayesDecoder):
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz, at least a second.
         """
-        return np.asarray(self.locate(scipy.signal.resample_poly(signals, 1, SLOWER, axis=1, padtype="line")))
+        return self._decoder.locate(scipy.signal.resample_poly(signals, 1, SLOWER, axis=1, padtype="line"))
+
+
+def _pulse_density(frequency: Array) -> Array:
+    """Power density of a pulse to a clock that is slower, Pa^2/Hz."""
+    shape = 1 / (1 + (frequency / SLOWER / SOFT) ** SLOPE)
+    return np.asarray(SOURCE_RMS**2 * shape / (shape.sum() * INTEGRATION_STEP))
+
+
+def _whitening(response: ArrayResponse, noise: float | NoiseSpectrum, level: float | None) -> Array:
+    """Without hum of mains, which lies above what is left of the signals."""
+    return np.asarray(np.kron(np.eye(len(response.microphones)), whitening(noise)))
 
 
 def _faster(response: ArrayResponse, noise: NoiseSpectrum | None) -> ArrayResponse:
@@ -148,7 +152,7 @@ class PulseReader:
         microphone_noise: as of :class:`localize.BayesDecoder`.
     """
 
-    def __init__(self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3) -> None:
+    def __init__(self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = "design") -> None:
         response = response_of(library)
         self._decoder = PulseDecoder(response, microphone_noise)
         forced = response.force_response
@@ -162,7 +166,7 @@ class PulseReader:
 
         Args:
             signals: (n_microphone, n_sample), Pa at 1 kHz, at least 3 s.
-            point: under which it is felt, from 0; by default the one that the decoder names over the whole of it.
+            point: under which it is felt, from 1; by default the one that the decoder names over the whole of it.
 
         Raises:
             Refusal: less than 3 s, no such point, or as :meth:`localize.BayesDecoder.locate`.
@@ -174,13 +178,13 @@ class PulseReader:
                 f"signals last {given.shape[1] / SAMPLE_RATE:g} s, must last at least {LEAST:g} s for a pulse"
             )
         probability = self._decoder.named(prepared(given))
-        felt = int(probability.argmax()) if point is None else point
+        felt = int(probability.argmax()) + 1 if point is None else point
         waveform = self._filters.waveform(given, felt).pressure[0]
         waves = waves_of(waveform)
         between = np.diff(waves["percussion"])
         rate = 60 / float(between.mean()) if len(between) else float("nan")
         spread = float(between.std(ddof=1) / np.sqrt(len(between))) if len(between) > 1 else float("nan")
-        return PulseReading(felt, float(probability[felt]), waveform, waves, rate, rate**2 / 60 * spread)
+        return PulseReading(felt, float(probability[felt - 1]), waveform, waves, rate, rate**2 / 60 * spread)
 
 
 def waves_of(waveform: Array) -> dict[str, Array]:

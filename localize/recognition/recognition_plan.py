@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from localize.learned.training_plan import check_ranges
-
-if TYPE_CHECKING:
-    from localize.signals.noise_model import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from geometry.ground.refusal import Refusal
 from localize.graphs.description import Digest, Strict, naming
 from localize.learned.classifier import MapClassifier, NetworkShape
 from localize.learned.localizer_description import Network, read_model, save_model, with_weights
-from localize.recognition.power_maps import MAPS, maps_of
+from localize.recognition.power_maps import MAPS, WINDOW, maps_of
 from localize.signals.threads import one_thread
 
 FORMAT = "acoustic-fem recognizer"
@@ -88,8 +88,6 @@ class Recognizer:
         Raises:
             Refusal: another number of samples, or a value that is not finite.
         """
-        from localize.recognition.power_maps import WINDOW
-
         given = np.asarray(waveforms, np.float64)
         batch = np.atleast_2d(given)
         if batch.ndim != 2 or batch.shape[1] != WINDOW:

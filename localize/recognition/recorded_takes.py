@@ -14,7 +14,7 @@ from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.learned.recorded_frames import touched_frames
-from localize.live.front_end import Listening
+from localize.live.options import StreamOptions
 from localize.recognition.handwriting import VARIANTS, LineReader, letter_maps
 from localize.recognition.power_maps import MAPS, WINDOW, maps_of
 from localize.recognition.takes import at_usual_speed, prepared
@@ -56,7 +56,7 @@ def heard_frames(signals: Array, microphones: tuple[str, ...], noise_rms: float)
     Returns:
         (n,) int64, ascending.
     """
-    return touched_frames(signals, microphones, noise_rms, Listening())
+    return touched_frames(signals, microphones, noise_rms, StreamOptions())
 
 
 @dataclass(frozen=True)
@@ -179,7 +179,7 @@ def stretched_waveform(
     Returns:
         (m,) float64, Pa, NaN where there is none; and m over the number of samples.
     """
-    waveform = reconstructor.waveform(prepared(signals), point).pressure[0]
+    waveform = reconstructor.waveform(prepared(signals), point + 1).pressure[0]
     if speed is None:
         return waveform, 1.0
     known, stretched = np.isfinite(waveform), speed / SPEED

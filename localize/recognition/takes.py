@@ -172,7 +172,7 @@ def waveform_windows(reconstructor: Reconstructor, signals: Array, point: int) -
     Returns:
         (n,) float64, Pa.
     """
-    pressure = reconstructor.waveform(signals, point).pressure[0]
+    pressure = reconstructor.waveform(signals, point + 1).pressure[0]
     return pressure[reconstructor.window - 1 - reconstructor.latency : len(pressure) - reconstructor.latency]
 
 

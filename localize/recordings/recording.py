@@ -63,7 +63,7 @@ def read_recording(
     microphones: tuple[str, ...],
     full_scale: float | None = None,
     *,
-    spare: bool = False,
+    fallback: bool = False,
 ) -> Recording:
     """Read a recording and bring it to 1 kHz.
 
@@ -77,7 +77,7 @@ def read_recording(
         microphones: names of the array's microphones.
         full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others the pressure at which they
             clip. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
-        spare: whether one channel may be clipped, or silent all the time or from some time on: for what goes on with
+        fallback: whether one channel may be clipped, or silent all the time or from some time on: for what goes on with
             the others.
 
     Raises:
@@ -104,22 +104,22 @@ def read_recording(
         channel = sound.channels[name] * scale
         _check(path, channel, rate, microphone)
         if channel.max() == channel.min():
-            if not spare:
+            if not fallback:
                 raise RecordingError(f"{path}: channel {microphone} is silent: its value never changes")
-            spare = False  # that one
+            fallback = False  # that one
         cut = clipped_samples(channel, limit)
         if cut.any():
             first = int(cut.argmax())
             level, time = abs(channel[first]), first / rate
             said = f"{path}: channel {microphone} is clipped at {level:.4g} Pa, first at {time:.3f} s"
-            if not spare:
+            if not fallback:
                 raise RecordingError(said)
             warnings.warn(f"{said}: it is left out where it is", RecordingWarning, stacklevel=2)
-            spare, clipped = False, (number, np.flatnonzero(cut))
+            fallback, clipped = False, (number, np.flatnonzero(cut))
         signals.append(at_one_kilohertz(channel[None], rate)[0])
     _check_apart(path, sound.channels, names, microphones)
     together = np.stack(signals)
-    _check_together(path, together, microphones, spare)
+    _check_together(path, together, microphones, fallback)
     loudest = float(np.abs(together).max())
     if loudest > LOUDEST:
         warnings.warn(
@@ -136,13 +136,13 @@ def read_recording(
     return Recording(together, rate, limit)
 
 
-def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple[str, ...], spare: bool) -> None:
+def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple[str, ...], fallback: bool) -> None:
     """Refuse channels that did not begin or end together: one is dead for a second while another is heard throughout.
 
     Half a second is told. A channel that was cut off silently for less cannot be told from one that heard nothing.
 
     A channel that is quiet at other times too is not dead: steps of its format may be larger than its noise. One that
-    falls silent may be spare, see :func:`read_recording`.
+    falls silent may have a fallback, see :func:`read_recording`.
     """
     frames = signals[:, : signals.shape[1] // FRAME * FRAME].reshape(len(signals), -1, FRAME)
     alive = np.ptp(frames, axis=2) > SILENT * np.ptp(signals, axis=1, keepdims=True)
@@ -155,7 +155,7 @@ def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple
             if heard:
                 how = what.format(dead * FRAME / SAMPLE_RATE)
                 said = f"{path}: channel {name} {how} channel {heard[0]}; all channels must be of one time"
-                if dead >= math.ceil(LATE * SAMPLE_RATE / FRAME) and not spare:
+                if dead >= math.ceil(LATE * SAMPLE_RATE / FRAME) and not fallback:
                     raise RecordingError(said)
                 warnings.warn(said, RecordingWarning, stacklevel=3)
 

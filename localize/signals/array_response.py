@@ -10,18 +10,21 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from geometry.ground.refusal import Refusal, counted
+from acoustic_fem import Library
+from acoustic_fem.library.transfer_functions import MEASURED
+from acoustic_fem.network.microphone import vent_ratio
+from geometry.design.design_file import write_design
+from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.layout.arrangement import place_housings
+from localize.signals.locator import ArrayFacts
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,6 +111,11 @@ class ArrayResponse:
         return len(self.transfer_function)
 
     @property
+    def array(self) -> ArrayFacts:
+        """Facts of the array, as a localizer for it keeps them."""
+        return ArrayFacts(self.name, self.microphones, self.line, self.place, self.provenance)
+
+    @property
     def force_response(self) -> NDArray[np.complex128] | None:
         """Pressure at a microphone per force on a membrane, (n_point, n_microphone, n_freq) complex128, Pa/N, as
         :attr:`acoustic_fem.Library.force_response`; None where there is no design.
@@ -125,7 +133,7 @@ class ArrayResponse:
         """
         for name in microphones:
             if name not in self.microphones:
-                raise Refusal(f"microphones names {name!r}, must be of {', '.join(self.microphones)}")
+                raise Refusal(kind=Kind.UNKNOWN, field="microphones", value=name, allowed=self.microphones)
         kept = [self.microphones.index(name) for name in microphones]
         sound = self.ambient_response
         return replace(
@@ -311,8 +319,6 @@ def warn_of_uncovered(response: ArrayResponse) -> None:
 
     A measured one ends with the sweep that was played, which is usual and told where it is calibrated.
     """
-    from acoustic_fem.library.transfer_functions import MEASURED
-
     last, half = response.frequency[-1], SAMPLE_RATE / 2
     if last < half - 1e-6 and response.provenance.get("fidelity") != MEASURED:
         warnings.warn(
@@ -331,10 +337,6 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
     """
     if isinstance(library, ArrayResponse):
         return library
-    from acoustic_fem.network.microphone import vent_ratio
-    from geometry.design.design_file import write_design
-    from geometry.layout.arrangement import place_housings
-
     radius = [library.design.of_kind(kind).resonator.cavity_diameter / 2 for kind in library.design.kinds]
     h = library.transfer_function.transpose("point", "microphone", "frequency")
     return ArrayResponse(

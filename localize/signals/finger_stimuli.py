@@ -25,9 +25,11 @@ import torch
 from torch import Tensor
 
 from acoustic_fem.quantities.checks import in_range
+from acoustic_fem.sound.sound_file import read_wav
 from geometry.ground.refusal import Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
+from localize.signals.resampling import at_one_kilohertz, check_full_scale
 from localize.signals.stimulus import (
     LINE_COUNT,
     LINE_SPACING,
@@ -153,8 +155,6 @@ class RecordedStimulus:
     """Content of the file at 1 kHz; (n_sample,) float32, Pa."""
 
     def __post_init__(self) -> None:
-        from localize.signals.resampling import check_full_scale
-
         check_full_scale(self.full_scale)
         pressure = self.full_scale * _read_wav(Path(self.path))
         object.__setattr__(self, "pressure", torch.from_numpy(pressure.astype(np.float32)))
@@ -274,9 +274,6 @@ def _faded(pressure: Tensor) -> Tensor:
 
 def _read_wav(path: Path) -> np.ndarray:
     """(n_sample,) float64 at 1 kHz, one being the largest value the format holds."""
-    from acoustic_fem.sound.sound_file import read_wav
-    from localize.signals.resampling import at_one_kilohertz
-
     sound = read_wav(path)
     if len(sound.channels) != 1:
         raise Refusal(f"{path}: has {counted(len(sound.channels), 'channel')}, must have one: the pressure in a cavity")

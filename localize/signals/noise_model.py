@@ -13,14 +13,14 @@ there.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-if TYPE_CHECKING:
-    from acoustic_fem.quantities.medium import Medium
-    from geometry.schema.part_fields import Microphone
+from acoustic_fem.network.microphone import noise_density, response
+from acoustic_fem.quantities.medium import Medium
+from geometry.schema.part_fields import Microphone
 
 #: White noise of so many Pa rms over 0 to 500 Hz, or the noise of the design's microphone.
 NoiseChoice = float | Literal["design"]
@@ -59,8 +59,6 @@ def input_density(microphone: Microphone, frequency: ArrayLike, medium: Medium) 
     Raises:
         Refusal: a frequency that is not finite and positive.
     """
-    from acoustic_fem.network.microphone import noise_density, response
-
     return np.asarray(noise_density(microphone, frequency) / np.abs(response(microphone, frequency, medium)))
 
 

@@ -2,44 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Protocol
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.design.design_file import read_completed
 from geometry.ground.refusal import Refusal
+from localize.signals.locator import ArrayFacts
 
 _NOT_OF_THE_ARRAY = ("name", "description", "air", "printing")
 """Fields that may differ: what an array is called, where it is, and how its parts are printed."""
 
 
-class Array(Protocol):
-    """What both say of themselves."""
-
-    @property
-    def microphones(self) -> Sequence[str]:
-        """Names of the microphones, in the order of the signals."""
-
-    @property
-    def line(self) -> NDArray[np.int64]:
-        """Line of each point; (n_point,) int64."""
-
-    @property
-    def place(self) -> NDArray[np.int64]:
-        """Place of each point along its line; (n_point,) int64."""
-
-    @property
-    def provenance(self) -> Mapping[str, Any]:
-        """What it was made from, with the ``design`` as a text where there is one."""
-
-
-def check_same_array(localizer: Array, library: Array, source: object) -> None:
+def check_same_array(localizer: ArrayFacts, library: ArrayFacts, source: object) -> None:
     """Refuse a library whose microphones or points are not those of a localizer.
 
     Args:
-        localizer: what names points.
-        library: transfer functions of an array.
+        localizer: array of what names points.
+        library: array of the library.
         source: the library's file, put before the message.
 
     Raises:
@@ -63,7 +44,7 @@ def check_same_array(localizer: Array, library: Array, source: object) -> None:
         )
 
 
-def check_same_design(localizer: Array, library: Array, source: object) -> None:
+def check_same_design(localizer: ArrayFacts, library: ArrayFacts, source: object) -> None:
     """Refuse a library of another design than a localizer's, as far as both say of which they are.
 
     Args:
@@ -80,15 +61,13 @@ def check_same_design(localizer: Array, library: Array, source: object) -> None:
         raise Refusal(f"{source}: is of another design than the localizer: {difference}")
 
 
-def design_difference(localizer: Array, library: Array) -> str | None:
+def design_difference(localizer: ArrayFacts, library: ArrayFacts) -> str | None:
     """First field in which the designs of a localizer and a library differ, in words; None where none is known."""
-    from geometry.design.design_file import read_stored_design
-
     texts = [each.provenance.get("design") for each in (localizer, library)]
     if not all(isinstance(text, str) for text in texts):
         return None
     try:
-        own, other = (read_stored_design(str(text), "design").completed().model_dump(mode="json") for text in texts)
+        own, other = (read_completed(str(text), "design").completed().model_dump(mode="json") for text in texts)
     except Refusal:  # of another version of the program
         return None
     for name, mine, theirs in _differences(own, other):

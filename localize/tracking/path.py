@@ -7,26 +7,22 @@ is between membranes, is not heard: a short pause does not end a path.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.ndimage
 from numpy.typing import NDArray
 
+from acoustic_fem import Library
 from geometry.ground.typed import Array
-from localize.contacts.radii import MOVING
+from localize.contacts.contact import MOVING
 from localize.live.events import Decision, TrackedPlace
-from localize.live.front_end import HIGH_PASS
+from localize.live.options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 from localize.tracking.footprints import footprints_over, pitch_of, pressure_of_force
 from localize.tracking.moving import AHEAD, LATENCY, STEP, HeardHop, MovingScorer
 from localize.tracking.smoothing import HOP_TIME, Cells, smoothed
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-
 
 MOST = 100
 """Number of footprints at most, unless points are more: their number makes the time of a frame."""

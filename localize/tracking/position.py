@@ -13,10 +13,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
-from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
+from localize.decoders.level_likelihood import LevelLikelihood
+from localize.decoders.library_decoder import LibraryDecoder
+from localize.decoders.options import DecoderOptions
+from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice
@@ -27,9 +31,6 @@ from localize.tracking.place_search import found_place
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-    from acoustic_fem import Library
-
 
 RADIUS = 4.0
 """Radius of a contact where none is given, mm: that of a finger that touches lightly."""
@@ -60,7 +61,7 @@ class Positions:
         return np.sqrt(np.trace(self.covariance, axis1=1, axis2=2) / 2)
 
 
-class PositionDecoder(BayesDecoder):
+class PositionDecoder(LibraryDecoder):
     """Decoder of places between the points, for a contact that covers several membranes.
 
     ``locate`` gives the probability that each point is the nearest. Making one takes some seconds.
@@ -70,36 +71,33 @@ class PositionDecoder(BayesDecoder):
         radius: of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
+        options: as of :class:`localize.BayesDecoder`.
 
     Raises:
         Refusal: bare transfer functions; a radius out of range; as :class:`localize.BayesDecoder`.
     """
 
-    bounds_scores = False
-
+    @one_thread()
     def __init__(
         self,
         library: Library | ArrayResponse,
         radius: float = RADIUS,
-        microphone_noise: NoiseChoice = 1e-3,
+        microphone_noise: NoiseChoice = "design",
         ambient: Ambient = None,
+        options: DecoderOptions = DecoderOptions(),
     ) -> None:
-        self.radius = radius
-        self._response = response_of(library)
-        self._finer: dict[float | None, PlaceLikelihood] = {}
-        super().__init__(self._response, microphone_noise, ambient)
-
-    def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> Array:
-        """Covariances of the footprints."""
+        response = response_of(library)
+        around = Surroundings.of(response, microphone_noise, ambient)
         size = len(response.microphones) * SAMPLES
-        self.footprints = footprints_over(response, self.radius, int(NUMBERS / size**2))
+        self.radius = radius
+        self.footprints = footprints_over(response, radius, int(NUMBERS / size**2))
         assert response.position is not None
         apart = np.linalg.norm(self.footprints.place[:, None] - response.position, axis=-1)
         self._nearest = apart.argmin(1)
-        return self._covariances(self.footprints.share)
-
-    def _covariances(self, share: Array) -> Array:
-        return touch_covariances(footprint_response(self._response, share), np.eye(SAMPLES), lowest=LOWEST)
+        self._finer: dict[float | None, PlaceLikelihood] = {}
+        pressed = footprint_response(response, self.footprints.share)
+        touched = touch_covariances(pressed, np.eye(SAMPLES), lowest=LOWEST)
+        super().__init__(response, around, LevelLikelihood(touched, response, around, options))
 
     def log_likelihood(self, frames: Array) -> Array:
         """Log-likelihood that each point is the nearest, all places of the grid equally likely beforehand.
@@ -120,13 +118,13 @@ class PositionDecoder(BayesDecoder):
     def _of_places(self, frames: Array) -> Array:
         """Log-likelihood of the places of the grid, (n, n_place) nats."""
         return np.asarray(
-            super().log_likelihood(self._quieted(frames, self.footprints.step))[:, self.footprints.footprint]
+            self.likelihood.scores(self._quieted(frames, self.footprints.step))[:, self.footprints.footprint]
         )
 
     def _quieted(self, frames: Array, step: float) -> Array:
         """Frames (n, n_microphone, 250) so quiet that noise covers what places a step apart, mm, cannot fit."""
         loudest = frames.std(2).max(1)[:, None, None]
-        misfit = UNFIT * step / pitch_of(self._response)
+        misfit = UNFIT * step / pitch_of(self.response)
         return np.asarray(frames * np.minimum(1.0, self.noise_rms / misfit / np.maximum(loudest, 1e-300)))
 
     @one_thread()
@@ -146,8 +144,8 @@ class PositionDecoder(BayesDecoder):
         batch, _ = checked_signals(signals, self.microphones)
         each = [self._position(frames) for frames in cut_frames(batch)]
         place = np.stack([one for one, _ in each])
-        assert self._response.position is not None
-        nearest = np.linalg.norm(place[:, None] - self._response.position, axis=-1).argmin(1)
+        assert self.response.position is not None
+        nearest = np.linalg.norm(place[:, None] - self.response.position, axis=-1).argmin(1)
         return Positions(place, np.stack([spread for _, spread in each]), nearest)
 
     @one_thread()
@@ -185,15 +183,14 @@ class PositionDecoder(BayesDecoder):
     def _likelihood_at(self, level: float | None) -> PlaceLikelihood:
         """Likelihood of any place in sound of a level."""
         if level not in self._finer:
-            self._finer[level] = PlaceLikelihood(self._response, self.radius, self.microphone_noise, level)
+            self._finer[level] = PlaceLikelihood(self.response, self.radius, self.microphone_noise, level)
         return self._finer[level]
 
     def _level(self, frames: Array) -> float | None:
         """The likeliest level of the sound around frames of one signal."""
         if len(self.ambient) == 1:
             return self.ambient[0]
-        best = [screen(frames.reshape(len(frames), -1)).score.max(1).sum() for screen in self._screens]
-        return self.ambient[int(np.argmax(best))]
+        return self.ambient[self.likelihood.likeliest_level(frames)]
 
     def _starts(self, score: Array) -> tuple[Array, Array]:
         """The best places of the grid by their log-likelihoods (n_place,), none near another.
@@ -215,7 +212,7 @@ class PositionDecoder(BayesDecoder):
         place, wide = np.concatenate(places), np.concatenate(covariances)
         left = np.concatenate(scores)
         chosen: list[int] = []
-        apart = APART * pitch_of(self._response)
+        apart = APART * pitch_of(self.response)
         while len(chosen) < STARTS and np.isfinite(left.max()):
             chosen.append(int(left.argmax()))
             left[np.linalg.norm(place - place[chosen[-1]], axis=1) <= apart] = -np.inf

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.contacts.radii import MOVING
-from localize.decoders.bayes import BayesDecoder, sound_levels
-from localize.live.front_end import Listening
+from acoustic_fem import Library
+from localize.contacts.contact import MOVING
+from localize.decoders.bayes import BayesDecoder
+from localize.decoders.surroundings import sound_levels
+from localize.live.options import StreamOptions
 from localize.live.stream import TouchStream
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice
 from localize.tracking.path import PathTracker, Track
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 BLOCK = 1000
 """Number of samples that are taken at once: decisions carry their frames, and those of an hour take memory."""
@@ -46,7 +43,7 @@ def track(
     """
     response = response_of(library)
     decoder = BayesDecoder(response, microphone_noise, sound_levels(ambient))
-    stream = TouchStream(decoder, listening=Listening(frames=True))
+    stream = TouchStream(decoder, options=StreamOptions(frames=True))
     return tracks_of(stream, PathTracker(response, radius, microphone_noise, ambient), signals)
 
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, TypeAlias, get_args
+from typing import Literal, TypeAlias, get_args
 
+from acoustic_fem.quantities.checks import in_range
+from geometry.air.wound_tube import Winding, closest_pitch
 from geometry.ground.refusal import Refusal, counted
-
-if TYPE_CHECKING:
-    from geometry.air.wound_tube import Winding
 
 End: TypeAlias = Literal["microphone", "closed"]
 
@@ -39,8 +38,6 @@ class BendingRig:
     """Closure of the far end: the microphone of the prototype array-2x6 in its chamber, or nothing."""
 
     def __post_init__(self) -> None:
-        from acoustic_fem.quantities.checks import in_range
-
         in_range("bore", self.bore, 0.05, 5.0, "mm")
         in_range("diameter", self.diameter, 0.1, 1000.0, "mm")
         if not self.bore < self.diameter:
@@ -66,7 +63,5 @@ class BendingRig:
 
     def winding(self, angle: float) -> Winding:
         """Centre line of the part that is wound by an angle, degrees."""
-        from geometry.air.wound_tube import Winding, closest_pitch
-
         flat = angle <= LARGEST_FLAT_ANGLE
         return Winding(self.diameter, angle, 0.0 if flat else closest_pitch(self.diameter, self.outside))

@@ -5,17 +5,16 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from numpy.typing import ArrayLike
+
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
+from studies.bending.bending_files import RESULT, save_bending
 from studies.bending.bending_rig import BendingRig
+from studies.bending.solution import Bending, solve_bending
 from studies.output.display import Display
 from studies.output.folders import check_folder
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from studies.bending.solution import Bending
+from studies.output.frequencies import FREQUENCIES
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +31,7 @@ def bending_study(
     out: str | os.PathLike[str],
     rig: BendingRig | None = None,
     *,
-    fidelity: str = "navier-stokes",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = FREQUENCIES,
     display: Display | None = None,
 ) -> BendingStudy:
@@ -49,11 +48,8 @@ def bending_study(
         Refusal: a folder that cannot be written, or a bad frequency or fidelity, before any work.
     """
     folder = Path(out)
-    from studies.bending.bending_files import RESULT, save_bending
-    from studies.bending.solution import solve_bending
-
     check_folder(folder, "bend", RESULT)
 
     with (display or Display()).stage("Bending") as report:
-        result = solve_bending(rig or BendingRig(), stated_frequencies(frequency), fidelity, report)
+        result = solve_bending(rig or BendingRig(), frequency, fidelity, report)
     return BendingStudy(result, save_bending(result, folder))

@@ -22,6 +22,7 @@ from acoustic_fem.library.provenance import versions
 from acoustic_fem.network.chain_matrices import TwoPort, join
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
@@ -91,7 +92,10 @@ class Bending:
 
 
 def solve_bending(
-    rig: BendingRig, frequency: ArrayLike, fidelity: str = "navier-stokes", progress: Progress = lambda what, done: None
+    rig: BendingRig,
+    frequency: ArrayLike | str,
+    fidelity: str = ONE_DESIGN,
+    progress: Progress = lambda what, done: None,
 ) -> Bending:
     """Results of a tube at every angle.
 

@@ -1,6 +1,6 @@
 """The command line ``acoustic-fem``: one verb per job, exit codes, and errors in one line.
 
-Verbs of one subject share a module. Nothing heavy is imported before a verb needs it.
+Verbs are listed in :mod:`studies.cli.verbs`; those of one subject share a module, imported when one is called.
 """
 
 from __future__ import annotations
@@ -11,18 +11,19 @@ import subprocess
 import sys
 import sysconfig
 import warnings
-from collections.abc import Callable, Iterable
-from importlib import import_module
 from io import TextIOWrapper
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TextIO
+from typing import Annotated, Any, NoReturn, TextIO
 
 import typer
 
+from geometry.ground.extras import what_to_install
 from geometry.ground.refusal import Refusal, in_one_line
+from geometry.ground.system_libraries import what_is_missing
 from geometry.ground.whole_files import FULL
-from studies.cli.options import Verb, in_options
+from studies.cli.options import in_options
+from studies.cli.verbs import VERBS, VerbGroup, option_names
 
 __all__ = ["app", "fail", "main"]
 
@@ -37,77 +38,18 @@ def pages_folder() -> Path:
     )
 
 
-#: Verb -> module of this package that has it; in the order of work, which is that of ``--help``.
-VERBS = {
-    "prototypes": "designs",
-    "new": "designs",
-    "studio": "designs",
-    "check": "designs",
-    "wiring": "designs",
-    "solve": "designs",
-    "parts": "designs",
-    "rig": "calibrations",
-    "calibrate": "calibrations",
-    "recalibrate": "calibrations",
-    "convert": "calibrations",
-    "train": "localizers",
-    "evaluate": "localizers",
-    "onnx": "locating",
-    "embed": "locating",
-    "locate": "locating",
-    "recognize": "locating",
-    "track": "locating",
-    "pulse": "locating",
-    "live": "live_input",
-    "run": "designs",
-    "bend": "bending",
-    "sweep": "sweeps",
-    "tolerance": "searches",
-    "optimize": "searches",
-    "report": "sweeps",
-    "best": "sweeps",
-}
-if TYPE_CHECKING:
-    app: typer.Typer
-    """The command line with all verbs, made when it is asked for."""
-
-
-def __getattr__(name: str) -> typer.Typer:
-    if name != "app":
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    made = globals()["app"] = application(VERBS)
-    return made
-
-
-def application(verbs: Iterable[str]) -> typer.Typer:
-    """The command line with some verbs, whose modules are loaded: a call needs one.
-
-    Args:
-        verbs: of :data:`VERBS`.
-    """
-    made = typer.Typer(
-        name="acoustic-fem",
-        help="Design of acoustic tactile arrays: one design file in; transfer functions, a localizer and printable "
-        "parts out. Begin with: [bold]acoustic-fem run array-2x6 --out demo[/bold]",
-        no_args_is_help=True,
-        epilog=f"Pages such as docs/calibration.md: {pages_folder()}",
-        add_completion=False,
-        rich_markup_mode="rich",
-        pretty_exceptions_enable=False,
-        context_settings={"help_option_names": ["-h", "--help"]},
-    )
-    made.callback()(_root)
-    for verb in verbs:
-        made.command(cls=Verb)(verb_named(verb))
-    return made
-
-
-def verb_named(name: str) -> Callable[..., None]:
-    """Function of a verb of :data:`VERBS`."""
-    verb: Callable[..., None] = getattr(import_module(f"{__package__}.{VERBS[name]}"), name)
-    return verb
-
-
+app = typer.Typer(
+    name="acoustic-fem",
+    cls=VerbGroup,
+    help="Design of acoustic tactile arrays: one design file in; transfer functions, a localizer and printable "
+    "parts out. Begin with: [bold]acoustic-fem run array-2x6 --out demo[/bold]",
+    no_args_is_help=True,
+    epilog=f"Pages such as docs/calibration.md: {pages_folder()}",
+    add_completion=False,
+    rich_markup_mode="rich",
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
 #: Exit code of what Ctrl-C ended, as shells have it.
 _INTERRUPTED = 130
 _LONGEST_ARGUMENT = 4096  # no system has longer paths
@@ -132,8 +74,7 @@ def main() -> NoReturn:
     if signal.getsignal(signal.SIGINT) not in (signal.SIG_IGN, None):  # else nobody wants to be stopped by it
         signal.signal(signal.SIGINT, interrupt)
     try:
-        asked = application([sys.argv[1]] if sys.argv[1:2] and sys.argv[1] in VERBS else VERBS)
-        code = asked(sys.argv[1:] or ["--help"], prog_name="acoustic-fem", standalone_mode=False)
+        code = app(sys.argv[1:] or ["--help"], prog_name="acoustic-fem", standalone_mode=False)
     except (KeyboardInterrupt, typer.Abort):
         fail("stopped", _INTERRUPTED)
     except Exception as error:
@@ -160,15 +101,13 @@ class _Interrupt:
 def _tell(error: Exception) -> None:
     """End with one line where something was refused, or the command line, the system or an installation is wrong."""
     if isinstance(error, Refusal):
-        fail(in_options(str(error)))
+        verb = next((each for each in sys.argv[1:] if each in VERBS), None)
+        fail(in_options(error.sentence(option_names(verb) if verb else {})))
     if isinstance(error, _USAGE):
         message = error.format_message().removeprefix("Invalid value: ").rstrip(".")
         fail(f"{message}; try {error.ctx.command_path if error.ctx else 'acoustic-fem'} --help", 2)
     if not isinstance(error, (ImportError, OSError)):
         return
-    from geometry.ground.extras import what_to_install
-    from geometry.ground.system_libraries import what_is_missing
-
     if missing := what_is_missing(str(error)):
         fail(missing)
     if isinstance(error, ModuleNotFoundError) and (extra := what_to_install(error.name)):
@@ -228,6 +167,7 @@ def _commit() -> str:
         return ""
 
 
+@app.callback()
 def _root(
     version: Annotated[
         bool,

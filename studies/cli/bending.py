@@ -4,20 +4,18 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
 from studies.bending.bending_rig import BendingRig
 from studies.bending.bending_run import bending_study
+from studies.bending.solution import Bending
 from studies.cli.options import Frequencies, defaults_of, display_on_stderr, frequency_option, named
 from studies.cli.terminal_tables import show, table_of
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
-
-if TYPE_CHECKING:
-    from studies.bending.solution import Bending
 
 _FIDELITY: Fidelity = defaults_of(bending_study)["fidelity"]
 _ANGLES = ",".join(f"{angle:g}" for angle in BendingRig.angles)

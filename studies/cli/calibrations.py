@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
+from acoustic_fem.quantities.local_air import LocalAir
+from geometry import resolve_design
 from geometry.ground.refusal import counted
+from localize.recalibration.rejections import numbers
+from localize.signals.stimulus import BAND
 from studies.cli.options import (
     AIR_OPTIONS,
     Altitude,
@@ -26,12 +30,11 @@ from studies.cli.options import (
 )
 from studies.cli.terminal_tables import show, show_library, table_of, tell
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
-from studies.test_rig.calibrating import MANIFEST, calibrate_sensor
+from studies.run.library_files import convert_library
+from studies.test_rig.calibrating import MANIFEST, SensorCalibration, calibrate_sensor
 from studies.test_rig.recalibrating import recalibrate as recalibrate_sensor
 from studies.test_rig.rig_session import record_rig
-
-if TYPE_CHECKING:
-    from studies.test_rig.calibrating import SensorCalibration
+from studies.test_rig.virtual_rig import HiddenScatter
 
 #: s, from which on a delay that the fit found is told.
 _NOTED_DELAY = 3e-4
@@ -50,6 +53,7 @@ def rig(
     modulus: Annotated[
         float, typer.Option(metavar="FACTOR", help="Modulus of its membranes against the design's; 0.85 is softer.")
     ] = 1.0,
+    fidelity: Annotated[Fidelity, typer.Option(help="Of the sensor's transfer functions.")] = _FIDELITY,
 ) -> None:
     """Recordings of a virtual made sensor, to try everything before there is a real one.
 
@@ -63,12 +67,9 @@ def rig(
 
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
-    from geometry import resolve_design
-    from studies.test_rig.virtual_rig import HiddenScatter
-
     scatter = HiddenScatter(altitude=altitude, modulus=modulus)
     with display_on_stderr() as display:
-        made = record_rig(resolve_design(design), out, seed=seed, scatter=scatter, display=display)
+        made = record_rig(resolve_design(design), out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
         print(path)
     tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")
@@ -107,8 +108,6 @@ def calibrate(
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
     grid = frequency_option(frequencies)
-    from acoustic_fem.quantities.local_air import LocalAir
-
     with named(frequency="--frequencies", **AIR_OPTIONS), display_on_stderr() as display:
         air = LocalAir(pressure, altitude, temperature)
         found = calibrate_sensor(
@@ -156,8 +155,6 @@ def _print_fit(found: SensorCalibration) -> None:
 
 def _prospect(found: SensorCalibration) -> str:
     """What is to be expected of the fitted library, and what to measure next."""
-    from localize.signals.stimulus import BAND
-
     shares = found.expected
     if shares is None:
         return f"--frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz: what to expect of the fit is not known"
@@ -205,8 +202,6 @@ def recalibrate(
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
     options = {"full_scale": "--full-scale", "microphone_noise": "--noise", **AIR_OPTIONS}
-    from acoustic_fem.quantities.local_air import LocalAir
-
     with named(**options), display_on_stderr() as display:
         air = LocalAir(pressure, altitude, temperature)
         found = recalibrate_sensor(
@@ -217,8 +212,6 @@ def recalibrate(
         f"per held-out frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
     )
     if len(found.untouched):
-        from localize.recalibration.rejections import numbers
-
         print(f"no touch was named point {numbers(found.untouched)}: least known; touch it next time")
 
 
@@ -235,6 +228,4 @@ def convert(
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """
-    from studies.run.library_files import convert_library
-
     show_library(out, convert_library(library, out))

@@ -1,4 +1,4 @@
-"""Verbs on a design: prototypes, studio, check, wiring, solve, parts, run."""
+"""Verbs on a design: studio, check, wiring, solve, parts, run."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from typing import Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
-from geometry.formats.names import FORMATS
-from geometry.ground.refusal import Refusal, counted
+from acoustic_fem.quantities.local_air import LocalAir
+from geometry import resolve_design
+from geometry.formats.part_files import FORMATS
+from geometry.ground.refusal import Refusal
 from studies.cli.options import (
     AIR_OPTIONS,
     Altitude,
@@ -17,102 +19,23 @@ from studies.cli.options import (
     Frequencies,
     Pressure,
     Temperature,
-    asked,
     defaults_of,
     display_on_stderr,
     frequency_option,
     named,
 )
-from studies.cli.terminal_tables import (
-    show,
-    show_check,
-    show_fields,
-    show_findings,
-    show_library,
-    show_parts,
-    table_of,
-    tell,
-)
+from studies.cli.terminal_tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
 from studies.output.frequencies import LIBRARY_FREQUENCIES
+from studies.run.check import check_design
+from studies.run.findings import verdict
 from studies.run.library_files import solve_library
-from studies.run.starting import PLACES, new_design
+from studies.run.part_folder import export_parts
+from studies.run.pipeline import check_points, run_design
+from studies.run.wiring import wiring_table
+from studies.studio.serving import serve_studio
 
 AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Go on also where parts overlap.")]
 _FIDELITY: Fidelity = defaults_of(solve_library)["fidelity"]
-_PLACE: str = defaults_of(new_design)["place"]
-_DIAMETER: float = defaults_of(new_design)["diameter"]
-
-
-def prototypes(
-    name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="Print the design file of this one.", show_default=False)
-    ] = None,
-    out: Annotated[Path | None, typer.Option(help="Write the design file here instead.", show_default=False)] = None,
-) -> None:
-    """List the designs that come with the program, or print one to start your own from.
-
-    Example: [bold]acoustic-fem prototypes array-2x6 --out mine.toml[/bold]
-    """
-    from geometry.design.design_file import prototype_names, prototype_text, stated_prototype
-
-    if name is None and out is not None:
-        raise typer.BadParameter("--out needs the NAME of a prototype")
-    if name is None:
-        table = table_of("prototype", "microphones", "points", "description", numbers=(1, 2))
-        for known in prototype_names():
-            design = stated_prototype(known)
-            table.add_row(known, str(len(design.microphones)), str(design.point_count), design.description)
-        show(table)
-    elif out is None:
-        print(prototype_text(name), end="")
-    else:
-        from studies.run.prototypes import copy_prototype
-
-        copy_prototype(name, out)
-
-
-def new(
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Of the design.", show_default=False)],
-    place: Annotated[
-        str | None,
-        typer.Option(help="Where it goes: flat, fingertip, wrist or hand.", show_default="asked, or flat"),
-    ] = None,
-    points: Annotated[int | None, typer.Option(help="How many.", show_default="asked, or 12")] = None,
-    pitch: Annotated[
-        float | None,
-        typer.Option(metavar="MM", help="Distance of neighbours.", show_default="asked, or usual at the place"),
-    ] = None,
-    microphones: Annotated[int | None, typer.Option(help="How many.", show_default="asked, or 2; 3 on a hand")] = None,
-    diameter: Annotated[
-        float | None,
-        typer.Option(metavar="MM", help="Of what a wrist's goes around.", show_default=f"asked, or {_DIAMETER:g}"),
-    ] = None,
-    out: Annotated[Path | None, typer.Option(help="A new file.", show_default="NAME.toml")] = None,
-) -> None:
-    """Start a design of your own: where it goes, how many points, how far apart, how many microphones.
-
-    What no option says is asked on a terminal, and usual elsewhere. The design has the parts of a prototype, in a
-    layout that can be built and has room there; every value of the file is yours to change.
-
-    Example: [bold]acoustic-fem new mine --place wrist --points 16 --pitch 15[/bold]
-    """
-    from geometry.layout.size import array_size
-
-    place = asked(place, f"Where does it go ({', '.join(PLACES)})?", _PLACE) or _PLACE
-    usual = PLACES.get(place)
-    if usual is not None:  # an unknown place is refused below
-        points = asked(points, "How many points?", usual.points)
-        pitch = asked(pitch, "How far apart, mm?", usual.pitch)
-        microphones = asked(microphones, "How many microphones?", usual.microphones)
-        if usual.layout == "cylinder":
-            diameter = asked(diameter, "Diameter of what it goes around, mm?", _DIAMETER)
-    diameter = _DIAMETER if diameter is None else diameter
-    design = new_design(name, out, place=place, points=points, pitch=pitch, microphones=microphones, diameter=diameter)
-    path = out or Path(f"{name}.toml")
-    print(path)
-    size = " x ".join(f"{side:.0f}" for side in array_size(design))
-    tell(f"{design.description}; {counted(len(design.microphones), 'microphone')}, {design.layout.kind}, {size} mm")
-    tell(f"next: acoustic-fem check {path} --picture {path.with_suffix('.png')}")
 
 
 def studio(
@@ -138,9 +61,6 @@ def studio(
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
     """
-    from geometry import resolve_design
-    from studies.studio.serving import serve_studio
-
     serve_studio(resolve_design(design), port=port, host=host, token=token, browser=browser)
 
 
@@ -169,9 +89,6 @@ def check(
         return
     if design is None:
         raise typer.BadParameter("give a DESIGN, or --fields")
-    from geometry import resolve_design
-    from studies.run.check import check_design
-
     with display_on_stderr() as display:
         found = check_design(resolve_design(design), out, picture=picture, display=display)
     show_check(found)
@@ -190,8 +107,6 @@ def wiring(
 
     Example: [bold]acoustic-fem wiring 4 36 --out wiring.png[/bold]
     """
-    from studies.run.wiring import wiring_table
-
     found = wiring_table(microphones, points, out)
     table = table_of(
         "lines", "points", "against one transducer per point", "against rows + columns", numbers=(0, 1, 2, 3)
@@ -236,9 +151,6 @@ def solve(
     Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped[/bold]
     """
     grid = frequency_option(frequencies)
-    from acoustic_fem.quantities.local_air import LocalAir
-    from geometry import resolve_design
-
     with display_on_stderr() as display, named(frequency="--frequencies", **AIR_OPTIONS):
         air = LocalAir(pressure, altitude, temperature)
         library = solve_library(
@@ -274,9 +186,6 @@ def parts(
     for word in formats:
         if word not in FORMATS:
             raise typer.BadParameter(f"--format: {word!r} must be of {', '.join(FORMATS)}, with commas")
-    from geometry import resolve_design
-    from studies.run.part_folder import export_parts
-
     with display_on_stderr() as display:
         made = export_parts(
             resolve_design(design),
@@ -306,10 +215,6 @@ def run(
 
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """
-    from geometry import resolve_design
-    from studies.run.findings import verdict
-    from studies.run.pipeline import check_points, run_design
-
     resolved = resolve_design(design)
     check_points(resolved, design)  # which names the file
     with display_on_stderr() as display:

@@ -4,21 +4,17 @@ from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+from rich.console import Console, ConsoleOptions, RenderResult
+from rich.live import Live
+from rich.text import Text
 
+from localize.live.events import Decision, Fault, TouchEvent, TrackedGesture, TrackedPlace
+from localize.live.listener import Heard, Latencies, Notice
+from localize.signals.locator import ArrayFacts
 from studies.output.display import number
-
-if TYPE_CHECKING:
-    from rich.console import Console, ConsoleOptions, RenderResult
-    from rich.live import Live
-    from rich.text import Text
-
-    from localize.live.events import TrackedGesture, TrackedPlace
-    from localize.live.listener import Heard, Latencies
-    from localize.live.touches import Array
 
 FRAMES = 12
 """Pictures a second."""
@@ -60,13 +56,13 @@ class LivePicture:
     def __init__(
         self,
         source: str,
-        array: Array,
-        microphones: tuple[str, ...],
+        array: ArrayFacts,
         recent: Callable[[], NDArray[np.float64]],
         latencies: Latencies,
         waveform: bool = False,
     ) -> None:
-        self._source, self._microphones, self._recent, self._latencies = source, microphones, recent, latencies
+        self._source, self._microphones = source, array.microphones
+        self._recent, self._latencies = recent, latencies
         self._lines = [
             own[np.argsort(array.place[own], kind="stable")]
             for own in (np.flatnonzero(array.line == line) for line in np.unique(array.line))
@@ -80,9 +76,6 @@ class LivePicture:
 
     def hear(self, heard: Heard) -> None:
         """Take an event."""
-        from localize.live.events import Fault, TouchEvent, TrackedGesture, TrackedPlace
-        from localize.live.listener import Notice
-
         event = heard.event
         if isinstance(event, Fault):
             self._faults[event.kind] += 1
@@ -102,14 +95,10 @@ class LivePicture:
 
     def live(self, console: Console) -> Live:
         """Draws itself until it is left."""
-        from rich.live import Live
-
         return Live(get_renderable=lambda: self, console=console, refresh_per_second=FRAMES)
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         """The picture as rich draws it."""
-        from rich.text import Text
-
         utf = options.encoding.lower().startswith("utf")
         glyphs = _UNICODE if utf else _ASCII
         yield Text(self._source, style="bold")
@@ -130,8 +119,6 @@ class LivePicture:
             yield Text(line, style="yellow")
 
     def _array(self, glyphs: tuple[str, ...], width: int) -> list[Text]:
-        from rich.text import Text
-
         point, distribution = None, None
         if self._last is not None:
             point = getattr(self._last.event, "point", None)
@@ -152,10 +139,6 @@ class LivePicture:
         return rows
 
     def _state(self) -> Text:
-        from rich.text import Text
-
-        from localize.live.events import Decision
-
         event = None if self._last is None else self._last.event
         if not isinstance(event, Decision):
             return Text("nothing heard yet")

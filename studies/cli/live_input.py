@@ -7,28 +7,26 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Annotated, Self
+from typing import Annotated, Self
 
 import typer
+from rich.console import Console
 
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import Refusal, counted
-from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RefusedShare
+from localize.live.listener import Heard
+from localize.live.sound_device import input_devices
+from studies.cli.live_display import LivePicture
+from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
 from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.terminal_tables import show, table_of
-from studies.listening.live import LiveInput, listen
-from studies.listening.opening import Decoding
-
-if TYPE_CHECKING:
-    from localize.live.listener import Heard
-    from studies.cli.live_display import LivePicture
-    from studies.listening.live import LiveSession, LiveSummary
+from studies.inference.live import LiveInput, LiveSession, LiveSummary, listen
+from studies.inference.recorded import Decoding
 
 
 def _list_devices(wanted: bool) -> None:
     if not wanted:
         return
-    from localize.live.sound_device import input_devices
-
     table = table_of("device", "name", "audio system", "channels", "rate (Hz)", "", numbers=(0, 3, 4))
     for each in input_devices():
         default = "default" if each.default else ""
@@ -87,7 +85,7 @@ def live(
         bool, typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity.")
     ] = False,
     ambient: DecoderAmbient = None,
-    refuse: RefusedShare = None,
+    reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
     radius: Annotated[
         float | None,
@@ -112,15 +110,14 @@ def live(
         raise typer.BadParameter("--device must not be given beside --replay")
     wanted = int(device) if device is not None and device.isdecimal() else device
     source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
-    words = {name: f"--{name}" for name in ("channels", "device", "radius", "refused")}
-    from acoustic_fem.quantities.local_air import LocalAir
-
+    words = {name: f"--{name}" for name in ("channels", "device", "radius")}
+    words["rejected_fraction"] = "--reject"
     with (
         named(full_scale="--full-scale", microphone_noise="--noise", loudest="--ambient", **words, **AIR_OPTIONS),
         _Output(waveform) as output,
     ):
         air = LocalAir(pressure, altitude, temperature)
-        decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
+        decoding = Decoding("design" if noise is None else noise, library, waveform, ambient, reject, air, follow_drift)
         summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
     _print_summary(summary)
     if summary.unrecorded:
@@ -131,8 +128,6 @@ class _Output:
     """What is done with every event: the picture of a terminal, elsewhere a line of JSON."""
 
     def __init__(self, waveform: bool) -> None:
-        from rich.console import Console
-
         self._console = Console()
         self._waveform = waveform
         self._picture: LivePicture | None = None
@@ -161,12 +156,9 @@ class _Output:
 
     def _shown(self, session: LiveSession) -> LivePicture:
         if self._picture is None:
-            from studies.cli.live_display import LivePicture
-
             self._picture = LivePicture(
                 session.source,
                 session.array,
-                session.microphones,
                 lambda: session.recent,
                 session.latencies,
                 self._waveform,
@@ -185,8 +177,8 @@ def _print_summary(summary: LiveSummary) -> None:
         f"listened for {summary.seconds:.1f} s: {counted(summary.touches, 'touch')}; decisions: {states}",
         f"faults: {faults}{lost}",
         f"latency: p50 {p50:.1f} ms, p99 {p99:.1f} ms, at most {1e3 * summary.latencies.largest:.1f} ms",
-        f"assumed is {summary.assumes}",
-        *([] if summary.doubt is None else [f"warning: {summary.doubt}"]),
+        f"assumed is {summary.assumptions}",
+        *([] if summary.warning is None else [f"warning: {summary.warning}"]),
         *summary.recordings,
     ):
         print(line, file=sys.stderr)

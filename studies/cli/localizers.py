@@ -10,6 +10,7 @@ import typer
 
 from geometry.ground.refusal import counted
 from localize.learned.training_plan import PLANS, TrainingPlan
+from localize.recognition.recognition_plan import RecognitionPlan
 from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.evaluation.localizer_evaluation import evaluate_localizer
@@ -17,6 +18,7 @@ from studies.evaluation.localizer_training import train_kinds, train_localizer
 
 if TYPE_CHECKING:
     from localize import Localizer
+    from localize.signals.noise_model import NoiseChoice
     from studies.evaluation.headline import Headline
 
 _EVALUATION = defaults_of(evaluate_localizer)
@@ -142,8 +144,6 @@ def _train_kinds(
     for option, is_given in of_localizers.items():
         if is_given:
             raise typer.BadParameter(f"{option} is of localizers; with --kind it says nothing")
-    from localize.recognition.recognition_plan import RecognitionPlan
-
     options = {"time_limit": "--seconds", "microphone_noise": "--noise", "subject": "--kind"}
     options |= {name: f"--{name}" for name in ("epochs", "seed", "network")}
     with named(**options), display_on_stderr() as display:
@@ -198,7 +198,8 @@ def evaluate(
     Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
     """
     with named(touches_per_point="--touches", microphone_noise="--noise"), display_on_stderr() as display:
-        results = evaluate_localizer(model, library, out, touches=touches, noise=noise, seed=seed, display=display)
+        level: NoiseChoice = "design" if noise is None else noise
+        results = evaluate_localizer(model, library, out, touches=touches, noise=level, seed=seed, display=display)
     _show_evaluations(results)
     if out is not None:
         from studies.evaluation.evaluation_report import FILES

@@ -3,27 +3,30 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, cast
 
 import typer
 
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import counted
-from localize.contacts.radii import MOVING
+from localize.contacts.contact import MOVING
+from localize.embedded.decoder_tables import Precision
+from localize.live.events import State
+from localize.signals.noise_model import NoiseChoice
 from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
 from studies.cli.terminal_tables import show, table_of, tell
-from studies.listening.embedding import PRECISION, embed_decoder
-from studies.listening.exporting import export_decoder
-from studies.listening.opening import Decoding
-from studies.listening.pulse_reading import read_pulse
-from studies.listening.recognized import recognize_recording
-from studies.listening.recorded import locate_recording
-from studies.listening.tracked import track_recording
+from studies.inference.embedding import PRECISION, embed_decoder
+from studies.inference.exporting import export_decoder
+from studies.inference.pulse_reading import RecordedPulse, read_pulse
+from studies.inference.recognized import recognize_recording
+from studies.inference.recorded import Decoding, LocatedTouches, locate_recording
+from studies.inference.tracked import TrackedRecording, track_recording
 
-if TYPE_CHECKING:
-    from localize.live.events import State
-    from studies.listening.pulse_reading import RecordedPulse
-    from studies.listening.recorded import LocatedTouches
-    from studies.listening.tracked import TrackedRecording
+
+def _noise(given: float | None) -> NoiseChoice:
+    """Noise of an option: that of the design where none is given."""
+    return "design" if given is None else given
+
 
 DecoderNoise = Annotated[
     float | None,
@@ -49,11 +52,11 @@ ArrayLibrary = Annotated[
         show_default="MODEL, where that is a library",
     ),
 ]
-RefusedShare = Annotated[
+RejectedFraction = Annotated[
     float | None,
     typer.Option(
-        metavar="SHARE",
-        help="Call frames 'other' that no single point explains; so many true ones may be refused, such as 1e-6. "
+        metavar="FRACTION",
+        help="Call frames 'other' that no single point explains; so many true ones may be rejected, such as 1e-6. "
         "For a calibrated sensor.",
         show_default="the likeliest point is named",
     ),
@@ -86,12 +89,12 @@ def onnx(
     Example: [bold]acoustic-fem onnx localizer --out localizer.onnx[/bold]
     """
     with named(microphone_noise="--noise"):
-        written = export_decoder(model, out, noise=noise, ambient=ambient)
+        written = export_decoder(model, out, noise=_noise(noise), ambient=ambient)
     tell(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"
     )
-    tell(f"assumed is {written.assumes}")
+    tell(f"assumed is {written.assumptions}")
 
 
 def embed(
@@ -119,7 +122,9 @@ def embed(
     Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
     """
     with named(microphone_noise="--noise", precision="--precision", budget="--budget"):
-        written = embed_decoder(library, out, precision=precision, budget=budget, noise=noise)
+        written = embed_decoder(
+            library, out, precision=cast("Precision", precision), budget=budget, noise=_noise(noise)
+        )
     cost, table = written.decoder.cost, table_of("", "at most", numbers=(1,))
     for name, value in (("flash", cost.flash), ("ram", cost.ram), ("stack", cost.stack)):
         table.add_row(name, f"{value} bytes")
@@ -131,7 +136,7 @@ def embed(
         f"{out}: {counted(tables.point_count, 'point')}, {counted(len(tables.microphones), 'microphone')}, "
         f"{tables.precision}; how to build, call and wire it: {out / 'README.md'}"
     )
-    tell(f"assumed is {written.assumes}")
+    tell(f"assumed is {written.assumptions}")
 
 
 def locate(
@@ -173,7 +178,7 @@ def locate(
         typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity, into the lines of --out."),
     ] = False,
     ambient: DecoderAmbient = None,
-    refuse: RefusedShare = None,
+    reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
     pressure: Pressure = None,
     altitude: Altitude = None,
@@ -185,12 +190,10 @@ def locate(
     """
     if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
-    options = {"microphone_noise": "--noise", "loudest": "--ambient", "refused": "--refuse"}
-    from acoustic_fem.quantities.local_air import LocalAir
-
+    options = {"microphone_noise": "--noise", "loudest": "--ambient", "rejected_fraction": "--reject"}
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
         air = LocalAir(pressure, altitude, temperature)
-        decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
+        decoding = Decoding(_noise(noise), library, waveform, ambient, reject, air, follow_drift)
         found = locate_recording(model, recording, out, picture=picture, full_scale=full_scale, decoding=decoding)
     _show_touches(found)
     told: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}
@@ -204,10 +207,14 @@ def locate(
     tell(
         f"points are those of the design {found.design}, as {model}{told_of} has it: of another array they say nothing"
     )
-    tell(f"assumed is {found.assumes}")
-    if found.doubt is not None:
-        brought = "" if found.brought is None else f"; touches were decided with {found.brought} brought to its level"
-        tell(f"warning: {found.doubt}{brought}")
+    tell(f"assumed is {found.assumptions}")
+    if found.warning is not None:
+        level = (
+            ""
+            if found.rescaled_microphone is None
+            else f"; the level of {found.rescaled_microphone} was corrected first"
+        )
+        tell(f"warning: {found.warning}{level}")
 
 
 def recognize(
@@ -246,12 +253,10 @@ def recognize(
 
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "speed": "--speed", "point": "--point"}
     options["ambient"] = "--ambient"
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
-        decoding = Decoding(noise=noise, ambient=ambient, air=LocalAir(pressure, altitude, temperature))
+        decoding = Decoding(noise=_noise(noise), ambient=ambient, air=LocalAir(pressure, altitude, temperature))
         found = recognize_recording(
             model, library, recording, out, point=point, speed=speed, full_scale=full_scale, decoding=decoding
         )
@@ -312,17 +317,15 @@ def track(
 
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "radius": "--radius"}
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
-        decoding = Decoding(noise=noise, ambient=ambient, air=LocalAir(pressure, altitude, temperature))
+        decoding = Decoding(noise=_noise(noise), ambient=ambient, air=LocalAir(pressure, altitude, temperature))
         found = track_recording(
             library, recording, out, picture=picture, radius=radius, full_scale=full_scale, decoding=decoding
         )
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")
-    tell(f"assumed is {found.assumes}")
+    tell(f"assumed is {found.assumptions}")
     if not found.force_is_known:
         tell(f"forces are by the membranes of the design {found.design}, which nobody measured on this sensor")
 
@@ -355,16 +358,14 @@ def pulse(
 
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """
-    from acoustic_fem.quantities.local_air import LocalAir
-
     with named(full_scale="--full-scale", microphone_noise="--noise", point="--point", **AIR_OPTIONS):
-        decoding = Decoding(noise=noise, air=LocalAir(pressure, altitude, temperature))
+        decoding = Decoding(noise=_noise(noise), air=LocalAir(pressure, altitude, temperature))
         found = read_pulse(
             library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding
         )
     _show_pulse(found)
     tell(f"{recording}: {found.seconds:.1f} s; points are those of the design {found.design}")
-    tell(f"assumed is {found.assumes}")
+    tell(f"assumed is {found.assumptions}")
     if not found.force_is_known:
         tell(f"forces are by the membranes of the design {found.design}, which nobody measured on this sensor")
 
@@ -376,7 +377,7 @@ def _show_pulse(found: RecordedPulse) -> None:
         table.add_row(str(number), *("" if each != each else f"{each:.3f}" for each in times))
     show(table)
     tell(
-        f"point {reading.point + 1} ({100 * reading.probability:.1f} %), {reading.rate:.1f} beats a minute, "
+        f"point {reading.point} ({100 * reading.probability:.1f} %), {reading.rate:.1f} beats a minute, "
         f"+- {reading.rate_deviation:.1f}"
     )
 

@@ -8,17 +8,12 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+from typing import Annotated, Any, TypeVar
 
 import typer
-from typer.core import TyperCommand
 
-from geometry.ground.extras import check_extras
 from geometry.ground.refusal import Refusal
-
-if TYPE_CHECKING:
-    from studies.output.display import Display
-
+from studies.output.display import Display
 
 Answer = TypeVar("Answer", str, int, float)
 
@@ -69,71 +64,8 @@ Temperature = Annotated[
 AIR_OPTIONS = {"pressure": "--pressure", "altitude": "--altitude", "temperature_c": "--temperature"}
 
 
-#: Verb -> extras of the installation without which it does nothing; others refuse the options that need one.
-NEEDS = {
-    "studio": ("fem", "train", "studies", "studio"),
-    "parts": ("cad",),
-    "calibrate": ("plots",),
-    "recalibrate": ("train",),
-    "train": ("train",),
-    "evaluate": ("train",),
-    "onnx": ("train",),
-    "recognize": ("train",),
-    "pulse": ("train",),
-    "run": ("fem", "train", "studies"),
-    "bend": ("fem",),
-    "sweep": ("studies",),
-    "tolerance": ("studies", "train"),
-    "optimize": ("studies", "train"),
-    "report": ("studies",),
-    "best": ("studies",),
-}
-
-
-class Verb(TyperCommand):
-    """A verb whose options are given once and say something."""
-
-    def __init__(self, *args: Any, help: str | None = None, **kwargs: Any) -> None:
-        """Take the docstring without the line ends of its source: a terminal has its own width."""
-        super().__init__(*args, help=None if help is None else in_paragraphs(help), **kwargs)
-
-    def invoke(self, ctx: Any) -> Any:
-        """Do it, where what it needs is installed.
-
-        Raises:
-            MissingExtra: it is not.
-        """
-        check_extras(f"what {ctx.info_name} needs", *NEEDS.get(ctx.info_name, ()))
-        return super().invoke(ctx)
-
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Read the command line.
-
-        Raises:
-            typer.BadParameter: a value is empty, or an option that takes one value is given twice.
-        """
-        values, _, order = self.make_parser(ctx).parse_args(list(args))
-        given: set[str] = set()
-        for each in order:
-            name = str(each.name)
-            label = each.opts[-1] if each.param_type_name == "option" else str(each.metavar)
-            if name in given and not each.multiple:
-                raise typer.BadParameter(f"{label} is given twice", ctx=ctx)
-            given.add(name)
-            if "" in (values[name] if isinstance(values[name], (list, tuple)) else [values[name]]):
-                raise typer.BadParameter(f"{label} is empty", ctx=ctx)
-        return super().parse_args(ctx, args)
-
-
-def in_paragraphs(text: str) -> str:
-    """A text whose paragraphs are one line each."""
-    return "\n\n".join(" ".join(each.split()) for each in re.split(r"\n\s*\n", text))
-
-
 def display_on_stderr() -> Display:
     """Progress for the user; what a verb finds goes to stdout."""
-    from studies.output.display import Display
-
     return Display(sys.stderr)
 
 
@@ -166,7 +98,7 @@ def named(**options: str) -> Iterator[None]:
         yield
     except Refusal as error:
         field = re.match(r"\w+", str(error))
-        if field is None or field[0] not in options:
+        if error.field or field is None or field[0] not in options:
             raise
         raise Refusal(options[field[0]] + str(error)[field.end() :]) from None
 
@@ -177,10 +109,10 @@ def in_options(message: str) -> str:
 
 
 def frequency_option(text: str) -> Any:
-    """The grid FIRST:LAST:COUNT, (n_freq,) float64, Hz; ranges are checked where the grid is used."""
-    from acoustic_fem.quantities.checks import stated_grid
+    """The grid FIRST:LAST:COUNT, (n_freq,) float64, Hz."""
+    from acoustic_fem.quantities.checks import frequency_grid
 
     try:
-        return stated_grid(text)
+        return frequency_grid(text)
     except Refusal as error:
         raise typer.BadParameter(f"--frequencies: {error}") from None

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from geometry import resolve_design
 from geometry.ground.refusal import counted
 from studies.cli.options import (
     Design,
@@ -22,14 +23,14 @@ from studies.cli.options import (
     named,
 )
 from studies.cli.terminal_tables import show, table_of, tell
+from studies.findings.searching import optimize as search
+from studies.optimization.problem import Optimization
+from studies.optimization.search import Candidate
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
-from studies.scatter.tolerance_run import tolerance_study
-
-if TYPE_CHECKING:
-    from studies.optimization.problem import Optimization
-    from studies.optimization.search import Candidate
-    from studies.scatter.tolerance_run import ToleranceStudy
+from studies.scatter.effects import ACCURACIES
+from studies.scatter.perturbed_library import MOST_SENSORS
+from studies.scatter.tolerance_run import ToleranceStudy, tolerance_study
 
 #: Rows of the front that are printed.
 _SHOWN = 10
@@ -61,12 +62,8 @@ def tolerance(
     grid = frequency_option(frequencies)
     if seed < 0:
         raise typer.BadParameter(f"--seed: {seed} must be 0 or above")
-    from studies.scatter.perturbed_library import MOST_SENSORS
-
     if not 0 <= library <= MOST_SENSORS:
         raise typer.BadParameter(f"--library: {library} must be from 0 to {MOST_SENSORS}")
-    from geometry import resolve_design
-
     options = {name: f"--{name}" for name in ("samples", "base", "noise")}
     with named(frequency="--frequencies", count="--library", **options), display_on_stderr() as display:
         study = tolerance_study(
@@ -87,8 +84,6 @@ def tolerance(
 
 
 def _show_scatter(study: ToleranceStudy) -> None:
-    from studies.scatter.effects import ACCURACIES
-
     result = study.result
     table = table_of("predicted top-1 (%)", "mean", "5 %", "median", "95 %", numbers=(1, 2, 3, 4))
     summary = result.summary()
@@ -126,8 +121,6 @@ def optimize(
     Example: [bold]acoustic-fem optimize fingertip-study.toml --out fingertip[/bold]
     """
     check_workers(workers, scheduler)
-    from studies.findings.searching import optimize as search
-
     with display_on_stderr() as display:
         found = search(study, out, workers=workers, scheduler=scheduler, display=display)
     result = found.result

@@ -12,11 +12,11 @@ from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.ground.refusal import counted
 from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
 from studies.cli.terminal_tables import show, table_of, tell
-from studies.findings.reporting import best_designs, save_best_design
+from studies.findings.reporting import BestDesigns, best_designs, save_best_design, sweep_report
 from studies.output.display import duration, number
+from studies.study.file import load_study
 
 if TYPE_CHECKING:
-    from studies.findings.reporting import BestDesigns
     from studies.sweep.plan import Plan
     from studies.sweep.run import Summary
 
@@ -62,8 +62,6 @@ def sweep(
     if out is None and not dry_run:
         raise typer.BadParameter("--out is missing: the store to write, such as results.zarr")
     check_workers(workers, scheduler)
-    from studies.study.file import load_study
-
     given = load_study(study)
     if dry_run:
         from studies.sweep.plan import plan_sweep
@@ -90,8 +88,6 @@ def report(
 
     Example: [bold]acoustic-fem report results.zarr --out report.html[/bold]
     """
-    from studies.findings.reporting import sweep_report
-
     with display_on_stderr() as display:
         table = sweep_report(results, out, display=display)
     tell(

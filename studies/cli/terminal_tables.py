@@ -8,15 +8,20 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rich import box
+from rich.console import Console
+from rich.table import Column, Table
+
+from geometry.design.array_design import ArrayDesign
 from geometry.ground.extras import is_installed
 from geometry.ground.refusal import counted, in_one_line
+from geometry.layout.cutting import cutting_list
+from geometry.plan.wiring_graph import WiringCounts
+from geometry.schema.declared_fields import fields_of
 from studies.output.display import number
 
 if TYPE_CHECKING:
-    from rich.table import Column, Table
-
     from acoustic_fem import Library
-    from geometry.plan.wiring_graph import WiringCounts
     from geometry.printing.printability import PrintReport
     from studies.run.check import DesignCheck
     from studies.run.part_folder import MadeParts
@@ -34,9 +39,6 @@ _FIRST = 10
 
 def table_of(*columns: str, numbers: tuple[int, ...] = ()) -> Table:
     """An empty table; columns at the indices ``numbers`` are aligned to the right."""
-    from rich import box
-    from rich.table import Table
-
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for index, column in enumerate(columns):
         table.add_column(column, justify="right" if index in numbers else "left", no_wrap=True)
@@ -54,8 +56,6 @@ def show(table: Table) -> None:
     On a terminal it is as wide as that, or as ``COLUMNS`` says: long texts are broken between words, and columns that
     do not fit follow in blocks beneath. Into a file or a pipe it is as wide as it takes.
     """
-    from rich.console import Console
-
     known = Console().is_terminal or "COLUMNS" in os.environ
     console = Console(width=None if known else _UNBROKEN, markup=False, highlight=False)
     first, *rest = range(len(table.columns))
@@ -125,9 +125,6 @@ def _wrapped(text: str, width: int) -> str:
 
 def show_fields() -> None:
     """Every field of a design file."""
-    from geometry.design.array_design import ArrayDesign
-    from geometry.schema.declared_fields import fields_of
-
     table = table_of("field", "range", "default")
     for field in fields_of(ArrayDesign):
         stated = str(field.default).lower() if isinstance(field.default, bool) else str(field.default)
@@ -236,8 +233,6 @@ def show_library(path: Path, library: Library) -> None:
 
 def show_parts(made: MadeParts) -> None:
     """What was made: parts with their files, tubes to cut, the bill, where to read which part goes where."""
-    from geometry.layout.cutting import cutting_list
-
     table = table_of("part", "count", "volume (mm^3)", "files", numbers=(1, 2))
     for name in dict.fromkeys(file.part for file in made.files):
         own = [file for file in made.files if file.part == name]

@@ -11,13 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from localize.evaluation.accuracy import wilson_interval
+from localize.evaluation.conditions import Outcome
+from studies.evaluation.full_evaluation import Judged
 from studies.output.figure_style import WIDTH, figure_in_style as figure_in_style, save_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from localize.evaluation.conditions import Outcome
-    from studies.evaluation.full_evaluation import Judged
 
 _COLOURS = ("#2a6f97", "#d1731f", "#5b8c3e")
 _MARKS = ("o", "s", "^")

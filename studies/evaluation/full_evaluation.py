@@ -11,18 +11,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
+from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.ground.refusal import Refusal
+from localize.signals.array_response import ArrayResponse
+from localize.signals.locator import Locator
+from localize.signals.noise_model import NoiseChoice
+from studies.test_rig.virtual_rig import HEARD, Rig
 
 if TYPE_CHECKING:
-    from acoustic_fem import Library
-    from localize.evaluation.accuracy import Evaluation, Locator
+    from localize.evaluation.accuracy import Evaluation
     from localize.evaluation.conditions import Outcome
-    from localize.signals.array_response import ArrayResponse
-    from localize.signals.noise_model import NoiseChoice
 
 Progress = Callable[[str, float], None]
 #: Shares of the workshop's tolerances that sensors are made with.
@@ -157,9 +160,6 @@ def rig_sensors(
     Returns:
         Name, no share, and (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
     """
-    import acoustic_fem
-    from studies.test_rig.virtual_rig import HEARD, Rig
-
     grid = np.unique(np.clip(response.frequency, *HEARD))
     place = np.minimum(np.searchsorted(grid, response.frequency), len(grid) - 1)
     nominal = acoustic_fem.solve(library.design, grid, "lumped").transfer_function.values
@@ -200,7 +200,7 @@ def mis_made(
     scattered, air = ScatteredDesign(library.design), design_air(library.design)
 
     def made(share: float) -> NDArray[np.complex128]:
-        factors = scatter_factors(scattered, air, response.frequency, count, seed, share=share)
+        factors = scatter_factors(scattered, air, response.frequency, count, seed, fraction=share)
         return response.transfer_function * factors
 
     return [(f"{share:g} of the tolerances", share, made(share)) for share in shares]

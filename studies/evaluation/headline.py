@@ -9,17 +9,16 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from acoustic_fem import Library
+from localize import evaluate
 from localize.evaluation.accuracy import Evaluation
+from localize.evaluation.conditions import Outcome, conditions, evaluate_conditions, evaluate_sensors
+from localize.signals.array_response import ArrayResponse
+from localize.signals.locator import Locator
+from localize.signals.noise_model import NoiseChoice
 from studies.evaluation.full_evaluation import LEAST, RIG_GROUP, RIGS, Progress, rig_sensors, scattered_sensors
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-    from localize.evaluation.accuracy import Locator
-    from localize.evaluation.conditions import Outcome
-    from localize.signals.array_response import ArrayResponse
-    from localize.signals.noise_model import NoiseChoice
 
 #: Whose signals a headline figure is of.
 SIGNALS = "sums of sines on the nominal sensor"
@@ -100,9 +99,6 @@ def judge_headlines(
         seed: of the touches.
         progress: called with what is being done and the fraction done.
     """
-    from localize import evaluate
-    from localize.evaluation.conditions import conditions, evaluate_conditions, evaluate_sensors
-
     progress("mis-made sensors", 0.0)
     made, unscattered = scattered_sensors(library, response, SENSOR_SEED, SENSORS, (WHOLE,))
     rigs = [] if unscattered else rig_sensors(library, response, SENSOR_SEED, RIGS)

@@ -1,31 +1,36 @@
-"""A localizer judged on touches that it has never heard, the model-based decoder beside it."""
+"""A localizer evaluated on touches that it has never heard, the model-based decoder beside it."""
 
 from __future__ import annotations
 
 import os
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from localize.decoders.bayes import BayesDecoder
+from localize.decoders.tolerant import tolerant_decoder
+from localize.evaluation.accuracy import check_evaluation
+from localize.model.opened_model import ModelSource, files_of, open_library, opened
+from localize.signals.array_response import response_of
+from localize.signals.locator import Locator
+from localize.signals.noise_model import NoiseChoice
+from localize.signals.same_array import check_same_array, design_difference
+from studies.evaluation.evaluation_report import JSON_FILE, write_evaluation
+from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
+from studies.evaluation.headline import TOLERANT, Headline, judge_headlines
 from studies.output.display import Display
 from studies.output.folders import check_folder
-
-if TYPE_CHECKING:
-    from localize.evaluation.accuracy import Locator
-    from localize.signals.noise_model import NoiseChoice
-    from studies.evaluation.headline import Headline
 
 #: White noise that the Bayes decoder assumes where touches have less, Pa rms.
 LEAST_NOISE = 1e-6
 
 
 def evaluate_localizer(
-    model: str | os.PathLike[str],
-    library: str | os.PathLike[str],
+    model: ModelSource,
+    library: ModelSource,
     out: str | os.PathLike[str] | None = None,
     *,
     touches: int = 200,
-    noise: float | None = None,
+    noise: NoiseChoice = "design",
     seed: int = 0,
     display: Display | None = None,
 ) -> dict[str, Headline]:
@@ -35,12 +40,12 @@ def evaluate_localizer(
     workshop's tolerances.
 
     Args:
-        model: the folder of a trained localizer, or an ONNX file.
-        library: the file of the library that touches are made from.
+        model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
+        library: from which touches are made: its path, or a library or an open model in memory.
         out: a folder for ``evaluation.json`` and ``evaluation.html``: with it, both are also judged under other noise,
             ambient sound, touches and lengths, and on mis-made sensors.
         touches: held-out touches of every point.
-        noise: of the microphones, white, Pa rms over 0 to 500 Hz; by default that of the design's.
+        noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
         seed: of the touches.
         display: shows what is being done.
 
@@ -53,39 +58,25 @@ def evaluate_localizer(
             out of range.
     """
     folder = None if out is None else Path(out)
-    from studies.evaluation.evaluation_report import JSON_FILE
-
     if folder is not None:
-        check_folder(folder, "evaluate", JSON_FILE, reads=(model, library))
-    import acoustic_fem
-    from localize import BayesDecoder, OnnxLocalizer, load_localizer
-    from localize.decoders.tolerant import tolerant_decoder
-    from localize.evaluation.accuracy import check_evaluation
-    from localize.signals.array_response import response_of
-    from localize.signals.same_array import check_same_array, design_difference
-    from studies.evaluation.evaluation_report import write_evaluation
-    from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
-    from studies.evaluation.headline import TOLERANT, Headline, judge_headlines
-
-    localizer = OnnxLocalizer(model) if Path(model).suffix == ".onnx" else load_localizer(model)
-    solved = acoustic_fem.load(library)
+        check_folder(folder, "evaluate", JSON_FILE, reads=(*files_of(model), *files_of(library)))
+    localizer, solved = opened(model).locator, open_library(library)
     response = response_of(solved)
-    level: NoiseChoice = "design" if noise is None else noise
-    check_evaluation(localizer, response, touches, level)
-    check_same_array(localizer, response, library)
-    difference = design_difference(localizer, response)
+    check_evaluation(localizer, response, touches, noise)
+    source = ", ".join(map(str, files_of(library))) or "library"
+    check_same_array(localizer.array, response.array, source)
+    difference = design_difference(localizer.array, response.array)
     if difference:
-        warnings.warn(f"{library}: is of another design than the localizer: {difference}", stacklevel=2)
-    decoder = BayesDecoder(response, "design" if noise is None else max(noise, LEAST_NOISE))
-    name = localizer.kind if isinstance(localizer, OnnxLocalizer) else "network"
-    locators: dict[str, Locator] = {name: localizer, "Bayes decoder": decoder}
+        warnings.warn(f"{source}: is of another design than the localizer: {difference}", stacklevel=2)
+    decoder = BayesDecoder(response, noise if isinstance(noise, str) else max(noise, LEAST_NOISE))
+    locators: dict[str, Locator] = {localizer.kind: localizer, "Bayes decoder": decoder}
     tolerant = tolerant_decoder(solved, decoder.microphone_noise)
     if tolerant is not None:
         locators[TOLERANT] = tolerant
     with (display or Display()).stage("Evaluation") as report:
         if folder is None:
-            return judge_headlines(locators, solved, response, touches, level, seed, report)
-        found = evaluate_fully(locators, solved, response, touches, level, seed, report)
+            return judge_headlines(locators, solved, response, touches, noise, seed, report)
+        found = evaluate_fully(locators, solved, response, touches, noise, seed, report)
         report("report", 1.0)
         write_evaluation(found, folder)
     return {each.name: Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.judged}

@@ -8,12 +8,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.ground.refusal import Refusal
+from localize.evaluation.accuracy import Evaluation, evaluate
+from localize.learned.training_plan import TrainingPlan
+from localize.model.opened_model import ModelSource, files_of, open_library
+from localize.signals.array_response import response_of
+from studies.evaluation.training_files import TOUCHES, write_recognizer_files, write_training_files
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.sole_writer import sole_writer_of
 
 if TYPE_CHECKING:
-    from localize import Evaluation, Localizer, RecognitionPlan, Recognizer, TrainingPlan
+    from localize import Localizer, RecognitionPlan, Recognizer
 
 #: Where the state of a training is kept until it is done.
 _CHECKPOINT = "checkpoint.safetensors"
@@ -32,7 +37,7 @@ class TrainedLocalizer:
 
 
 def train_localizer(
-    library: str | os.PathLike[str],
+    library: ModelSource,
     out: str | os.PathLike[str],
     *,
     plan: TrainingPlan | None = None,
@@ -44,7 +49,7 @@ def train_localizer(
     Killed and called again it goes on where it was, to the same weights.
 
     Args:
-        library: the file.
+        library: its path, or a library or an open model in memory.
         out: the folder for the localizer, ``training.csv`` and ``confusion.csv``, and a picture of each.
         plan: how to train; by default with the noise of the design's microphone.
         recordings: a manifest of recorded touches, half of all that is trained on.
@@ -57,14 +62,11 @@ def train_localizer(
     folder = Path(out)
     checkpoint = folder / _CHECKPOINT
     _check_unfinished(folder)
-    check_folder(folder, "train", _CHECKPOINT, reads=(library, recordings))
-    import acoustic_fem
-    from localize import TrainingPlan, evaluate, train
-    from localize.signals.array_response import response_of
-    from studies.evaluation.training_files import TOUCHES, write_training_files
+    check_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings))
+    from localize.learned.training import train  # torch
 
     plan = plan or TrainingPlan(microphone_noise="design")
-    response = response_of(acoustic_fem.load(library))
+    response = response_of(open_library(library))
     with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Localizer") as report:
         _check_unfinished(folder)  # by whoever wrote to it until now
         report("training", 0.0)
@@ -83,7 +85,7 @@ def train_localizer(
 
 
 def train_kinds(
-    library: str | os.PathLike[str],
+    library: ModelSource,
     out: str | os.PathLike[str],
     kind: str,
     *,
@@ -96,7 +98,7 @@ def train_kinds(
     Killed and called again it goes on where it was, to the same weights.
 
     Args:
-        library: the file.
+        library: its path, or a library or an open model in memory.
         out: the folder for the recognizer, ``training.csv`` and ``confusion.csv``, and a picture of each.
         kind: sort of what it tells, see :func:`localize.train_recognizer`.
         plan: how to train.
@@ -109,12 +111,10 @@ def train_kinds(
     folder = Path(out)
     checkpoint = folder / _CHECKPOINT
     _check_unfinished(folder)
-    check_folder(folder, "train", _CHECKPOINT, reads=(library, recordings))
-    import acoustic_fem
-    from localize import train_recognizer
-    from studies.evaluation.training_files import write_recognizer_files
+    check_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings))
+    from localize.recognition.learning import train_recognizer  # torch
 
-    loaded = acoustic_fem.load(library)
+    loaded = open_library(library)
     with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Recognizer") as report:
         _check_unfinished(folder)
         report("takes", 0.0)

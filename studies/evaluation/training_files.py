@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.ground.whole_files import write_text
+from studies.output.response_figures import draw_confusion, draw_training
 
 if TYPE_CHECKING:
     from localize import Evaluation, Localizer, Recognizer
@@ -49,8 +50,6 @@ def write_recognizer_files(folder: Path, recognizer: Recognizer) -> None:
 def _write(
     folder: Path, training: Mapping[str, Any], names: Sequence[int | str], confusion: NDArray[np.int64], what: str
 ) -> None:
-    from studies.output.response_figures import draw_confusion, draw_training
-
     loss, accuracy = training["loss"], training["held_out_accuracy"]
     by_epoch = training.get("recorded_accuracy") or [{} for _ in loss]
     recorded = {part: [entry[part] for entry in by_epoch] for part in by_epoch[0]}

@@ -14,7 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
 import studies
+from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry import ArrayDesign
 from geometry.design.design_file import value_of, write_design
 from geometry.ground.refusal import counted
@@ -180,9 +182,6 @@ def _families(table: ResultTable, best: dict[str, list[int]]) -> list[dict[str, 
 
 
 def _family(title: str, design: ArrayDesign, table: ResultTable) -> dict[str, Any]:
-    import acoustic_fem
-    from acoustic_fem.atlas import QuickFidelity, quick_fidelity
-
     lumped = table.fidelity == "lumped"
     fidelity = QuickFidelity("lumped") if lumped else quick_fidelity(design, table.frequency)
     if fidelity.outside:

@@ -5,14 +5,13 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from geometry import save_design
 from geometry.ground.refusal import Refusal
+from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep, with_base_metrics
 from studies.output.display import Display
 from studies.output.folders import check_new_file
-
-if TYPE_CHECKING:
-    from studies.findings.result_table import Column, ResultTable
+from studies.sweep.store import is_sweep, open_sweep
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,15 +35,11 @@ def read_results(results: str | os.PathLike[str]) -> ResultTable:
     Raises:
         Refusal: it is neither, or holds no design that was computed.
     """
-    from studies.findings.result_table import table_of_search, table_of_sweep
-
     place = Path(results)
-    if place.is_dir() and not (place / "zarr.json").exists():
-        from studies.findings.search_files import read_search
+    if place.is_dir() and not is_sweep(place):
+        from studies.findings.search_files import read_search  # loads what searches, which a sweep does without
 
         return table_of_search(*read_search(place))
-    from studies.sweep.store import open_sweep
-
     return table_of_sweep(open_sweep(place))
 
 
@@ -65,7 +60,6 @@ def sweep_report(
         Refusal: as :func:`read_results`, or a file that cannot be written.
     """
     from studies.findings.page import write_sweep_report
-    from studies.findings.result_table import with_base_metrics
 
     path = Path(out)
     check_new_file(path, ".html")
@@ -106,7 +100,6 @@ def save_best_design(results: str | os.PathLike[str], design: str | int, out: st
     Raises:
         Refusal: as :func:`read_results`, no such design, or a file that exists or cannot be written.
     """
-    from geometry import save_design
     from studies.findings.page import design_of
 
     path = Path(out)

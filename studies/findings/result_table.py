@@ -6,22 +6,21 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from geometry import ArrayDesign
 from geometry.ground.refusal import Refusal, counted
-from studies.study.failure_reasons import by_kind
+from geometry.schema.declared_fields import DesignField, field_named
+from studies.optimization.problem import Optimization
+from studies.optimization.search import OptimizationResult, pareto_front
+from studies.study.cases import by_kind
 from studies.study.metric_registry import METRICS
-
-if TYPE_CHECKING:
-    from geometry import ArrayDesign
-    from geometry.schema.declared_fields import DesignField
-    from studies.optimization.problem import Optimization
-    from studies.optimization.search import OptimizationResult
-    from studies.sweep.store import Sweep
+from studies.sweep.store import Sweep, base_of
 
 Values = NDArray[np.float64]
 #: Steps of a range in the figures of effects and of pairs.
@@ -214,8 +213,6 @@ def fast_front(values: Values) -> NDArray[np.bool_]:
         (n,) bool.
     """
     if values.shape[1] != 2:
-        from studies.optimization.search import pareto_front
-
         return pareto_front(values)
     order = np.lexsort((-values[:, 1], -values[:, 0]))
     best = np.maximum.accumulate(values[order, 1])
@@ -237,7 +234,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
     Raises:
         Refusal: no case is done, or nothing was computed.
     """
-    values, about = sweep.values, sweep.attributes[""]
+    values, about = sweep.values, sweep.attributes
     columns = {name: np.asarray(values[name], np.float64) for name in sweep.metrics}
     finite = np.all([np.isfinite(column) for column in columns.values()], axis=0)
     rows = np.flatnonzero(sweep.done & finite)
@@ -246,17 +243,14 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
     reasons = [(int(number), str(values["reason"][number])) for number in np.flatnonzero(sweep.failed)]
     reasons += [(int(number), "a metric is not finite") for number in np.flatnonzero(sweep.done & ~finite)]
     return ResultTable(
-        title=str(about["title"]),
-        description=str(about["description"]),
+        title=about["title"],
+        description=about["description"],
         source="sweep",
-        fidelity=str(about["fidelity"]),
+        fidelity=about["fidelity"],
         frequency=np.asarray(values["frequency"], np.float64),
-        open_base=sweep.open_base,
+        open_base=partial(base_of, sweep.records.path, about["base_design"]),
         number=rows.astype(np.int64),
-        parameters=tuple(
-            _parameter(name, values[name][rows], str(sweep.attributes[name].get("units", "")))
-            for name in sweep.parameters
-        ),
+        parameters=tuple(_parameter(name, values[name][rows], sweep.units(name)) for name in sweep.parameters),
         metrics=tuple(_metric(name, column[rows]) for name, column in columns.items()),
         failures=tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items()),
         waiting=int((~sweep.done & ~sweep.failed).sum()),
@@ -318,9 +312,6 @@ def unit_of(name: str) -> str:
 
 
 def _field(name: str) -> DesignField | None:
-    from geometry import ArrayDesign
-    from geometry.schema.declared_fields import field_named
-
     return field_named(ArrayDesign, name)
 
 
@@ -340,7 +331,6 @@ def with_base_metrics(table: ResultTable) -> ResultTable:
     """
     if table.base_metrics or table.fidelity not in CLOSED_FORMS:
         return table
-    import acoustic_fem
     from acoustic_fem.atlas import quick_fidelity
 
     if table.fidelity == "atlas" and quick_fidelity(table.base, table.frequency).outside:

@@ -7,13 +7,17 @@ import io
 from collections.abc import Callable
 from pathlib import Path
 
-from geometry import ArrayDesign, save_design
+from geometry import ArrayDesign, build_parts, load_design, print_report, save_design
 from geometry.ground.text_files import read_text
 from geometry.ground.whole_files import write_text
 from geometry.printing.printability import PrintReport
+from studies.findings.page import write_sweep_report
+from studies.findings.result_table import table_of_search
+from studies.optimization.journal import journal_exists
 from studies.optimization.printable import worst_accepted
-from studies.optimization.problem import Optimization
-from studies.optimization.search import Candidate, OptimizationResult, without
+from studies.optimization.problem import Optimization, read_optimization
+from studies.optimization.search import Candidate, OptimizationResult, found_so_far, without
+from studies.study.study import StudyError
 
 #: The study, its base and the best design, beside the journal of the trials.
 _STUDY, _BASE, _BEST = "study.toml", "base.toml", "best.toml"
@@ -29,8 +33,6 @@ def unprintable_designs(
     With ``printable = "base"`` or "advised" only the fields are held to more than the rules' least: what is measured
     on the drawn parts must not fail, and with "advised" must not be at risk.
     """
-    from geometry import build_parts, print_report
-
     report = progress or (lambda message, fraction: None)
     verdicts: dict[int, str] = {}
     failed: dict[int, str] = {}
@@ -62,9 +64,6 @@ def candidate_design(problem: Optimization, candidate: Candidate) -> ArrayDesign
 
 def save_search(problem: Optimization, result: OptimizationResult, out: Path) -> list[Path]:
     """Write best.toml, front/*.toml, front.csv and report.html. Their paths, most wanted first."""
-    from studies.findings.page import write_sweep_report
-    from studies.findings.result_table import table_of_search
-
     best, table, report, folder = (out / name for name in (_BEST, "front.csv", "report.html", "front"))
     write_text(out / _STUDY, problem.text)
     save_design(problem.study.base, out / _BASE)
@@ -87,15 +86,9 @@ def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
     Raises:
         StudyError: the folder is not that of a finished search.
     """
-    from geometry import load_design
-    from studies.optimization.journal import journal_exists
-    from studies.optimization.problem import read_optimization
-    from studies.optimization.search import found_so_far
-    from studies.study.study import StudyError
-
     if not journal_exists(out) or not all((out / name).is_file() for name in (_STUDY, _BASE, _BEST)):
         raise StudyError(
-            f"{out}: is neither the results of a sweep (a folder with a zarr.json) nor the folder of a finished search"
+            f"{out}: is neither the results of a sweep (a folder with records) nor the folder of a finished search"
         )
     text = read_text(out / _STUDY, "the study of a search", StudyError)
     problem = read_optimization(text, str(out / _STUDY), out, load_design(out / _BASE))

@@ -5,18 +5,17 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Refusal, counted
 from geometry.ground.whole_files import writing
+from studies.findings.search_files import save_search, unprintable_designs
+from studies.optimization.journal import JOURNAL, seal
+from studies.optimization.problem import Optimization, load_optimization
+from studies.optimization.search import OptimizationResult, search_designs, without
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.sole_writer import sole_writer_of
-
-if TYPE_CHECKING:
-    from studies.optimization.problem import Optimization
-    from studies.optimization.search import OptimizationResult
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,11 +53,6 @@ def optimize(
         Refusal: a study that cannot be read, a folder with files of others or of another search, or to which one is
             writing, or no design that keeps the limits and can be printed.
     """
-    from studies.findings.search_files import save_search, unprintable_designs
-    from studies.optimization.journal import JOURNAL, seal
-    from studies.optimization.problem import Optimization, load_optimization
-    from studies.optimization.search import search_designs, without
-
     folder, show = Path(out), display or Display()
     problem = study if isinstance(study, Optimization) else load_optimization(study)
     check_folder(folder, "search", JOURNAL)

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem import Medium
+from geometry import ArrayDesign
 from geometry.ground.refusal import Refusal, counted
 
 if TYPE_CHECKING:
-    from acoustic_fem import Library, Medium
+    from acoustic_fem import Library
     from acoustic_fem.batch.parameters import ArrayParameters
     from acoustic_fem.membrane.disc import KnownDiscs
-    from geometry import ArrayDesign
 
 Complex = NDArray[np.complex128]
 _T = TypeVar("_T")

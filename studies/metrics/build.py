@@ -9,11 +9,10 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from geometry.design.array_design import ArrayDesign
-    from geometry.schema.part_fields import Microphone, Tube
+from geometry.assembly.bill import Prices
+from geometry.design.array_design import ArrayDesign
+from geometry.schema.part_fields import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
 
 #: kg/m^3
 DENSITIES = {
@@ -42,8 +41,6 @@ def mass(design: ArrayDesign, parts: Volumes | None = None) -> float:
 
 def cost(design: ArrayDesign, parts: Volumes | None = None) -> float:
     """Cost of one array, as :func:`geometry.bill_of_materials` has it, molds left out, at its assumed prices, USD."""
-    from geometry.assembly.bill import Prices
-
     volumes, prices, tubes = parts or volumes_of(design), Prices(), list(_tubes(design))
     microphones = len(design.microphones)
     resin = sum(volumes[name][0] for name in ("shells", "housings"))
@@ -116,8 +113,6 @@ def volumes_of(design: ArrayDesign) -> Volumes:
 
 def _housing(microphone: Microphone) -> float:
     """The cup with the seat of its board, mm^3."""
-    from geometry.schema.part_fields import BOARD_SEAL, SEAT_SLOT
-
     radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
     length, width = _seat(microphone)
     along, across = length / 2 + wall, width / 2 + wall

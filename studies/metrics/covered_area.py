@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from acoustic_fem.quantities.checks import in_range
+from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import Array
-
-if TYPE_CHECKING:
-    from geometry.design.array_design import ArrayDesign
-    from geometry.layout.placement import ArrayLayout
-
+from geometry.layout.arrangement import point_axes
+from geometry.layout.placement import ArrayLayout
 
 FINGER = 5.0
 """Radius of the contact of a finger that presses lightly, mm; ours."""
@@ -38,9 +35,6 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
     Raises:
         Refusal: a radius out of range.
     """
-    from acoustic_fem.quantities.checks import in_range
-    from geometry.layout.arrangement import point_axes
-
     in_range("radius", radius, 0.0, 1000.0, "mm")
     place = point_axes(design) if layout is None else np.array([point.position for point in layout.points])
     kinds = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
+from localize.signals import stimulus
 
 if TYPE_CHECKING:
     from localize.signals.noise_model import NoiseSpectrum
@@ -76,7 +77,6 @@ class Ear:
     """What lies between transfer functions on one grid and the filtered frames of the simulated touches; linear."""
 
     def __init__(self, grid: Array, listener: Listener, touches: int, seed: int) -> None:
-        from localize.signals import stimulus
         from localize.signals.array_response import interpolation
 
         lines = stimulus.lines_within(BAND)

@@ -18,7 +18,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import fields
 from operator import itemgetter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,20 +29,18 @@ from acoustic_fem.batch.numpy_or_torch import namespace
 from acoustic_fem.batch.one_part_off import PartsOff, one_part_off
 from acoustic_fem.batch.parameters import PART, ArrayParameters
 from acoustic_fem.batch.topology import Topology
+from acoustic_fem.membrane.disc import KnownDiscs
 from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import value_of
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
+from geometry.schema.array_fields import Air
 from geometry.schema.field_errors import DesignError
-
-if TYPE_CHECKING:
-    from acoustic_fem.membrane.disc import KnownDiscs
-    from acoustic_fem.quantities.medium import Medium
-    from geometry.schema.array_fields import Air
-    from geometry.schema.part_fields import Microphone
-
+from geometry.schema.part_fields import Microphone
+from localize.signals.noise_model import microphone_noise
 
 FREQUENCIES = np.geomspace(1.5, 90.0, 8)
 """Hz, at which responses are compared."""
@@ -272,8 +270,6 @@ def _noise(designs: Sequence[ArrayDesign]) -> Array:
 
     (n_design, n_freq); all designs in the same air.
     """
-    from localize.signals.noise_model import microphone_noise
-
     found: dict[Microphone, Array] = {}
     for design in designs:
         if design.microphone not in found:

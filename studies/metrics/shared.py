@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from geometry.ground.typed import Array
+from geometry.layout.size import array_size
+from localize.signals.noise_model import microphone_noise
 from studies.metrics.batch_responses import Complex, Responses, known
 from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
@@ -15,7 +18,7 @@ from studies.metrics.separation import PairDistances, pair_distances
 from studies.metrics.touch_metrics import in_vacuo, touch_response
 
 if TYPE_CHECKING:
-    from acoustic_fem.membrane.disc import DiscResponse
+    from acoustic_fem.membrane.disc import DiscResponse  # loads its finite elements
 
 
 class SharedFigures:
@@ -33,9 +36,6 @@ class SharedFigures:
         self._distances: dict[tuple[float, float], PairDistances] = {}
         self._confusion: dict[float | None, PredictedConfusion] = {}
         self._touches: dict[str, Complex] = {}
-        self._vacuum: DiscResponse | None = None
-        self._sizes: Array | None = None
-        self._volumes: list[Volumes] | None = None
 
     def distances(self, band: tuple[float, float]) -> PairDistances:
         """Distances of all pairs of points over a band, Hz."""
@@ -64,30 +64,27 @@ class SharedFigures:
             touch: "displacement" (m), "force" (N) or "pressure" (Pa).
         """
         if touch not in self._touches:
-            self._vacuum = self._vacuum or in_vacuo(self.responses)
             self._touches[touch] = touch_response(self.responses, touch, self._vacuum)
         return self._touches[touch]
 
+    @cached_property
+    def _vacuum(self) -> DiscResponse:
+        return in_vacuo(self.responses)
+
+    @cached_property
     def sizes(self) -> Array:
         """Length, width and height of each design, (n_design, 3) float64, mm: length is the longer side."""
-        if self._sizes is None:
-            from geometry.layout.size import array_size
+        sizes = [array_size(design) for design in known(self.responses.designs)]
+        return np.array([(max(x, y), min(x, y), z) for x, y, z in sizes])
 
-            sizes = [array_size(design) for design in known(self.responses.designs)]
-            self._sizes = np.array([(max(x, y), min(x, y), z) for x, y, z in sizes])
-        return self._sizes
-
+    @cached_property
     def volumes(self) -> list[Volumes]:
         """Volumes of the parts of each design, as :func:`studies.metrics.build.volumes_of`."""
-        if self._volumes is None:
-            self._volumes = [volumes_of(design) for design in known(self.responses.designs)]
-        return self._volumes
+        return [volumes_of(design) for design in known(self.responses.designs)]
 
 
 def _design_noise(responses: Responses) -> Array:
     """Mean squares per hertz of the microphones' noise, (n_design, 500) float64, Pa^2."""
-    from localize.signals.noise_model import microphone_noise
-
     found: dict[tuple[object, ...], Array] = {}
     rows = []
     for design, medium in zip(known(responses.designs), known(responses.medium), strict=True):

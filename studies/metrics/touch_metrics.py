@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
 from studies.metrics.batch_responses import Complex, Responses, known
@@ -16,7 +17,6 @@ from studies.metrics.pairs import BAND, trapezoidal_weights
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
-    from geometry.design.array_design import ArrayDesign
 
 
 #: What these figures need beside the transfer functions.

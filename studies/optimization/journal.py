@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
 import tempfile
-import zlib
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any, Literal
 from pydantic import BaseModel, ConfigDict, NonNegativeInt, ValidationError
 
 from geometry.ground.file_checks import read_bytes
-from geometry.ground.refusal import said_by
+from geometry.ground.record import is_sealed, sealed
+from geometry.ground.refusal import Kind, said_by
 from geometry.ground.text_files import read_text
 from geometry.ground.whole_files import write_text
 from studies.study.differences import other_table
@@ -37,12 +38,12 @@ class Seal(BaseModel):
 
     model_config = ConfigDict(extra="forbid", strict=True)
 
-    bytes: NonNegativeInt
+    bytes: NonNegativeInt = 0
     """Length of the journal then."""
-    crc32: NonNegativeInt
-    """Checksum of so many bytes."""
     unprintable: dict[int, str] = {}
     """Reasons of designs that left the front when their parts were drawn, by their numbers."""
+    sha256: str
+    """Hash of these fields and of so many bytes of the journal; empty where nothing was sealed."""
 
 
 def journal_exists(out: Path) -> bool:
@@ -99,7 +100,8 @@ def seal(out: Path, unprintable: dict[int, str] | None = None) -> None:
     """Note what the journal holds now; what was known to be unprintable stays so unless said anew."""
     held = (out / JOURNAL).read_bytes()
     known = _stated(out).unprintable if unprintable is None else unprintable
-    write_text(out / _SEAL, Seal(bytes=len(held), crc32=zlib.crc32(held), unprintable=known).model_dump_json(indent=1))
+    said = Seal(bytes=len(held), unprintable=known, sha256="").model_dump(mode="json", exclude={"sha256"})
+    write_text(out / _SEAL, json.dumps(sealed(said, held), indent=1))
 
 
 def read_seal(out: Path) -> Seal:
@@ -110,10 +112,12 @@ def read_seal(out: Path) -> Seal:
     """
     found = _stated(out)
     held = read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
-    if len(held) < found.bytes or zlib.crc32(held[: found.bytes]) != found.crc32:
+    said = found.model_dump(mode="json")
+    if found.sha256 and not (len(held) >= found.bytes and is_sealed(said, held[: found.bytes])):
         raise StudyError(
-            f"{out / JOURNAL}: is damaged: its checksum is not that of what was written; search anew in a new folder"
-        )
+            "is damaged: its SHA-256 is not that of what was written", kind=Kind.DAMAGED, file=out / JOURNAL,
+            remedy="search anew in a new folder",
+        )  # fmt: skip
     return found
 
 
@@ -121,7 +125,7 @@ def _stated(out: Path) -> Seal:
     """The seal as it stands on disk."""
     path = out / _SEAL
     if not path.is_file():
-        return Seal(bytes=0, crc32=0)
+        return Seal(sha256="")
     try:
         return Seal.model_validate_json(read_text(path, "the seal of a search", StudyError))
     except ValidationError as error:

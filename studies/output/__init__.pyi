@@ -17,9 +17,5 @@ from .folders import (
     replaced_folder as replaced_folder,
     write_json as write_json,
 )
-from .frequencies import (
-    FREQUENCIES as FREQUENCIES,
-    LIBRARY_FREQUENCIES as LIBRARY_FREQUENCIES,
-    stated_frequencies as stated_frequencies,
-)
+from .frequencies import FREQUENCIES as FREQUENCIES, LIBRARY_FREQUENCIES as LIBRARY_FREQUENCIES
 from .response_figures import draw_confusion as draw_confusion, draw_training as draw_training

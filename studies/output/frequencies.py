@@ -1,13 +1,5 @@
 """The frequencies of a library where a caller names none."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
-
 FREQUENCIES = "1:100:64"
 """Usual frequencies of figures of merit and of sweeps that are played, over the band of the stimuli, as
 FIRST:LAST:COUNT in Hz."""
@@ -17,20 +9,3 @@ heard above a library's last one, a decoder takes for noise: up to 100 Hz it wou
 LIBRARY_FREQUENCIES = "1:500:500"
 """Usual frequencies of a library, from which localizers are made: whole hertz up to half the sample rate of the
 signals, which touches fill."""
-
-
-def stated_frequencies(frequency: ArrayLike | str) -> NDArray[np.float64]:
-    """Frequencies from numbers or from FIRST:LAST:COUNT; their range is checked where they are used.
-
-    Args:
-        frequency: (n_freq,) Hz, or the text.
-
-    Returns:
-        (n_freq,) float64, Hz.
-
-    Raises:
-        Refusal: a text that is none, or no real numbers.
-    """
-    from acoustic_fem.quantities.checks import numbers, stated_grid
-
-    return stated_grid(frequency) if isinstance(frequency, str) else numbers("frequency", frequency)

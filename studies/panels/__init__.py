@@ -1,6 +1,6 @@
 """What the panels of the studio show of a design: its form, its figures and its files, by the calls of Python.
 
-Stands on: findings, listening, metrics, optimization, output, run, scatter, study, sweep.
+Stands on: findings, inference, metrics, optimization, output, run, scatter, study, sweep.
 """
 
 import lazy_loader

@@ -1,3 +1,4 @@
+from .cad_panel import check_figures as check_figures, model_of_array as model_of_array, read_upload as read_upload
 from .comparing import comparison as comparison
 from .curves import (
     CURVES as CURVES,
@@ -22,14 +23,13 @@ from .form import (
     removable_tables as removable_tables,
     stated_values as stated_values,
 )
-from .live import hear_live as hear_live, sound_cards as sound_cards
-from .making import check_figures as check_figures, model_of_array as model_of_array, read_upload as read_upload
-from .points import figure_words as figure_words, mis_made_figures as mis_made_figures, point_figures as point_figures
-from .recognizing import keep_recognizer as keep_recognizer, recognized as recognized, wrote as wrote
+from .live_panel import listen_live as listen_live, sound_cards as sound_cards
+from .points import as_built_figures as as_built_figures, figure_words as figure_words, point_figures as point_figures
+from .recognizing import store_recognizer as store_recognizer, with_kinds as with_kinds, write_letter as write_letter
 from .touching import (
     TOUCHES as TOUCHES,
-    replayed as replayed,
-    slid as slid,
-    surface as surface,
-    touched as touched,
+    membranes as membranes,
+    replay_recording as replay_recording,
+    simulate_slide as simulate_slide,
+    simulate_touch as simulate_touch,
 )

@@ -5,20 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
 
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from studies.metrics.pairs import BAND, microphone_ratios
-
-if TYPE_CHECKING:
-    import xarray as xr
-
-    from acoustic_fem import Library
-    from acoustic_fem.atlas import QuickFidelity
 
 #: Frequencies of the curves: so many, equally far apart on a logarithmic axis, over the band of the paper's sensors.
 FREQUENCY_COUNT = 56
@@ -26,7 +23,7 @@ FREQUENCY_COUNT = 56
 
 @dataclass(frozen=True)
 class Curves:
-    """Curves of one quantity, in the order of points and, of each point, of what it is heard by."""
+    """Curves of one quantity, by point, then by microphone or pair of microphones."""
 
     quantity: str
     """Name of the quantity, of :data:`CURVES`."""
@@ -76,16 +73,13 @@ def curve_frequencies() -> NDArray[np.float64]:
     return np.geomspace(*BAND, FREQUENCY_COUNT)
 
 
-def quick_library(design: ArrayDesign, frequency: NDArray[np.float64] | None = None) -> tuple[Library, QuickFidelity]:
-    """The library of a design in milliseconds, and its fidelity: ``atlas`` where that has the design, else ``lumped``.
+def quick_library(design: ArrayDesign, frequency: ArrayLike | str | None = None) -> tuple[Library, QuickFidelity]:
+    """The library of a design and its fidelity: ``atlas`` in milliseconds if that covers the design, otherwise 3-D.
 
     Args:
         design: the array.
-        frequency: (n_freq,) float64, Hz, ascending; by default those of the curves.
+        frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT; by default those of the curves.
     """
-    import acoustic_fem
-    from acoustic_fem.atlas import quick_fidelity
-
     grid = curve_frequencies() if frequency is None else frequency
     fidelity = quick_fidelity(design, grid)
     return acoustic_fem.solve(design, grid, fidelity=fidelity.name), fidelity
@@ -103,7 +97,7 @@ def curves_of(transfer_function: xr.DataArray, quantity: str, fidelity: str) -> 
         Refusal: there is no such quantity.
     """
     if quantity not in _QUANTITIES:
-        raise Refusal(f"quantity = {quantity!r} must be one of: {', '.join(CURVES)}")
+        raise Refusal(kind=Kind.UNKNOWN, field="quantity", value=quantity, allowed=CURVES)
     chosen = _QUANTITIES[quantity]
     names = [str(name) for name in transfer_function["microphone"].values]
     ordered = transfer_function.transpose("point", "microphone", "frequency")

@@ -90,7 +90,7 @@ class DesignState:
         self._become(design)
 
     def open(self, design: ArrayDesign, saved: bool = True) -> None:
-        """Put a design from a file in place; it counts as saved unless it is said to be not."""
+        """Put a design from a file in place; it counts as saved unless ``saved`` is false."""
         self.replace(design)
         if saved:
             self._saved = design
@@ -110,7 +110,7 @@ class DesignState:
         self._gesture = None
 
     def mark_saved(self) -> None:
-        """Say that the design is in a file now."""
+        """Post that the design is in a file now."""
         self._saved = self.design
 
     def restore(self, values: Mapping[str, Any], source: str) -> None:
@@ -131,7 +131,7 @@ class DesignState:
 
 
 def refusal_of(design: ArrayDesign, name: str, value: Any, error: Refusal) -> Refused:
-    """What a page says at the field whose value was refused.
+    """The message at a field whose value is not allowed.
 
     Args:
         design: the valid design, as it still is.

@@ -5,34 +5,39 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from shutil import make_archive
 from tempfile import TemporaryDirectory
 from time import monotonic
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import tomlkit
 
 from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.numerics.disk_cache import cache_folder
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS, MANY_DESIGNS
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_toml
 from geometry.ground.whole_files import write_text
 from studies.findings.page import design_of
 from studies.findings.result_table import Column, ResultTable, effect, fast_front, table_of_search, table_of_sweep
+from studies.findings.searching import optimize
+from studies.optimization.journal import journal_exists
 from studies.optimization.problem import read_optimization
-from studies.panels.making import Told
+from studies.optimization.search import found_so_far
+from studies.output.display import Report
+from studies.panels.cad_panel import CallbackDisplay
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
 from studies.study.study import StudyError
-
-if TYPE_CHECKING:
-    from studies.output.display import Report
+from studies.sweep.progress import Progress
+from studies.sweep.run import run_sweep
+from studies.sweep.store import open_sweep
 
 #: Figures of merit of one study, as many as a search can weigh against each other.
 MOST_METRICS = 4
@@ -49,7 +54,7 @@ def study_file(
     *,
     search: bool = False,
     designs: int = 256,
-    fidelity: str = "lumped",
+    fidelity: str = MANY_DESIGNS,
 ) -> str:
     """The study file that ranges around a design amount to.
 
@@ -68,9 +73,9 @@ def study_file(
         Refusal: not a study: the line that its reader gives.
     """
     if not 1 <= len(metrics) <= MOST_METRICS:
-        raise Refusal(f"metrics = {list(metrics)} must be 1 to {MOST_METRICS} figures of merit")
+        raise Refusal(field="metrics", value=list(metrics), allowed=f"1 to {MOST_METRICS} figures of merit")
     if not 1 <= designs <= MOST_DESIGNS:
-        raise Refusal(f"designs = {designs} must be between 1 and {MOST_DESIGNS}")
+        raise Refusal(field="designs", value=designs, allowed=f"between 1 and {MOST_DESIGNS}")
     stated: dict[str, Any] = {
         "name": f"{design.name[:70]}-{'search' if search else 'sweep'}",
         "base": f"{design.name}.toml",
@@ -94,7 +99,7 @@ def _range(given: Sequence[float] | Sequence[str]) -> Any:
     if not given or any(isinstance(value, str) for value in given):
         return list(given)
     if len(given) != 2:
-        raise Refusal(f"a range = {list(given)} must have a beginning and an end")
+        raise Refusal(field="a range", value=list(given), kind=Kind.WRONG_TYPE, allowed="the first and the last value")
     ends = tomlkit.inline_table()
     ends.update({"from": given[0], "to": given[1]})
     return ends
@@ -145,17 +150,18 @@ class FoundDesigns:
         """
         numbers = self.table.number.tolist()
         if number not in numbers:
-            raise Refusal(f"design = {str(number)[:40]} must be one of the {len(numbers)} that the study has computed")
+            allowed = f"one of the {len(numbers)} that the study has computed"
+            raise Refusal(kind=Kind.UNKNOWN, field="design", value=number, allowed=allowed)
         return design_of(self.table, numbers.index(number))
 
 
-def run_study(design: ArrayDesign, text: str, tell: Callable[[str], None] = lambda line: None) -> FoundDesigns:
+def run_study(design: ArrayDesign, text: str, notify: Callable[[str], None] = lambda line: None) -> FoundDesigns:
     """Run a study, or go on with it.
 
     Args:
         design: the base.
         text: as of :func:`study_file`.
-        tell: called with how far it is.
+        notify: called with how far it is.
 
     Raises:
         Refusal: what the sweep or the search refuses.
@@ -163,23 +169,18 @@ def run_study(design: ArrayDesign, text: str, tell: Callable[[str], None] = lamb
     place, study = study_folder(design, text), _read(design, text)
     place.mkdir(parents=True, exist_ok=True)
     if _is_search(text):
-        from studies.findings.searching import optimize
-
         # Where cells are closed forms a search is over before processes beside this one have started.
         workers = 1 if study.study.fidelity in CLOSED_FORMS else None
-        optimize(study, place / "search", workers=workers, display=_Paced(tell))
+        optimize(study, place / "search", workers=workers, display=_Paced(notify))
     else:
-        from studies.sweep.progress import Progress
-        from studies.sweep.run import run_sweep
-
-        report = _paced(tell)
+        report = _paced(notify)
 
         def progress(now: Progress) -> None:
             report(f"{now.done} of {now.total} {now.what}{f', {now.failed} failed' * bool(now.failed)}", 0.0)
 
         objection = run_sweep(study, place / "results.zarr", progress=progress).objection
         if objection:
-            raise Refusal(objection)
+            raise Refusal(objection, kind=Kind.NO_RESULT)
     return study_so_far(design, text)
 
 
@@ -191,35 +192,28 @@ def study_so_far(design: ArrayDesign, text: str) -> FoundDesigns:
     """
     place = study_folder(design, text)
     if _is_search(text):
-        from studies.optimization.journal import journal_exists
-        from studies.optimization.search import found_so_far
-
         if not journal_exists(place / "search"):
-            raise StudyError("no design was computed yet")
+            raise StudyError("no design was computed yet", kind=Kind.MISSING)
         problem = read_optimization(text, "the study", base=design)
         return FoundDesigns(table_of_search(problem, found_so_far(problem, place / "search")))
-    from studies.sweep.store import open_sweep
-
     return FoundDesigns(table_of_sweep(open_sweep(place / "results.zarr")))
 
 
-class _Paced(Told):
-    """A display that tells at a pace at which a page can show it."""
+class _Paced(CallbackDisplay):
+    """A display that reports at a pace at which a page can show it."""
 
     def _shown(self, name: str) -> Any:
-        from contextlib import nullcontext
-
         return nullcontext(_paced(lambda line: self.note(f"{name}: {line}")))
 
 
-def _paced(tell: Callable[[str], None]) -> Report:
+def _paced(notify: Callable[[str], None]) -> Report:
     last = 0.0
 
     def report(message: str, fraction: float) -> None:
         nonlocal last
         if message and monotonic() - last > _PACE:
             last = monotonic()
-            tell(message)
+            notify(message)
 
     return report
 

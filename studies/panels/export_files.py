@@ -7,11 +7,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from acoustic_fem.quantities.checks import one_of
 from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
-from geometry.ground.refusal import Refusal
-from studies.panels.making import Told
+from geometry.ground.refusal import Kind, Refusal
+from studies.panels.cad_panel import CallbackDisplay
+from studies.run.library_files import convert_library, solve_library
+from studies.run.part_folder import export_parts
+from studies.run.pipeline import run_design
 
 
 @dataclass(frozen=True)
@@ -22,22 +26,20 @@ class Export:
     """Name of the file for people."""
     takes: str
     """How long it takes to make, in words."""
-    make: Callable[[ArrayDesign, Path, Fidelity, Told], Path]
+    make: Callable[[ArrayDesign, Path, Fidelity, CallbackDisplay], Path]
     """Function that writes it into a folder and hands back its path."""
 
 
-def _toml(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
+def _toml(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
     path = folder / "design.toml"
     save_design(design, path)
     return path
 
 
-def _library(suffix: str) -> Callable[[ArrayDesign, Path, Fidelity, Told], Path]:
-    def make(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
-        from studies.run.library_files import convert_library, solve_library
-
+def _library(suffix: str) -> Callable[[ArrayDesign, Path, Fidelity, CallbackDisplay], Path]:
+    def make(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
         path = folder / "library.nc"
-        solve_library(design, path, fidelity=fidelity, display=told)
+        solve_library(design, path, fidelity=fidelity, display=display)
         if suffix == path.suffix:
             return path
         other = path.with_suffix(suffix)
@@ -47,17 +49,13 @@ def _library(suffix: str) -> Callable[[ArrayDesign, Path, Fidelity, Told], Path]
     return make
 
 
-def _parts(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
-    from studies.run.part_folder import export_parts
-
-    export_parts(design, folder / "parts", display=told)
+def _parts(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
+    export_parts(design, folder / "parts", display=display)
     return Path(shutil.make_archive(str(folder / "parts"), "zip", folder / "parts"))
 
 
-def _report(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
-    from studies.run.pipeline import run_design
-
-    run_design(design, folder / "run", display=told)
+def _report(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
+    run_design(design, folder / "run", display=display)
     return folder / "run" / "report.html"
 
 
@@ -72,7 +70,7 @@ EXPORTS: dict[str, Export] = {
 
 
 def make_export(
-    design: ArrayDesign, name: str, folder: str, fidelity: Fidelity, tell: Callable[[str], None] = lambda line: None
+    design: ArrayDesign, name: str, folder: str, fidelity: Fidelity, notify: Callable[[str], None] = lambda line: None
 ) -> str:
     """Write one file of a design.
 
@@ -81,7 +79,7 @@ def make_export(
         name: of :data:`EXPORTS`.
         folder: exists and is empty.
         fidelity: of libraries.
-        tell: called with what is being done.
+        notify: called with what is being done.
 
     Returns:
         Path of the file, in the folder.
@@ -90,7 +88,6 @@ def make_export(
         Refusal: no such export or fidelity, or what the verb of the command line refuses.
     """
     if name not in EXPORTS:
-        raise Refusal(f"export = {name!r} must be one of: {', '.join(EXPORTS)}")
-    if fidelity not in FIDELITIES:
-        raise Refusal(f"fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
-    return str(EXPORTS[name].make(design, Path(folder), fidelity, Told(tell)))
+        raise Refusal(kind=Kind.UNKNOWN, field="export", value=name, allowed=EXPORTS)
+    one_of("fidelity", fidelity, FIDELITIES)
+    return str(EXPORTS[name].make(design, Path(folder), fidelity, CallbackDisplay(notify)))

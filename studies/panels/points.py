@@ -1,4 +1,4 @@
-"""How well the points of a design can be told apart: distances, predicted confusion, smallest touches, coverage."""
+"""How distinguishable the points of a design are: distances, predicted confusion, smallest touches, coverage."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from acoustic_fem.library.noise_floor import detection_limits
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps
 from geometry.layout.remedies import fix_for
@@ -16,7 +17,7 @@ from studies.metrics.covered_area import FINGER
 from studies.metrics.pairs import BAND
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.output.frequencies import FREQUENCIES
 from studies.panels.curves import quick_library
 from studies.scatter.effects import quick_scattered_accuracy
 from studies.study.metric_registry import SENSORS, metrics_named
@@ -35,7 +36,8 @@ MOST_POINTS = 256
 
 def _check_size(design: ArrayDesign) -> None:
     if design.point_count > MOST_POINTS:
-        raise Refusal(f"the array has {design.point_count} points; figures are predicted of at most {MOST_POINTS}")
+        problem = f"the array has {design.point_count} points; figures are predicted for at most {MOST_POINTS}"
+        raise Refusal(problem, kind=Kind.UNSUITABLE)
 
 
 def point_figures(design: ArrayDesign) -> dict[str, Any]:
@@ -55,9 +57,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
             be solved.
     """
     _check_size(design)
-    from acoustic_fem.library.noise_floor import detection_limits
-
-    library, fidelity = quick_library(design, stated_frequencies(FREQUENCIES))
+    library, fidelity = quick_library(design, FREQUENCIES)
     shared = SharedFigures(Responses.of_library(library))
     apart = separability(library.transfer_function)
     predicted = shared.confusion(None)
@@ -99,7 +99,7 @@ def figure_words() -> dict[str, dict[str, str]]:
     return {metric.name: metric.words for metric in metrics_named(FIGURES)}
 
 
-def mis_made_figures(design: ArrayDesign) -> dict[str, Any]:
+def as_built_figures(design: ArrayDesign) -> dict[str, Any]:
     """Predicted accuracy of sensors that are made with a workshop's scatter.
 
     Returns:
@@ -110,7 +110,7 @@ def mis_made_figures(design: ArrayDesign) -> dict[str, Any]:
         Refusal: a design that the batch does not take, or one of more than :data:`MOST_POINTS` points.
     """
     _check_size(design)
-    found, fidelity = quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=SENSORS)
+    found, fidelity = quick_scattered_accuracy(design, FREQUENCIES, sensors=SENSORS)
     return {
         "sensors": SENSORS,
         "mean": float(found.mean()),

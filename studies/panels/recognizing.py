@@ -1,4 +1,4 @@
-"""Letters and kinds on the page: a letter written on a design, and what a recognizer makes of what was heard."""
+"""Letters and kinds on the page: a letter written on a design, and the kinds that a recognizer assigns to touches."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from typing import Any
 import numpy as np
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
-from studies.listening.opening import library_there
-from studies.panels.touching import decoded, listening_to
+from geometry.ground.refusal import Kind, Refusal
+from localize.model.opened_model import open_library
+from studies.panels.touching import decode, decoder_of, without_folder
 
 #: Files of a recognizer's folder.
 _FILES = re.compile(r"recognizer\.json|weights-[0-9a-f]{12}\.safetensors")
 
 
-def keep_recognizer(content: bytes, folder: str) -> dict[str, Any]:
+def store_recognizer(content: bytes, folder: str) -> dict[str, Any]:
     """Write a recognizer that somebody handed in into a folder, and read it.
 
     Args:
@@ -40,22 +40,27 @@ def keep_recognizer(content: bytes, folder: str) -> dict[str, Any]:
         files = json.loads(content)
         written = {str(name): base64.b64decode(text, validate=True) for name, text in files.items()}
     except (ValueError, TypeError, AttributeError, RecursionError, binascii.Error):
-        raise Refusal("a recognizer is handed in as a table of its files") from None
+        raise Refusal("a recognizer is uploaded as a table of its files", kind=Kind.UNREADABLE) from None
     for name, data in written.items():
         if not _FILES.fullmatch(name):
-            raise Refusal(f"{name[:60]}: is no file of a recognizer: choose recognizer.json and the weights beside it")
+            raise Refusal(
+                "is no file of a recognizer",
+                kind=Kind.UNREADABLE,
+                file=name[:60],
+                remedy="choose recognizer.json and the weights beside it",
+            )
         (Path(folder) / name).write_bytes(data)
     try:
         found = load_recognizer(folder)
     except Refusal as error:
-        raise Refusal(str(error).replace(f"{folder}/", "")) from None
+        raise without_folder(error, folder) from None
     return {"folder": folder, "subject": found.subject, "labels": list(found.labels), "design": found.design}
 
 
-def wrote(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any]:
+def write_letter(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any]:
     """A letter that a finger writes on a design, and where the array hears the line.
 
-    It is written and heard as :func:`localize.recognition.written` and the takes of the studio are.
+    It is written as by :func:`localize.recognition.written`, and recorded as the takes of the studio are.
 
     Args:
         design: the array.
@@ -63,8 +68,8 @@ def wrote(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any]:
         sample: number of the letter: each has draws of its own.
 
     Returns:
-        As :func:`studies.panels.touched`, with ``line``: time (s), x and y (mm) and how probable it is that the line
-        was there then.
+        As :func:`studies.panels.simulate_touch`, with ``line``: time (s), x and y (mm), and the probability that the
+        line was there then.
 
     Raises:
         Refusal: no such letter, or a design without places, or one that cannot be decoded.
@@ -72,23 +77,23 @@ def wrote(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any]:
     from localize.recognition import LETTERS, Hand, LineReader, written
 
     if letter not in LETTERS:
-        raise Refusal(f"letter = {letter[:20]!r} must be one of: {', '.join(LETTERS)}")
-    ears = listening_to(design)
-    response = ears.recorder.response
-    take = ears.recorder.take(written(letter, response, Hand(), sample=sample), sample)
+        raise Refusal(kind=Kind.UNKNOWN, field="letter", value=letter, allowed=LETTERS)
+    decoder = decoder_of(design)
+    response = decoder.recorder.response
+    take = decoder.recorder.take(written(letter, response, Hand(), sample=sample), sample)
     line = LineReader(response, "design").line(take.signals)
     line[:, 0] *= take.signals.shape[1] / 1000
-    return {**decoded(ears, take.signals), "line": line.round(4).tolist()}
+    return {**decode(decoder, take.signals), "line": line.round(4).tolist()}
 
 
-def recognized(
+def with_kinds(
     work: Callable[..., dict[str, Any]], design: ArrayDesign, options: tuple[Any, ...], model: str | None
 ) -> dict[str, Any]:
-    """What was heard of a design, with what a recognizer makes of it.
+    """A decoded touch or recording of a design, with the kinds that a recognizer assigns.
 
     Args:
-        work: one of :func:`studies.panels.touched`, :func:`studies.panels.slid`, :func:`studies.panels.replayed`,
-            :func:`wrote`.
+        work: :func:`write_letter` or, of :mod:`studies.panels.touching`, ``simulate_touch``, ``simulate_slide`` or
+            ``replay_recording``.
         design: the array.
         options: of it, behind the design.
         model: the folder of a recognizer; None for none.
@@ -105,11 +110,13 @@ def recognized(
     from localize import load_recognizer
     from localize.recognition.filter_bank import Ear
 
-    ears, recognizer = listening_to(design), load_recognizer(model)
-    if (recognizer.design, recognizer.microphones) != (design.name, ears.localizer.microphones):
+    found_model, recognizer = decoder_of(design).model, load_recognizer(model)
+    array = found_model.locator.array
+    if (recognizer.design, recognizer.microphones) != (design.name, array.microphones):
         raise Refusal(
-            f"the recognizer is of {recognizer.design} with the microphones {', '.join(recognizer.microphones)}, not "
-            f"of {design.name} with {', '.join(ears.localizer.microphones)}"
+            kind=Kind.MISMATCH,
+            problem=f"the recognizer is of {recognizer.design} with {', '.join(recognizer.microphones)}, not of "
+            f"{design.name} with {', '.join(array.microphones)}",
         )
     signals = np.frombuffer(found["signals"], "<f4").reshape(len(found["microphones"]), -1).astype(np.float64)
     kinds = [
@@ -120,6 +127,6 @@ def recognized(
             recognizer.labels[int(each.probability.argmax())],
             each.probability.max(),
         ]
-        for each in Ear(library_there(ears.library, None), recognizer).touches(signals, None, None, ears.localizer)
+        for each in Ear(open_library(found_model), recognizer).touches(signals, None, None, found_model.locator)
     ]
     return {**found, "kinds": kinds}

@@ -14,17 +14,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
+from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
-from localize.contacts.radii import MOVING
-from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
-from studies.run.library_files import solve_library
+from geometry.ground.refusal import Kind, Refusal
+from localize import Decision, gesture_of, read_recording, touches_of
+from localize.contacts import Contact
+from localize.contacts.contact import MOVING, surface_of
+from localize.contacts.finger_gestures import double_tap, press, slide, tap
+from localize.model.opened_model import Model, open_model, opened_as_designed
+from localize.signals.array_response import response_of
+from localize.tracking import tracks_of
+from studies.output.frequencies import LIBRARY_FREQUENCIES
+from studies.panels.curves import quick_library
 
 if TYPE_CHECKING:
-    from acoustic_fem.atlas import QuickFidelity
-    from localize import BayesDecoder, Localizer, OnnxLocalizer
-    from localize.contacts import Contact, ContactRecorder
+    from localize.contacts import ContactRecorder
 
 #: Kinds of simulated touches.
 TOUCHES = ("tap", "double tap", "press")
@@ -35,21 +40,19 @@ SLIDE_SPEED, LONGEST_SLIDE = 60.0, 600.0
 
 
 @dataclass(frozen=True, eq=False)
-class Ears:
-    """What listens to a design, with the folder of its library."""
+class DesignDecoder:
+    """Model and recorder of a design, by its quick library."""
 
-    folder: TemporaryDirectory[str]
-    library: Path
-    localizer: Localizer | BayesDecoder | OnnxLocalizer
+    model: Model
     recorder: ContactRecorder
     fidelity: QuickFidelity
     """Fidelity of the library."""
 
 
-def touched(design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str, Any]:
+def simulate_touch(design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str, Any]:
     """One simulated touch by a finger in the middle of a point, and what the decoder of the design makes of it.
 
-    It is heard through the quick library that decodes it, under the noise of the design's microphones; force, length
+    It is recorded through the quick library that decodes it, under the noise of the design's microphones; force, length
     and noise are drawn.
 
     Args:
@@ -59,69 +62,62 @@ def touched(design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str
         sample: number of the touch: each has draws of its own, the same whenever it is made.
 
     Returns:
-        As :func:`decoded`.
+        As :func:`decode`.
 
     Raises:
         Refusal: no such point or kind, or a design that cannot be decoded.
     """
-    from localize.contacts.contact import surface_of
-    from localize.contacts.finger_gestures import double_tap, press, tap
-
     made: dict[str, Callable[..., Contact]] = dict(zip(TOUCHES, (tap, double_tap, press), strict=True))
     if kind not in made:
-        raise Refusal(f"kind = {kind!r} must be one of: {', '.join(TOUCHES)}")
+        raise Refusal(kind=Kind.UNKNOWN, field="kind", value=kind, allowed=TOUCHES)
     if not 1 <= point <= design.point_count:
-        raise Refusal(f"point = {point} must be between 1 and {design.point_count}")
-    ears = listening_to(design)
-    place, _ = surface_of(ears.recorder.response)
+        raise Refusal(field="point", value=point, allowed=f"between 1 and {design.point_count}")
+    decoder = decoder_of(design)
+    place, _ = surface_of(decoder.recorder.response)
     x, y = (float(each) for each in place[point - 1])
-    take = ears.recorder.take(made[kind]((x, y), sample=sample), sample)
-    return decoded(ears, take.signals)
+    take = decoder.recorder.take(made[kind]((x, y), sample=sample), sample)
+    return decode(decoder, take.signals)
 
 
-def slid(design: ArrayDesign, start: Sequence[float], end: Sequence[float], sample: int) -> dict[str, Any]:
-    """One simulated slide of a finger over the array, heard as :func:`touched`, and the path that is found of it.
+def simulate_slide(design: ArrayDesign, start: Sequence[float], end: Sequence[float], sample: int) -> dict[str, Any]:
+    """One simulated slide of a finger over the array, recorded as by :func:`simulate_touch`, and its path.
 
     Args:
         design: the array.
         start: x and y in plan where it begins, mm.
         end: where it ends, mm.
-        sample: as of :func:`touched`.
+        sample: as of :func:`simulate_touch`.
 
     Returns:
-        As :func:`decoded`, with ``paths``.
+        As :func:`decode`, with ``paths``.
 
     Raises:
         Refusal: a slide of no length or too long a one, or a design that cannot be decoded.
     """
-    from localize.contacts.finger_gestures import slide
-
     length = math.dist(start, end)
     if not 1 <= length <= LONGEST_SLIDE:
-        raise Refusal(f"the slide is {length:.3g} mm long; it must be between 1 and {LONGEST_SLIDE:g} mm")
-    ears = listening_to(design)
+        allowed = f"between 1 and {LONGEST_SLIDE:g} mm"
+        raise Refusal(field="length of the slide", value=round(length, 1), unit="mm", allowed=allowed)
+    decoder = decoder_of(design)
     (x0, y0), (x1, y1) = start, end
-    take = ears.recorder.take(slide((x0, y0), (x1, y1), SLIDE_SPEED, sample=sample), sample)
-    return {**decoded(ears, take.signals), "paths": paths_of(ears, take.signals)}
+    take = decoder.recorder.take(slide((x0, y0), (x1, y1), SLIDE_SPEED, sample=sample), sample)
+    return {**decode(decoder, take.signals), "paths": paths_of(decoder, take.signals)}
 
 
-def paths_of(ears: Ears, signals: NDArray[np.float64]) -> list[dict[str, Any]]:
+def paths_of(decoder: DesignDecoder, signals: NDArray[np.float64]) -> list[dict[str, Any]]:
     """Paths of contacts, as ``acoustic-fem track`` finds them.
 
     Args:
-        ears: what listens.
+        decoder: that of the design.
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
 
     Returns:
         Of each path ``places``: time (s), x, y and their standard deviation (mm), 16 ms apart; ``gesture``: its kind
         in words; ``length``, mm.
     """
-    from localize import gesture_of
-    from localize.tracking import tracks_of
-
-    decoder, tracker = open_tracker(ears.library, Decoding(), MOVING)
+    model = opened_as_designed(decoder.model)
     found = []
-    for each in tracks_of(open_stream(ears.library, decoder, Decoding(), frames=True), tracker, signals):
+    for each in tracks_of(model.stream(frames=True), model.tracker(MOVING), signals):
         gesture = gesture_of(each)
         found.append(
             {
@@ -133,41 +129,47 @@ def paths_of(ears: Ears, signals: NDArray[np.float64]) -> list[dict[str, Any]]:
     return found
 
 
-def replayed(design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
+def replay_recording(design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
     """A recording in WAV format as ``acoustic-fem locate`` decodes it with the quick library of a design.
 
     Args:
         design: the array.
         content: of the file.
-        name: of the file, for messages.
+        name: of the file, in refusals.
         full_scale: pressure at full scale, Pa.
 
     Returns:
-        As :func:`decoded`, with ``paths`` as of :func:`paths_of`.
+        As :func:`decode`, with ``paths`` as of :func:`paths_of`.
 
     Raises:
         Refusal: no WAV file, or none of the design's microphones, or one longer than :data:`LONGEST`.
     """
-    from localize import read_recording
-
-    ears = listening_to(design)
+    decoder = decoder_of(design)
     with TemporaryDirectory() as folder:
         path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9._-]', '_', Path(name).stem)[:60] or 'recording'}.wav"
         path.write_bytes(content)
         try:
-            heard = read_recording(path, ears.localizer.microphones, full_scale)
+            recording = read_recording(path, decoder.model.locator.microphones, full_scale)
         except Refusal as error:
-            raise Refusal(str(error).replace(f"{folder}/", "")) from None
-    if heard.seconds > LONGEST:
-        raise Refusal(f"{name}: {heard.seconds:.0f} s long; it must be at most {LONGEST:g} s")
-    return {**decoded(ears, heard.signals), "paths": paths_of(ears, heard.signals)}
+            raise without_folder(error, folder) from None
+    if recording.seconds > LONGEST:
+        problem = f"is {recording.seconds:.0f} s long; it must be at most {LONGEST:g} s"
+        raise Refusal(problem, file=name, kind=Kind.UNSUITABLE)
+    return {**decode(decoder, recording.signals), "paths": paths_of(decoder, recording.signals)}
 
 
-def decoded(ears: Ears, signals: NDArray[np.float64]) -> dict[str, Any]:
-    """Signals with what the decoder says of them.
+def without_folder(error: Refusal, folder: str) -> Refusal:
+    """A refusal of a file in a temporary folder, with the name that the user knows."""
+    file = None if error.file is None else Path(error.file).name
+    problem = error.problem.replace(f"{folder}/", "") if isinstance(error.problem, str) else error.problem
+    return Refusal.of(error, file=file, problem=problem)
+
+
+def decode(decoder: DesignDecoder, signals: NDArray[np.float64]) -> dict[str, Any]:
+    """Signals, with what the decoder makes of them.
 
     Args:
-        ears: what listens.
+        decoder: that of the design.
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
 
     Returns:
@@ -175,33 +177,27 @@ def decoded(ears: Ears, signals: NDArray[np.float64]) -> dict[str, Any]:
         ``decisions``: end of the frame (s), state, point and its probability, 16 ms apart; ``touches``: start and end
         (s), point, probability and level (Pa rms); ``fidelity`` of the library, in words.
     """
-    from localize import Decision, touches_of
-
-    stream = open_stream(ears.library, ears.localizer, Decoding())
-    events = stream.push(signals)
-    found = touches_of(events, ears.localizer)
+    array = decoder.model.locator.array
+    events = decoder.model.stream().push(signals)
+    found = touches_of(events, array)
     return {
         "signals": np.asarray(signals, "<f4").tobytes(),
-        "microphones": list(ears.localizer.microphones),
+        "microphones": list(array.microphones),
         "samples": int(signals.shape[1]),
         "decisions": [
             [event.time, event.state, event.point, event.probability] for event in events if isinstance(event, Decision)
         ],
         "touches": [[each.start, each.end, each.point, each.probability, each.level] for each in found],
-        "fidelity": ears.fidelity.words,
+        "fidelity": decoder.fidelity.words,
     }
 
 
-def surface(design: ArrayDesign) -> dict[str, Any]:
+def membranes(design: ArrayDesign) -> dict[str, Any]:
     """Where the membranes lie in plan.
 
     Returns:
         ``points``: x, y and radius of the membrane of each, mm; ``fidelity`` of the library that decodes, in words.
     """
-    from localize.contacts.contact import surface_of
-    from localize.signals.array_response import response_of
-    from studies.panels.curves import quick_library
-
     place, radius = surface_of(response_of(quick_library(design)[0]))
     return {
         "points": np.column_stack([place, np.broadcast_to(radius, len(place))]).tolist(),
@@ -210,25 +206,21 @@ def surface(design: ArrayDesign) -> dict[str, Any]:
 
 
 def _fidelity(design: ArrayDesign) -> QuickFidelity:
-    from acoustic_fem.atlas import quick_fidelity
-
-    return quick_fidelity(design, stated_frequencies(LIBRARY_FREQUENCIES))
+    return quick_fidelity(design, LIBRARY_FREQUENCIES)
 
 
-def listening_to(design: ArrayDesign) -> Ears:
-    """What listens to a design, by its quick library."""
-    return _ears(design.model_dump_json())
+def decoder_of(design: ArrayDesign) -> DesignDecoder:
+    """Model of a design, by its quick library, with a recorder of simulated contacts."""
+    return _decoder_of(design.model_dump_json())
 
 
 @lru_cache(maxsize=2)
-def _ears(design_json: str) -> Ears:
-    """What listens to a design: its decoder takes a second to be made."""
+def _decoder_of(design_json: str) -> DesignDecoder:
+    """Model of a design, which takes a second to be made."""
     from localize.contacts import ContactRecorder
 
     design = ArrayDesign.model_validate_json(design_json, strict=False)
-    folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
-    path = Path(folder.name) / "library.nc"
     fidelity = _fidelity(design)
-    library = solve_library(design, path, fidelity=fidelity.name, frequency=LIBRARY_FREQUENCIES)
+    library = acoustic_fem.solve(design, LIBRARY_FREQUENCIES, fidelity=fidelity.name)
     recorder = ContactRecorder(library, microphone_noise="design")
-    return Ears(folder, path, open_localizer(path, Decoding()), recorder, fidelity)
+    return DesignDecoder(open_model(library), recorder, fidelity)

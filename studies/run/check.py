@@ -9,10 +9,22 @@ from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
+import numpy as np
+
+import acoustic_fem
+from acoustic_fem.atlas.cell_in_atlas import check_cell
+from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
+from acoustic_fem.atlas.fidelity_choice import QuickFidelity, quick_fidelity
+from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
+from acoustic_fem.quantities.local_air import design_air
+from geometry import build_parts, print_report
 from geometry.air.cells import Cell, cell_catalogue
+from geometry.assembly.fit import misfits
+from geometry.assembly.model import array_model
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras, is_installed
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
@@ -21,18 +33,16 @@ from geometry.layout.placement import ArrayLayout
 from geometry.layout.remedies import fix_for
 from geometry.layout.size import array_size
 from geometry.plan.wiring_graph import WiringCounts, wiring_counts
+from geometry.printing.printability import PrintReport
 from geometry.printing.report_files import report_content
 from geometry.schema.field_errors import DesignError
+from geometry.schema.part_fields import Tube
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, write_json
 from studies.run.quality import DesignQuality, design_quality, draw_quality
 from studies.run.validity import Validity, model_validity
-
-if TYPE_CHECKING:
-    from geometry.printing.printability import PrintReport
-    from geometry.schema.part_fields import Tube
 
 #: Frequencies of the estimated attenuation, Hz.
 ATTENUATION_AT = (1.0, 10.0, 100.0)
@@ -87,8 +97,10 @@ class DesignCheck:
     validity: tuple[Validity, ...]
     """Assumptions of the models, each against its limit."""
     attenuation: tuple[tuple[float, float, int], ...]
-    """Frequency (Hz), then of the point that is heard worst: level at its second-loudest microphone (dB; a ratio needs
-    two) and number; at fidelity lumped."""
+    """Frequency (Hz), then of the point with the weakest response: level at its second-loudest microphone (dB; a ratio
+    needs two) and number."""
+    fidelity: QuickFidelity
+    """Fidelity of the attenuation: the atlas, or 3-D and why."""
     quality: DesignQuality | None = None
     """How good it is; None where that was not asked, there is nothing to tell apart, or nothing to judge it with."""
 
@@ -158,12 +170,13 @@ class DesignCheck:
                 {"frequency_hz": f, "second_microphone_db": level, "point": point}
                 for f, level, point in self.attenuation
             ],
+            "fidelity": self.fidelity.words,
             "quality": None if self.quality is None else self.quality.to_dict(),
         }
 
 
 def check_design(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str] | None = None,
     *,
     picture: str | os.PathLike[str] | None = None,
@@ -175,7 +188,7 @@ def check_design(
     Parts are left out where the extra ``cad`` is not installed, and how good it is without ``train``: findings say so.
 
     Args:
-        design: the design.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: a JSON file for all that was found; an earlier one is replaced.
         picture: a PNG file for the array in plan with how well each point is told from the others.
         quality: whether to predict how good it is: :func:`studies.run.design_quality`; with a picture in any case.
@@ -188,6 +201,7 @@ def check_design(
     path, drawn = None if out is None else Path(out), None if picture is None else Path(picture)
     check_new_file(path, ".json")
     check_new_file(drawn, ".png")
+    design = resolve_design(design)
     if drawn is not None:
         check_extras("what judges points", "train")
     judge = drawn is not None or (quality and is_installed("train"))
@@ -217,15 +231,14 @@ class _Steps:
 
 
 def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
-    import acoustic_fem
-
     with steps("Layout"):
         layout = lay_out(design)
         found = overlaps(design, layout)
     with steps("Attenuation"), warnings.catch_warnings():
         # the same limits are listed under validity
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
-        library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity="lumped")
+        fidelity = quick_fidelity(design, ATTENUATION_AT)
+        library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity.name)
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
     counts, in_the_way, printing = _drawn(design, layout, steps) if is_installed("cad") else ({}, (), None)
     return DesignCheck(
@@ -243,6 +256,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         printing=printing,
         validity=model_validity(design, library.medium, levels[-1][1]),
         attenuation=tuple(levels),
+        fidelity=fidelity,
     )
 
 
@@ -250,10 +264,6 @@ def _drawn(
     design: ArrayDesign, layout: ArrayLayout, steps: _Steps
 ) -> tuple[Mapping[str, int], tuple[str, ...], PrintReport]:
     """Numbers of the parts, what keeps them from being put together, and what the print rules say of them."""
-    from geometry import build_parts, print_report
-    from geometry.assembly.fit import misfits
-    from geometry.assembly.model import array_model
-
     with steps("Parts"):
         parts = build_parts(design, layout)
     with steps("Fit"):
@@ -268,8 +278,6 @@ def _drawn(
 
 def fidelity_lines(design: ArrayDesign, cells: Sequence[Cell]) -> tuple[str, ...]:
     """Lines on what each fidelity costs for the distinct cells of a design, and how far from the default it was."""
-    from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
-
     lumped, helmholtz = (
         "; ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
         for measured in (LUMPED_IS_OFF, HELMHOLTZ_IS_OFF)
@@ -286,12 +294,6 @@ def fidelity_lines(design: ArrayDesign, cells: Sequence[Cell]) -> tuple[str, ...
 
 def _of_atlas(design: ArrayDesign, cells: Sequence[Cell]) -> str:
     """How far the atlas of cells is from the default, or why it has not the cells of this design."""
-    import numpy as np
-
-    from acoustic_fem.atlas.cell_in_atlas import check_cell
-    from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
-    from acoustic_fem.quantities.local_air import design_air
-
     atlas, air = cell_atlas(), design_air(design)
     try:
         for cell in cells:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from acoustic_fem.membrane.disc import design_disc
+from geometry.design.design_file import write_design
 from geometry.ground.refusal import counted
 from geometry.layout.size import array_size
 from studies.evaluation.full_evaluation import RIG_GROUP
@@ -16,10 +18,10 @@ from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
+from studies.run.run_result import RunResult
 
 if TYPE_CHECKING:
     from studies.evaluation.headline import Headline
-    from studies.run.run_result import RunResult
 
 #: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
 AGREEMENT = (0.015, 1.0)
@@ -287,8 +289,6 @@ def point_rows(result: RunResult) -> list[dict[str, Any]]:
 
 def membrane_compliances(result: RunResult) -> list[tuple[float, float]]:
     """Per kind of point the static compliance of the membrane, mm^3/kPa, and its ratio to the V / p of its cavity."""
-    from acoustic_fem.membrane.disc import design_disc
-
     found = []
     for kind in result.design.kinds:
         alike = result.design.of_kind(kind)
@@ -300,8 +300,6 @@ def membrane_compliances(result: RunResult) -> list[tuple[float, float]]:
 
 def write_results(result: RunResult, path: Path) -> None:
     """Write ``results.json``: key figures, distances, evaluations, parts, cells, provenance."""
-    from geometry.design.design_file import write_design
-
     distances = result.separability
     found = result.disagreement
     content = {

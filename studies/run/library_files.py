@@ -4,28 +4,28 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from numpy.typing import ArrayLike
+
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.library.exchange import FORMATS, load, write_library
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
+from acoustic_fem.quantities.local_air import LocalAir
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
+from geometry.ground.refusal import counted
 from studies.output.display import Display
 from studies.output.folders import check_new_library
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from acoustic_fem import Library
-    from acoustic_fem.quantities.local_air import LocalAir
-    from geometry.design.array_design import ArrayDesign
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 
 def solve_library(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
-    fidelity: str = "navier-stokes",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
     air: LocalAir | None = None,
     display: Display | None = None,
@@ -33,7 +33,7 @@ def solve_library(
     """Library of a design, also in a file: transfer functions from every point to every microphone.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
         fidelity: see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
@@ -45,16 +45,12 @@ def solve_library(
     """
     path, show = Path(out), display or Display()
     check_new_library(path, (".nc",))
+    design = resolve_design(design)
     if fidelity not in CLOSED_FORMS:
         check_extras("what solves in 3-D", "fem")
         check_system_libraries()
-    import acoustic_fem
-    from acoustic_fem.library.exchange import write_library
-    from studies.run.pipeline import cell_lines
-
     with show.stage("Cells") as report:
-        there = design if air is None else design.with_values(air.design_values)
-        library = acoustic_fem.solve(there, stated_frequencies(frequency), fidelity=fidelity, progress=report)
+        library = acoustic_fem.solve(design, frequency, fidelity, air, report)
         write_library(library, path)
     for line in cell_lines(library):
         show.note(line)
@@ -71,10 +67,24 @@ def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]
     Raises:
         Refusal: a file that is no library, or cannot be written.
     """
-    from acoustic_fem.library.exchange import FORMATS, load, write_library
-
     path = Path(out)
     check_new_library(path, FORMATS, reads=(library,))
     loaded = load(Path(library))
     write_library(loaded, path)
     return loaded
+
+
+def cell_lines(library: Library) -> list[str]:
+    """Lines of text, one for each distinct cell of a library: from the cache or solved, unknowns, seconds."""
+    lines = []
+    for cell in library.provenance["cells"]:
+        if "unknowns" not in cell:
+            lines.append(f"{cell['cell']}: {cell['method']}")
+        elif cell["cached"]:
+            lines.append(f"{cell['cell']}: from the cache ({counted(cell['unknowns'], 'unknown')})")
+        else:
+            lines.append(
+                f"{cell['cell']}: {counted(cell['unknowns'], 'unknown')} solved at {len(cell['sampled_frequencies'])} "
+                f"frequencies in {cell['seconds']:.1f} s"
+            )
+    return lines

@@ -6,24 +6,26 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from geometry.formats.names import FORMATS
+from geometry import export, print_report
+from geometry.assembly.bill import Bill, bill_of_materials, write_bill
+from geometry.assembly.fit import misfits
+from geometry.assembly.model import ArrayModel, array_model
+from geometry.assembly.order_table import write_assembly_table
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
+from geometry.formats.part_files import FORMATS, ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.remedies import refuse_unbuildable
+from geometry.printing.plates import export_plates
+from geometry.printing.printability import PrintReport
+from geometry.printing.report_files import write_report
 from geometry.schema.field_errors import DesignError
 from geometry.schema.print_processes import PrintProcess, find_process, process_of
 from studies.output.display import Display, Report
 from studies.output.folders import FILES, check_folder, replaced_files
-
-if TYPE_CHECKING:
-    from geometry.assembly.bill import Bill
-    from geometry.assembly.model import ArrayModel
-    from geometry.design.array_design import ArrayDesign
-    from geometry.formats.part_files import ExportedFile
-    from geometry.printing.printability import PrintReport
 
 #: How what cannot be built is drawn, for those who read why it is refused.
 ALL_THE_SAME = "`allow_overlaps` draws it all the same"
@@ -52,7 +54,7 @@ class MadeParts:
 
 
 def export_parts(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
     formats: Sequence[str] = FORMATS,
@@ -63,7 +65,7 @@ def export_parts(
     """Parts of a design, drawn, exported and judged, and the array put together, all of it or nothing.
 
     Args:
-        design: the array.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: a folder, made if it does not exist. What it holds of an earlier call is replaced when all is made; files
             of others stay, but for those of the same name.
         formats: of the files of each part.
@@ -76,11 +78,8 @@ def export_parts(
             folder's list of files names what is none of its own.
         OSError: the folder cannot be written.
     """
-    from geometry.assembly.fit import misfits
-    from geometry.assembly.model import array_model
-
     check_system_libraries()
-    folder = Path(out)
+    folder, design = Path(out), resolve_design(design)
     named = None if process is None or isinstance(process, PrintProcess) else process
     check_folder(folder, "parts", FILES, reads=(named,))
     rules = process_of(design.printing) if process is None else find_process(process)
@@ -107,16 +106,10 @@ def _make(
     in_the_way: tuple[str, ...],
     report: Report,
 ) -> MadeParts:
-    from geometry import export, print_report
-    from geometry.assembly.bill import bill_of_materials, write_bill
-    from geometry.assembly.order_table import write_assembly_table
-    from geometry.formats.part_files import tessellate_distinct
     from geometry.formats.step_assembly import write_step
     from geometry.pictures.mold_cut import mold_section
     from geometry.pictures.viewer import write_gltf, write_viewer
     from geometry.pictures.views import exploded_view, top_view
-    from geometry.printing.plates import export_plates
-    from geometry.printing.report_files import write_report
 
     design, parts = model.design, model.parts
     shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.1 + 0.25 * done))

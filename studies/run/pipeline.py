@@ -10,33 +10,47 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.library.exchange import write_library
+from acoustic_fem.numerics.disk_cache import CacheWarning
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
+from geometry import export, print_report
+from geometry.assembly.model import ArrayModel, array_model
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design, write_design
+from geometry.formats.part_files import ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
+from geometry.layout.placement import ArrayLayout
 from geometry.layout.remedies import refuse_unbuildable
 from geometry.layout.size import array_size
+from geometry.printing.printability import PrintReport
+from localize import BayesDecoder, TrainingPlan
+from localize.decoders.tolerant import tolerant_decoder
+from localize.signals.array_response import response_of
+from localize.signals.locator import Locator
 from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
+from studies.output import response_figures as draw
 from studies.output.display import Display, Report
+from studies.output.figure_style import crop_picture
 from studies.output.folders import claim_folder, replaced_folder
-from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.findings import AGREEMENT, write_results
+from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
+from studies.run.run_report import write_report
 from studies.run.run_result import RunResult
 from studies.run.validity import model_validity
 
 if TYPE_CHECKING:
-    from acoustic_fem import Library
-    from geometry.assembly.model import ArrayModel
-    from geometry.formats.part_files import ExportedFile
-    from geometry.layout.placement import ArrayLayout
-    from geometry.printing.printability import PrintReport
-    from localize import Localizer, TrainingPlan
-    from localize.evaluation.accuracy import Locator
+    from localize import Localizer
     from studies.evaluation.headline import Headline
 
 #: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:
@@ -52,12 +66,12 @@ SEED = 0
 
 
 def run_design(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
     display: Display | None = None,
-    fidelity: str = "navier-stokes",
-    frequency: NDArray[np.float64] | None = None,
+    fidelity: str = ONE_DESIGN,
+    frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
     training: TrainingPlan | None = None,
     allow_overlaps: bool = False,
 ) -> RunResult:
@@ -67,11 +81,11 @@ def run_design(
     that a run that is killed leaves no half of one; ``report.html`` and ``results.json`` come last.
 
     Args:
-        design: the design.
+        design: the array: a design, the path of its file, or the name of a prototype.
         out: a new or empty folder, or one that an earlier run made.
         display: shows what is being done.
         fidelity: of the library, see :func:`acoustic_fem.solve`.
-        frequency: (n_freq,) float64, Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
+        frequency: (n_freq,) Hz, covering 1 to 100 Hz, or FIRST:LAST:COUNT.
         training: how to train the localizer; by default :func:`training_plan`, with which the same design gives the
             same report whatever else the machine does. The localizer is judged with the noise it was trained with.
         allow_overlaps: go on also where parts are in each other's way; the report then says which.
@@ -81,10 +95,7 @@ def run_design(
             or decoded.
         OSError: the folder cannot be written.
     """
-    from geometry.design.design_file import write_design
-    from studies.run.run_report import write_report
-
-    show = display or Display()
+    show, design = display or Display(), resolve_design(design)
     check_points(design)
     check_system_libraries()
     layout = lay_out(design)
@@ -92,7 +103,7 @@ def run_design(
         refuse_unbuildable(design, layout, ALL_THE_SAME)
     folder = claim_folder(out, write_design(design.completed()))
     training = training or training_plan(design.point_count)
-    grid = stated_frequencies(LIBRARY_FREQUENCIES if frequency is None else frequency)
+    grid = frequency_grid(frequency)
 
     with show.stage("Parts", of=_STAGES) as report:
         model, files, printing, figures = _make_parts(design, layout, folder, report)
@@ -136,8 +147,6 @@ def run_design(
 
 def training_plan(points: int) -> TrainingPlan:
     """Plan of a run's training: by the number of points alone, without a limit of time, with the design's own noise."""
-    from localize import TrainingPlan
-
     touches = min(TOUCHES_PER_POINT, max(1, MOST_TOUCHES // (EPOCHS * points)))
     return TrainingPlan(epochs=EPOCHS, seconds_per_point=touches, microphone_noise="design")
 
@@ -159,26 +168,8 @@ def check_points(design: ArrayDesign, source: str | None = None) -> None:
         )
 
 
-def cell_lines(library: Library) -> list[str]:
-    """Lines of text, one for each distinct cell of a library: from the cache or solved, unknowns, seconds."""
-    lines = []
-    for cell in library.provenance["cells"]:
-        if "unknowns" not in cell:
-            lines.append(f"{cell['cell']}: {cell['method']}")
-        elif cell["cached"]:
-            lines.append(f"{cell['cell']}: from the cache ({counted(cell['unknowns'], 'unknown')})")
-        else:
-            lines.append(
-                f"{cell['cell']}: {counted(cell['unknowns'], 'unknown')} solved at {len(cell['sampled_frequencies'])} "
-                f"frequencies in {cell['seconds']:.1f} s"
-            )
-    return lines
-
-
 def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:
     """Tell the user every warning; those that speak of a model's limits are returned for the report."""
-    from acoustic_fem.numerics.disk_cache import CacheWarning
-
     told = dict.fromkeys((entry.category, str(entry.message)) for entry in caught)
     for _, message in told:
         show.note(f"note: {message}")
@@ -189,11 +180,7 @@ def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tup
 def _make_parts(
     design: ArrayDesign, layout: ArrayLayout, folder: Path, report: Report
 ) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
-    from geometry import export, print_report
-    from geometry.assembly.model import array_model
-    from geometry.formats.part_files import tessellate_distinct
     from geometry.pictures.views import draw_array, draw_point
-    from studies.output.figure_style import crop_picture
 
     report("CAD", 0.0)
     model = array_model(design, layout=layout)
@@ -224,9 +211,6 @@ def _solved(
     design: ArrayDesign, grid: NDArray[np.float64], fidelity: str, folder: Path, show: Display
 ) -> tuple[Library, Library | None, tuple[str, ...]]:
     """The library, that of closed forms in the band where it is another, and what was said of the models' limits."""
-    import acoustic_fem
-    from acoustic_fem.library.exchange import write_library
-
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         with show.stage("Cells", of=_STAGES) as report:
@@ -245,9 +229,7 @@ def _judged_localizer(
     library: Library, training: TrainingPlan, folder: Path, show: Display
 ) -> tuple[Localizer, Headline, Headline, Headline | None]:
     """The trained localizer, and how it, the model-based decoder and the tolerant one name held-out touches."""
-    from localize import BayesDecoder, train
-    from localize.decoders.tolerant import tolerant_decoder
-    from localize.signals.array_response import response_of
+    from localize import train
     from studies.evaluation.headline import TOLERANT, judge_headlines
 
     with show.stage("Localizer", of=_STAGES) as report:
@@ -277,8 +259,6 @@ def _draw_figures(
     network: Headline,
     report: Report,
 ) -> dict[str, Path]:
-    from studies.output import response_figures as draw
-
     where = folder / "figures"
     report("curves", 0.0)
     drawn = {

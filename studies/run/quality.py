@@ -11,6 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
+from acoustic_fem.atlas import QuickFidelity, quick_fidelity
+from acoustic_fem.library.noise_floor import detection_limits
+from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
@@ -20,12 +24,12 @@ from studies.metrics.pairs import BAND
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import number
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.output.figure_style import WIDTH, figure_in_style, save_figure
+from studies.output.frequencies import FREQUENCIES
+from studies.scatter.effects import quick_scattered_accuracy
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from acoustic_fem.atlas import QuickFidelity
 
 #: Mis-made sensors for designs of up to so many points; of larger ones fewer, as each takes the square of its points,
 #: and never less than the last.
@@ -59,7 +63,7 @@ class DesignQuality:
     cost: float
     """Cost of the materials of one array, molds left out, at assumed prices, USD."""
     fidelity: QuickFidelity
-    """Fidelity of the nominal sensor's transfer functions: the atlas, or lumped and why."""
+    """Fidelity of the nominal sensor's transfer functions: the atlas, or 3-D and why."""
     made_fidelity: QuickFidelity | None
     """That of the mis-made sensors; None without sensors."""
     per_point: NDArray[np.float64] = field(repr=False)
@@ -98,13 +102,9 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
     Raises:
         Refusal: the design cannot be solved.
     """
-    import acoustic_fem
-    from acoustic_fem.atlas import quick_fidelity
-    from acoustic_fem.library.noise_floor import detection_limits
-
     if design.point_count < 2 or len(design.microphones) < 2:
         return None
-    grid = stated_frequencies(FREQUENCIES)
+    grid = frequency_grid(FREQUENCIES)
     fidelity = quick_fidelity(design, grid)
     library = acoustic_fem.solve(design, grid, fidelity=fidelity.name)
     apart = separability(library.transfer_function)
@@ -135,14 +135,12 @@ def _mis_made(design: ArrayDesign) -> tuple[NDArray[np.float64], QuickFidelity |
     """Predicted shares of mis-made sensors, (n,) float64, and their fidelity; none where the batch does not take the
     design or it takes long.
     """
-    from studies.scatter.effects import quick_scattered_accuracy
-
     if design.point_count > _MOST_POINTS:
         return np.zeros(0), None
     count = math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2)
     count = max(_LEAST_SENSORS, min(SENSORS, count))
     try:
-        return quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=count)
+        return quick_scattered_accuracy(design, FREQUENCIES, sensors=count)
     except Refusal:
         return np.zeros(0), None
 
@@ -155,8 +153,6 @@ def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.Pat
         quality: its figures.
         path: of the PNG.
     """
-    from studies.output.figure_style import WIDTH, figure_in_style, save_figure
-
     with figure_in_style((WIDTH, 4.6)) as figure:
         axes = figure.subplots()
         _plan(axes, design, quality)

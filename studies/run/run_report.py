@@ -7,11 +7,14 @@ import json
 from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 import studies
+from acoustic_fem.cell.design_cells import solve_cells
+from acoustic_fem.cell.lumped import lumped_admittance
+from geometry.air.cells import Cell
 from geometry.ground.refusal import counted
 from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import cutting_list
@@ -29,10 +32,7 @@ from studies.run.findings import (
     training_sentence,
     verdict,
 )
-
-if TYPE_CHECKING:
-    from geometry.air.cells import Cell
-    from studies.run.run_result import RunResult
+from studies.run.run_result import RunResult
 
 #: Frequencies at which lumped cells are compared with 3-D cells, Hz.
 CELLS_COMPARED_AT = (1.0, 10.0, 100.0)
@@ -114,9 +114,6 @@ def _cell_rows(result: RunResult, cells: Sequence[tuple[Cell, int]]) -> list[dic
 
 def _lumped_differences(result: RunResult, cells: Sequence[Cell]) -> dict[str, list[float]]:
     """Per cell and frequency: largest difference of the lumped nodal admittance, in percent of its largest entry."""
-    from acoustic_fem.cell.design_cells import solve_cells
-    from acoustic_fem.cell.lumped import lumped_admittance
-
     medium, frequency = result.library.medium, np.array(CELLS_COMPARED_AT)
     solved = solve_cells(cells, frequency, medium)
     differences = {}

@@ -8,16 +8,16 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from acoustic_fem import Library
 from geometry.design.array_design import ArrayDesign
+from geometry.formats.part_files import ExportedFile
 from geometry.layout.placement import ArrayLayout
+from geometry.printing.printability import PrintReport
 from studies.metrics.pairs import Disagreement
 from studies.metrics.separation import Separability
 from studies.run.validity import Validity
 
 if TYPE_CHECKING:
-    from acoustic_fem import Library
-    from geometry.formats.part_files import ExportedFile
-    from geometry.printing.printability import PrintReport
     from studies.evaluation.headline import Headline
 
 

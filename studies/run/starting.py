@@ -9,13 +9,18 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from numbers import Integral, Real
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from geometry.design.array_design import ArrayDesign, validated
+from geometry.design.changes import changed
+from geometry.design.design_file import prototype, prototype_text, save_design, value_of
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.whole_files import write_text
+from geometry.layout.arrangement import lay_out
+from geometry.layout.overlaps import OverlapError, refuse_overlaps, schematic_notes
+from geometry.plan import cylinder, hand
+from geometry.schema.field_errors import DesignError
 from studies.output.folders import check_new_file
-
-if TYPE_CHECKING:
-    from geometry.design.array_design import ArrayDesign
 
 
 @dataclass(frozen=True)
@@ -85,6 +90,22 @@ class _Asked:
     diameter: float
 
 
+def copy_prototype(name: str, out: str | os.PathLike[str]) -> Path:
+    """Write the design file of a prototype, with its comments, to start one's own from.
+
+    Args:
+        name: one of :func:`geometry.prototype_names`.
+        out: a new file; a design that is there is kept.
+
+    Raises:
+        Refusal: no prototype of that name, or a file that exists or cannot be written.
+    """
+    path = Path(out)
+    check_new_file(path, ".toml", kept="a design")
+    write_text(path, prototype_text(name))
+    return path
+
+
 def new_design(
     name: str,
     out: str | os.PathLike[str] | None = None,
@@ -132,7 +153,6 @@ def new_design(
     if microphones > (most := _most_microphones(usual, points)):
         allowed = "2" if most == 2 else f"from 2 to {most}"
         raise Refusal(f"microphones = {microphones} must be {allowed} for {points} points {usual.words}")
-    from geometry.design.design_file import prototype, save_design
 
     _from_base({"name": name}, prototype(usual.base).layout.model_dump(), usual.base)
     path = Path(f"{name}.toml" if out is None else out)
@@ -148,18 +168,12 @@ def new_design(
 def _most_microphones(place: Place, points: int) -> int:
     """A line from microphone to microphone has one point or more; on a hand two, and a finger of its own."""
     if place.layout == "hand":
-        from geometry.plan.hand import FINGERS
-
-        return max(min(points // 2, FINGERS) + 1, 2)
+        return max(min(points // 2, hand.FINGERS) + 1, 2)
     return min(points + 1, int(_LIMITS["microphones"][1]))
 
 
 def _buildable(asked: _Asked) -> ArrayDesign | Refusal:
     """The first design of those that can be had whose parts are not in each other's way, or why there is none."""
-    from geometry.layout.arrangement import lay_out
-    from geometry.layout.overlaps import OverlapError, refuse_overlaps, schematic_notes
-    from geometry.schema.field_errors import DesignError
-
     problem: Refusal | None = None
     for values, arranged in _candidates(asked):
         try:
@@ -177,12 +191,12 @@ def _buildable(asked: _Asked) -> ArrayDesign | Refusal:
 
 def _instead(asked: _Asked) -> str:
     """In words, the next numbers of points and the next pitch that can be had, each with all else as asked."""
-    from geometry.plan.hand import FINGERS
-
     (least, most), (closest, widest) = _LIMITS["points"], _LIMITS["pitch"]
     # more than these have no room, however they lie
     long, short = (side / asked.pitch + 1 for side in asked.place.room)
-    rows = {"hand": FINGERS, "cylinder": math.pi * (asked.diameter / asked.pitch + 4)}.get(asked.place.layout, short)
+    rows = {"hand": hand.FINGERS, "cylinder": math.pi * (asked.diameter / asked.pitch + 4)}.get(
+        asked.place.layout, short
+    )
     top = int(min(most, long * rows))
     counts = (range(min(asked.points - 1, top), int(least) - 1, -1), range(asked.points + 1, top + 1))
     steps = (range(math.ceil(asked.pitch) - 1, int(closest) - 1, -1), range(int(asked.pitch) + 1, int(widest) + 1))
@@ -205,8 +219,6 @@ def _next(others: Iterable[_Asked]) -> _Asked | None:
 
 def _has_room(asked: _Asked, shell: Mapping[str, float], columns: int, lines: list[dict[str, Any]]) -> bool:
     """Whether the shells of a layout lie on what the place offers."""
-    from geometry.plan import cylinder, hand
-
     each = [line["points"] for line in lines]
     rows = sum(math.ceil(points / columns) for points in ([sum(each)] if asked.place.joined == "area" else each))
     across, along = ((count - 1) * asked.pitch + shell["outer"] for count in (columns, rows))
@@ -232,10 +244,6 @@ def _parts(place: Place, pitch: float) -> tuple[str, float]:
 
 
 def _from_base(values: dict[str, Any], layout: dict[str, Any], base: str) -> ArrayDesign:
-    from geometry.design.array_design import validated
-    from geometry.design.changes import changed
-    from geometry.design.design_file import prototype
-
     data = prototype(base).model_dump()
     data.update({key: value for key, value in values.items() if "." not in key}, layout=layout)
     dotted = {key: value for key, value in values.items() if "." in key}
@@ -244,8 +252,6 @@ def _from_base(values: dict[str, Any], layout: dict[str, Any], base: str) -> Arr
 
 def _candidates(asked: _Asked) -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
     """Changes of a prototype by field, and the layout, of designs that have room and are tried in turn."""
-    from geometry.design.design_file import prototype, value_of
-
     place, points, pitch = asked.place, asked.points, asked.pitch
     named, usual = _parts(place, pitch)
     base = prototype(named)

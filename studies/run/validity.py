@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
+from acoustic_fem.duct.tube_opening import LARGEST_SHEAR_NUMBER
+from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.membrane.rubber import causal_slope
+from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
+from localize.signals.noise_model import input_density
 from studies.metrics.pairs import BAND
-
-if TYPE_CHECKING:
-    from acoustic_fem.quantities.medium import Medium
 
 #: Weakest sinusoid of the paper's stimuli, Pa, and length of the localizer's frames, s.
 WEAKEST_SINUSOID, FRAME_SECONDS = 0.02, 0.25
@@ -53,11 +55,6 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
     Raises:
         Refusal: the membrane's proportions are outside what can be solved.
     """
-    from acoustic_fem.duct.tube_opening import LARGEST_SHEAR_NUMBER
-    from acoustic_fem.membrane.disc import design_disc
-    from acoustic_fem.membrane.rubber import causal_slope
-    from localize.signals.noise_model import input_density
-
     highest = BAND[1]
     microphone, alike = design.microphone, [design.of_kind(kind) for kind in design.kinds]
     widest = max(

@@ -13,6 +13,7 @@ import numpy as np
 from geometry.ground.refusal import Refusal
 from geometry.ground.whole_files import whole_file
 from geometry.plan.wiring_graph import WiringCounts, wiring_counts
+from studies.output.figure_style import WIDTH, figure_in_style
 from studies.output.folders import check_new_file
 
 MOST_MICROPHONES, MOST_POINTS = 16, 1000
@@ -71,8 +72,6 @@ def draw_wirings(path: str | os.PathLike[str], microphones: int, points_per_line
         Refusal: as :func:`wirings`.
     """
     from matplotlib.ticker import MaxNLocator
-
-    from studies.output.figure_style import WIDTH, figure_in_style
 
     counts = [wirings(count, points_per_line) for count in range(2, microphones + 1)]
     number = np.arange(2, microphones + 1)

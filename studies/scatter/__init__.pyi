@@ -6,10 +6,3 @@ from .effects import (
 from .perturbed_library import write_perturbed_library as write_perturbed_library
 from .tolerance_files import save_tolerance as save_tolerance
 from .tolerance_run import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
-from .workshop import (
-    TOLERANCES as TOLERANCES,
-    ScatteredDesign as ScatteredDesign,
-    Tolerance as Tolerance,
-    read_tolerances as read_tolerances,
-    tolerances_of as tolerances_of,
-)

@@ -22,10 +22,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.as_built_sensors import made_fidelity, made_transfer_functions
+from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
@@ -37,7 +36,6 @@ from studies.metrics.separation import pair_distances
 if TYPE_CHECKING:
     from acoustic_fem.atlas.fidelity_choice import QuickFidelity
     from acoustic_fem.membrane.disc import KnownDiscs
-    from acoustic_fem.quantities.fidelity import ClosedForm
     from localize.signals.noise_model import NoiseSpectrum
 
 Complex = NDArray[np.complex128]
@@ -125,7 +123,7 @@ class ToleranceResult:
 
 def scatter_effects(
     design: ArrayDesign,
-    frequency: ArrayLike,
+    frequency: ArrayLike | str,
     *,
     samples: int = 256,
     base: int = 128,
@@ -136,7 +134,8 @@ def scatter_effects(
 ) -> ToleranceResult:
     """Result of a Monte Carlo over manufacturing scatter, every part with its own deviation.
 
-    At fidelity ``atlas`` where that has the design and all that can be made of it, else ``lumped``.
+    At fidelity ``atlas`` if that covers the design and all sensors that can be drawn about it, otherwise with a
+    nominal design that is solved in 3-D.
 
     Args:
         design: the nominal array.
@@ -161,12 +160,9 @@ def scatter_effects(
     check_grid(grid)
     report("membranes", 0.0)
     scattered = ScatteredDesign(design, tolerances)
-    level, fidelity = _noise(design, noise), made_fidelity(scattered, grid, air)
-    nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air, fidelity.name)
-
-    def made(draws: Mapping[str, Array]) -> Complex:
-        return made_transfer_functions(scattered, draws, grid, air, fidelity.name)
-
+    level, fidelity = _noise(design, noise), as_built_fidelity(scattered, grid, air)
+    sensors = AsBuiltSensors(scattered, grid, air, fidelity.name)
+    nominal, made = sensors.nominal, sensors.transfer_functions
     blocks = ((first, min(_BLOCK, samples - first)) for first in range(0, samples, _BLOCK))
     h = np.concatenate([made(scattered.draws(first, count, seed)) for first, count in blocks])
     seen = made(scattered.draws(samples, _SEEN, seed))
@@ -205,7 +201,7 @@ def scattered_accuracy(
     noise: float | None = None,
     seed: int = 0,
     known: KnownDiscs | None = None,
-    fidelity: ClosedForm = "lumped",
+    fidelity: str = "lumped",
 ) -> Array:
     """Predicted top-1 of mis-made sensors with one localizer, trained on the nominal design.
 
@@ -241,13 +237,14 @@ def quick_scattered_accuracy(design: ArrayDesign, frequency: ArrayLike, *, senso
         sensors: how many.
 
     Returns:
-        (n_sensor,) float64, 0 to 1, and the fidelity: ``atlas`` where that has all that can be made of the design.
+        (n_sensor,) float64, 0 to 1, and the fidelity: ``atlas`` if that covers all sensors that can be
+        drawn, otherwise 3-D.
 
     Raises:
         Refusal: as :func:`scattered_accuracy`.
     """
     scattered, grid = ScatteredDesign(design), frequency_grid(frequency)
-    fidelity = made_fidelity(scattered, grid, design_air(design))
+    fidelity = as_built_fidelity(scattered, grid, design_air(design))
     return _accuracy(scattered, grid, sensors, _noise(design, None), 0, fidelity.name), fidelity
 
 
@@ -257,12 +254,11 @@ def _accuracy(
     sensors: int,
     noise: float | NoiseSpectrum,
     seed: int,
-    fidelity: ClosedForm,
+    fidelity: str,
 ) -> Array:
-    air = design_air(scattered.design)
-    nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air, fidelity)
-    h = made_transfer_functions(scattered, scattered.draws(0, sensors, seed), grid, air, fidelity)
-    return predict_confusion(h, grid, noise, assumed=nominal).top1
+    drawn = AsBuiltSensors(scattered, grid, design_air(scattered.design), fidelity)
+    h = drawn.transfer_functions(scattered.draws(0, sensors, seed))
+    return predict_confusion(h, grid, noise, assumed=drawn.nominal).top1
 
 
 def deviation(transfer_function: Complex, nominal: Complex) -> Array:

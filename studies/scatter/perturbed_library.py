@@ -1,4 +1,4 @@
-"""Libraries of mis-made sensors: thousands of arrays drawn with manufacturing scatter in one Zarr store.
+"""Libraries of sensors with manufacturing scatter: thousands of arrays drawn from one design, in one Zarr store.
 
 The store has the dimensions (design, point, microphone, frequency) and opens with ``xarray.open_zarr``. It is made
 and read block by block: neither needs more memory than one block. A trainer takes it as the ``source`` of
@@ -13,64 +13,44 @@ import shutil
 from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from pydantic import BaseModel, ConfigDict, Field
 
 from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.atlas.fidelity_choice import QuickFidelity
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.as_built_sensors import made_fidelity, made_transfer_functions
+from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import read_stored_design, write_design
-from geometry.ground.refusal import Refusal
+from geometry.design.design_file import DesignLike, read_completed, write_design
+from geometry.ground.file_checks import read_bytes
+from geometry.ground.record import read_record, sha256, write_record
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import writing
-from studies.output.checked_store import CheckedStore, add_checksums, create_checked, read_store
 from studies.output.folders import check_folder
-from studies.output.seals import SEALS, Seals, create_seals
+from studies.output.zarr_files import METADATA, Layout, Variable, ZarrFiles
 
-#: Layout of the store, and the attribute that marks one; from 2 on there are checksums, from 3 on seals.
-FORMAT = 3
+#: Attribute of the Zarr store that marks it, and the layout of the store that it states.
 MARK = "acoustic_fem_perturbed_library"
+FORMAT = 4
+#: Record beside the arrays: what is in the store, and the SHA-256 of each of its files.
+_MANIFEST = "manifest"
+_KIND = "perturbed library 4"
 #: Sensors per block.
 BLOCK = 64
 MOST_SENSORS = 1_000_000
 """Sensors that a store holds at most."""
-_DIMENSIONS = ("design", "point", "microphone", "frequency")
 _PARTS = ("transfer_function_real", "transfer_function_imag")
-#: Attributes that change no number.
-_DESCRIBED = (
-    "title",
-    "fidelity",
-    "atlas",
-    "outside_atlas",
-    "tolerances",
-    "code_version",
-    "created",
-    "seed",
-    "python",
-    "libraries",
-)
-
-
-class _About(BaseModel):
-    """Attributes of a store on which its numbers depend."""
-
-    model_config = ConfigDict(strict=True)
-    design: str
-    microphones: Annotated[list[str], Field(min_length=1)]
 
 
 def write_perturbed_library(
     path: str | os.PathLike[str],
-    design: ArrayDesign,
+    design: DesignLike,
     count: int,
-    frequency: ArrayLike,
+    frequency: ArrayLike | str,
     *,
     tolerances: Sequence[Tolerance] = TOLERANCES,
     seed: int = 0,
@@ -78,7 +58,7 @@ def write_perturbed_library(
 ) -> PerturbedLibrary:
     """Store of the transfer functions of sensors that are drawn from a design.
 
-    At fidelity ``atlas`` where that has the design and all that can be made of it, else ``lumped``; the store says
+    At fidelity ``atlas`` if that covers the design and all sensors about it, otherwise 3-D; the store says
     which and why. Sensor k depends on the design, the tolerances, (seed, k) and the frequencies alone. The store is
     built beside and renamed at the end: it is whole or not there.
 
@@ -104,109 +84,90 @@ def write_perturbed_library(
     grid = frequency_grid(frequency)
     report = progress or (lambda message, fraction: None)
     report("membranes", 0.0)
-    scattered, air = ScatteredDesign(design, tolerances), design_air(design)
-    fidelity = made_fidelity(scattered, grid, air)
+    scattered = ScatteredDesign(design, tolerances)
+    air = design_air(scattered.design)
+    fidelity = as_built_fidelity(scattered, grid, air)
+    sensors = AsBuiltSensors(scattered, grid, air, fidelity.name)
     target.parent.mkdir(parents=True, exist_ok=True)
     beside = target.with_name(f".{target.name}.{os.getpid()}.new")
     try:
         with writing(target):
-            _new_store(beside, scattered, count, grid, seed, fidelity)
-            stored, _ = _opened(beside)
-            parts, seals = [stored.array(name, writing=True) for name in _PARTS], Seals(stored, _PARTS, writing=True)
+            layout = _layout(scattered, count, grid, seed, fidelity)
+            files = ZarrFiles(beside, layout)
             for first in range(0, count, BLOCK):
                 report("sensors", first / count)
-                size = min(BLOCK, count - first)
-                h = made_transfer_functions(scattered, scattered.draws(first, size, seed), grid, air, fidelity.name)
-                parts[0][first : first + size], parts[1][first : first + size] = h.real, h.imag
-                seals.write(first // BLOCK, {_PARTS[0]: h.real, _PARTS[1]: h.imag})
+                h = sensors.transfer_functions(scattered.draws(first, min(BLOCK, count - first), seed))
+                files.put(first, dict(zip(_PARTS, (h.real, h.imag), strict=True)))
+            sums = json.dumps(files.sums)
+            write_record(beside / _MANIFEST, _KIND, _MANIFEST, f"{sums}\n".encode() + layout.packed())
             os.rename(beside, target)
     finally:
         shutil.rmtree(beside, ignore_errors=True)
     return PerturbedLibrary(target)
 
 
-def _opened(path: Path) -> tuple[CheckedStore, _About]:
-    """What a store says of itself."""
-    return read_store(path, "a library of perturbed transfer functions", MARK, FORMAT, _About, _DESCRIBED, Refusal)
-
-
-def _new_store(
-    path: Path,
-    scattered: ScatteredDesign,
-    count: int,
-    grid: NDArray[np.float64],
-    seed: int,
-    fidelity: QuickFidelity,
-) -> None:
-    """Make a store that says what is in it; its real and imaginary parts are still empty."""
-    import zarr
-
-    design, points = scattered.design, scattered.design.point_count
-    group = zarr.open_group(path, mode="w", zarr_format=3)
-    group.attrs.update(
-        {
-            MARK: FORMAT,
-            "title": f"{design.name} with manufacturing scatter",
-            "design": write_design(design.completed()),
-            "fidelity": fidelity.name,
-            **({"outside_atlas": fidelity.outside} if fidelity.outside else {"atlas": cell_atlas().digest}),
-            "microphones": list(design.microphones),
-            "tolerances": json.dumps([asdict(tolerance) for tolerance in scattered.tolerances]),
-            **versions(seed, ("numpy", "scipy", "zarr")),
-        }
-    )
-    _coordinate(group, "design", np.arange(count), "number of the sensor, from 0")
-    _coordinate(group, "point", np.arange(1, points + 1), "sensing point, from 1")
-    _coordinate(group, "frequency", grid, "frequency", units="Hz")
-    shape = (count, points, len(design.microphones), len(grid))
+def _layout(
+    scattered: ScatteredDesign, count: int, grid: NDArray[np.float64], seed: int, fidelity: QuickFidelity
+) -> Layout:
+    """The store before any sensor is computed."""
+    design, points = scattered.design, np.arange(1, scattered.design.point_count + 1)
+    attributes = {
+        MARK: FORMAT,
+        "title": f"{design.name} with manufacturing scatter",
+        "design": write_design(design.completed()),
+        "fidelity": fidelity.name,
+        **({"outside_atlas": fidelity.outside} if fidelity.outside else {"atlas": cell_atlas().digest}),
+        "microphones": list(design.microphones),
+        "tolerances": json.dumps([asdict(tolerance) for tolerance in scattered.tolerances]),
+        **versions(seed, ("numpy", "scipy", "zarr")),
+    }
+    variables = {
+        "design": Variable(("design",), {"long_name": "number of the sensor, from 0"}, np.arange(count)),
+        "point": Variable(("point",), {"long_name": "sensing point, from 1"}, points),
+        "frequency": Variable(("frequency",), {"long_name": "frequency", "units": "Hz"}, grid),
+    }
     for name in _PARTS:
-        create_checked(
-            group, name, shape, "float64", (min(BLOCK, count), *shape[1:]), _DIMENSIONS,
-            {"units": "Pa/Pa", "long_name": f"transfer function, {name.rsplit('_', 1)[1]}"},
-        )  # fmt: skip
-    create_seals(group, -(-count // BLOCK), _PARTS)
-    add_checksums(path, (*_PARTS, SEALS))
+        about = {"units": "Pa/Pa", "long_name": f"transfer function, {name.rsplit('_', 1)[1]}"}
+        shape = (count, len(points), len(design.microphones), len(grid))
+        variables[name] = Variable(("design", "point", "microphone", "frequency"), about, shape=shape)
+    return Layout(attributes, variables, BLOCK)
 
 
 class PerturbedLibrary:
-    """Store of mis-made sensors, read a block at a time: a
+    """Store of sensors with manufacturing scatter, read a block at a time: a
     :class:`localize.signals.touch_generator.TransferFunctionSource`.
 
     Raises:
-        Refusal: the path is no such store, was written by a later version, or is damaged; names the member.
+        Refusal: the path is no such store, was written by another version, or is damaged; names the file.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = Path(path)
-        self._stored, about = _opened(self.path)
-        self.attributes = self._stored.attributes
+        if not (self.path / _MANIFEST).exists():
+            raise Refusal(
+                f"is not a library of perturbed transfer functions of this version: it has no {_MANIFEST}",
+                kind=Kind.MISMATCH, file=self.path, remedy="write the library again",
+            )  # fmt: skip
+        sums, _, layout = read_record(self.path / _MANIFEST, _KIND, _MANIFEST, Refusal).partition(b"\n")
+        self._sums: dict[str, str] = json.loads(sums)
+        variables = Layout.unpacked(layout).variables
+        #: What made the store.
+        self.attributes = Layout.unpacked(layout).attributes
+        #: Number of sensors.
+        self.sensor_count = variables[_PARTS[0]].shape[0]
         #: (n_freq,) float64, Hz.
-        self.frequency: NDArray[np.float64] = np.asarray(self._stored.fixed("frequency", "f"), np.float64)
-        self._parts: tuple[Any, Any] = (self._stored.array(_PARTS[0]), self._stored.array(_PARTS[1]))
-        for name, array in zip(_PARTS, self._parts, strict=True):
-            shape, wanted = tuple(array.shape), (len(about.microphones), len(self.frequency))
-            if shape[2:] != wanted or shape != self._parts[0].shape or array.chunks[1:] != shape[1:]:
-                raise Refusal(
-                    f"{self.path}: {name} has shape {shape}; it must be (sensors, points, {wanted[0]}, {wanted[1]})"
-                )
-        self._block = int(self._parts[0].chunks[0])
-        self._seals = Seals(self._stored, _PARTS)
+        self.frequency: NDArray[np.float64] = np.asarray(variables["frequency"].values, np.float64)
         self._held: tuple[int, NDArray[np.complex128]] | None = None
 
     @property
     def design(self) -> ArrayDesign:
         """Nominal design."""
-        return read_stored_design(str(self.attributes["design"]), f"{self.path}: design").completed()
+        return read_completed(str(self.attributes["design"]), f"{self.path}: design").completed()
 
     @property
     def microphones(self) -> tuple[str, ...]:
         """Names of the microphones."""
-        return tuple(str(name) for name in self.attributes["microphones"])
-
-    @property
-    def sensor_count(self) -> int:
-        """Number of sensors."""
-        return int(self._parts[0].shape[0])
+        return tuple(self.attributes["microphones"])
 
     def sensors(self, first: int, count: int) -> NDArray[np.complex128]:
         """Transfer functions of consecutive sensors; one block is held in memory.
@@ -223,28 +184,29 @@ class PerturbedLibrary:
         """
         if not (first >= 0 and count >= 1 and first + count <= self.sensor_count):
             raise Refusal(
-                f"{self.path}: sensors {first} to {first + count - 1} must be of 0 to {self.sensor_count - 1}"
+                f"sensors {first} to {first + count - 1} must be of 0 to {self.sensor_count - 1}", file=self.path
             )
         pieces = []
-        for block in range(first // self._block, (first + count - 1) // self._block + 1):
-            start = block * self._block
+        for block in range(first // BLOCK, (first + count - 1) // BLOCK + 1):
+            start = block * BLOCK
             pieces.append(self._read(block)[max(first - start, 0) : first + count - start])
         return np.concatenate(pieces)
 
     def _read(self, block: int) -> NDArray[np.complex128]:
         if self._held is None or self._held[0] != block:
-            self._held = block, self._part(0, block) + 1j * self._part(1, block)
+            real, imaginary = (self._part(name, block) for name in _PARTS)
+            self._held = block, real + 1j * imaginary
         return self._held[1]
 
-    def _part(self, part: int, block: int) -> NDArray[np.float64]:
-        name, rows = _PARTS[part], slice(block * self._block, (block + 1) * self._block)
-        if not self._stored.has_chunk(name, block, len(_DIMENSIONS)):
-            raise Refusal(f"{self.path}: {name}: chunk {block} is missing")
-        values = np.asarray(self._stored.part(self._parts[part], name, rows), np.float64)
-        self._seals.check(block, {name: values})
-        return values
+    def _part(self, name: str, block: int) -> NDArray[np.float64]:
+        """Values of a block, whose files are those that were written."""
+        import zarr
 
-
-def _coordinate(group: Any, name: str, values: NDArray[Any], long_name: str, **attributes: str) -> None:
-    about = {"long_name": long_name, **attributes}
-    create_checked(group, name, values.shape, str(values.dtype), values.shape, (name,), about)[:] = values
+        for each in (f"{name}/{METADATA}", f"{name}/c/{block}/0/0/0"):
+            if sha256(read_bytes(self.path / each, "a part of a library", Refusal)) != self._sums[each]:
+                raise Refusal(
+                    "is damaged: its SHA-256 is not that of what was written",
+                    kind=Kind.DAMAGED, file=self.path / each, remedy="write the library again",
+                )  # fmt: skip
+        array = zarr.open_array(self.path / name, mode="r", zarr_format=3)
+        return np.asarray(array[block * BLOCK : (block + 1) * BLOCK], np.float64)

@@ -8,10 +8,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from acoustic_fem.quantities.checks import frequency_grid
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Refusal
 from studies.output.display import Display
 from studies.output.folders import check_folder
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.output.frequencies import FREQUENCIES
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -37,7 +39,7 @@ class ToleranceStudy:
 
 
 def tolerance_study(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
     samples: int = 256,
@@ -51,11 +53,11 @@ def tolerance_study(
 ) -> ToleranceStudy:
     """Spread of transfer functions and accuracy by manufacturing scatter, and which tolerance matters most.
 
-    Every tube, cavity and membrane deviates by itself; fidelity ``atlas`` where that has the design and all that can be
-    made of it, else ``lumped``. :func:`studies.scatter.scatter_effects` is the same without files.
+    Every tube, cavity and membrane deviates by itself; fidelity ``atlas`` if that covers the design and all sensors
+    about it, otherwise 3-D. :func:`studies.scatter.scatter_effects` is the same without files.
 
     Args:
-        design: the nominal array.
+        design: the nominal array: a design, the path of its file, or the name of a prototype.
         out: the folder for ``tolerance.json`` and ``tolerance.png``.
         samples: sensors made with scatter.
         base: of the Sobol indices: ten times as many sensors; 0 for none.
@@ -82,10 +84,11 @@ def tolerance_study(
         raise Refusal(f"seed = {seed} must be 0 or above")
     workshop = tolerances if isinstance(tolerances, str | os.PathLike) else None
     check_folder(folder, "tolerance", SUMMARY, reads=(workshop,))
-    grid, scatter = stated_frequencies(frequency), tolerances_of(tolerances)
+    grid, scatter = frequency_grid(frequency), tolerances_of(tolerances)
     store = folder / _LIBRARY
     if library and store.exists():
         raise Refusal(f"{store}: exists; a library is never overwritten")
+    design = resolve_design(design)
     with show.stage("Scatter", of=2 if library else 1) as report:
         result = scatter_effects(
             design, grid, samples=samples, base=base, tolerances=scatter, noise=noise, seed=seed, progress=report

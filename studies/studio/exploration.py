@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from studies.panels.exploring import FoundDesigns, study_figures, study_file
 from studies.studio.messages import is_number
-from studies.studio.stage import Job, Say, outcome, progress, teller
+from studies.studio.stage import Job, Post, notifier, outcome, progress
 from studies.studio.workplace import Workplace
 
 
@@ -19,15 +19,15 @@ class Exploration:
 
     Args:
         workplace: where it is run.
-        say: tells the page a message.
+        post: sends a message to the page.
     """
 
-    def __init__(self, workplace: Workplace, say: Say) -> None:
-        self._workplace, self._say = workplace, say
+    def __init__(self, workplace: Workplace, post: Post) -> None:
+        self._workplace, self._post = workplace, post
         self._task: asyncio.Task[None] | None = None
         self._job: Job | None = None
         self._found: FoundDesigns | None = None
-        self._told: dict[str, Any] | None = None
+        self._last: dict[str, Any] | None = None
 
     async def run(self, design: ArrayDesign, revision: int, asked: Mapping[str, Any]) -> None:
         """Run a study, or go on with it where it was stopped; it goes on while its page is away.
@@ -36,7 +36,7 @@ class Exploration:
             Refusal: not a study, or another one is running.
         """
         if self._task is not None and not self._task.done():
-            raise Refusal("one study at a time: stop the one that is running first")
+            raise Refusal("one study runs already", kind=Kind.CONFLICT, remedy="stop it first")
         job = Job("study", revision, design, (file_of(design, asked),))
         self._job, self._task = job, asyncio.create_task(self._work(job))
 
@@ -45,10 +45,10 @@ class Exploration:
         if self._job is not None:
             self._workplace.stop_apart("study", self._job)
 
-    async def tell_again(self) -> None:
-        """Tell a page that comes back what was found."""
-        if self._told is not None:
-            await self._say(self._told)
+    async def post_again(self) -> None:
+        """Send a page that comes back what was found."""
+        if self._last is not None:
+            await self._post(self._last)
 
     def design_of(self, number: Any) -> ArrayDesign:
         """One of the designs that were found.
@@ -60,18 +60,18 @@ class Exploration:
             Refusal: there is none of that number.
         """
         if self._found is None:
-            raise Refusal(f"design = {str(number)[:40]}: there is no study yet")
+            raise Refusal("cannot be opened: no study has run yet", kind=Kind.MISSING, field="design", value=number)
         return self._found.design(number)
 
     async def _work(self, job: Job) -> None:
-        await progress(job, "begins", self._say)
-        shown = await outcome(job, self._found_by(job), self._say, "stopped; nothing was computed yet")
+        await progress(job, "begins", self._post)
+        shown = await outcome(job, self._found_by(job), self._post, "stopped; nothing was computed yet")
         if shown is not None:
-            self._told = {"type": "figures", "stage": "study", "revision": job.revision, "found": shown}
-            await self._say(self._told)
+            self._last = {"type": "figures", "stage": "study", "revision": job.revision, "found": shown}
+            await self._post(self._last)
 
     async def _found_by(self, job: Job) -> dict[str, Any]:
-        found = await self._workplace.study(job.design, job.options[0], teller(job, self._say), job)
+        found = await self._workplace.study(job.design, job.options[0], notifier(job, self._post), job)
         self._found = found
         shown: dict[str, Any] = await self._workplace.in_thread("study", lambda: study_figures(found))
         return shown
@@ -92,10 +92,14 @@ def file_of(design: ArrayDesign, asked: Mapping[str, Any]) -> str:
         isinstance(values, list) and all(isinstance(value, str) or is_number(value) for value in values)
         for values in ranges.values()
     ):
-        raise Refusal("ranges must be a table of lists of numbers or texts")
+        raise _wrong("ranges", "a table of lists of numbers or texts")
     if not isinstance(metrics, list) or not all(isinstance(name, str) for name in metrics):
-        raise Refusal("metrics must be a list of names")
+        raise _wrong("metrics", "a list of names")
     if not isinstance(designs, int) or isinstance(designs, bool):
-        raise Refusal("designs must be a whole number")
+        raise _wrong("designs", "a whole number")
     search, fidelity = asked.get("search") is True, str(asked.get("fidelity"))[:40]
     return study_file(design, ranges, metrics, search=search, designs=designs, fidelity=fidelity)
+
+
+def _wrong(field: str, allowed: str) -> Refusal:
+    return Refusal(kind=Kind.WRONG_TYPE, field=field, allowed=allowed)

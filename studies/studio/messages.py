@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from typing import Any, TypeGuard
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from studies.panels.curves import Curves
 from studies.studio.stage import Job
 
@@ -27,7 +27,7 @@ def text_of(message: Mapping[str, Any], key: str) -> str:
     """
     value = message.get(key)
     if not isinstance(value, str) or len(value) > 300:
-        raise MessageError(f"{key} must be a text of at most 300 characters")
+        raise MessageError(kind=Kind.WRONG_TYPE, field=key, allowed="a text of at most 300 characters")
     return value
 
 
@@ -43,11 +43,11 @@ def read_message(text: str) -> dict[str, Any]:
     except MessageError:
         raise
     except UnicodeEncodeError:
-        raise MessageError("a message must be Unicode") from None
+        raise MessageError("a message must be Unicode", kind=Kind.UNREADABLE) from None
     except (ValueError, RecursionError):
-        raise MessageError("a message must be JSON") from None
+        raise MessageError("a message must be JSON", kind=Kind.UNREADABLE) from None
     if not isinstance(message, dict):
-        raise MessageError("a message must be a table")
+        raise MessageError("a message must be a table", kind=Kind.WRONG_TYPE)
     return message
 
 
@@ -58,7 +58,7 @@ def _whole(text: str) -> int:
 
 
 def _no_number(name: str) -> None:
-    raise MessageError(f"{name} is no number")
+    raise MessageError(f"{name} is no number", kind=Kind.WRONG_TYPE)
 
 
 def written(message: Mapping[str, Any]) -> str:
@@ -90,14 +90,14 @@ def place_of(message: Mapping[str, Any], key: str) -> tuple[float, float]:
     """
     value = message.get(key)
     if not isinstance(value, list) or len(value) != 2 or not all(map(is_number, value)):
-        raise MessageError(f"{key} must be two numbers")
+        raise MessageError(kind=Kind.WRONG_TYPE, field=key, allowed="two numbers")
     return float(value[0]), float(value[1])
 
 
 def packed_signals(header: Mapping[str, Any], found: Mapping[str, Any]) -> bytes:
     """Signals with what was decoded of them, as :func:`packed` has curves."""
-    told = {name: value for name, value in found.items() if name != "signals"}
-    return _framed({**header, **told}, found["signals"])
+    about = {name: value for name, value in found.items() if name != "signals"}
+    return _framed({**header, **about}, found["signals"])
 
 
 def packed(job: Job, curves: Curves) -> bytes:

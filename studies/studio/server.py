@@ -18,7 +18,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 import studies.studio as here
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from studies.panels.curves import CURVES
 from studies.panels.exploring import MOST_DESIGNS, MOST_METRICS, metric_words
 from studies.panels.export_files import EXPORTS
@@ -91,10 +91,12 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
             return _refused(f"full_scale = {scale[:40]!r} must be a number of pascals", 400)
         revision = found.state.revision
         asked = (content, name, full_scale)
-        heard = await _handed_in(workplace.replay(found.state.design, asked, found.hearing.recognizer))
-        if isinstance(heard, Response):
-            return heard
-        return Response(packed_signals({"stage": "touch", "revision": revision, "touched": None, "kind": name}, heard))
+        decoded = await _handed_in(workplace.replay(found.state.design, asked, found.touches.recognizer))
+        if isinstance(decoded, Response):
+            return decoded
+        return Response(
+            packed_signals({"stage": "touch", "revision": revision, "touched": None, "kind": name}, decoded)
+        )
 
     async def recognizer(request: Request) -> Response:
         found = sessions.find(request.query_params.get("session"))
@@ -103,11 +105,11 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         content = await _body(request, MOST_RECOGNIZER)
         if content is None:
             return _refused(f"the recognizer must be at most {MOST_RECOGNIZER // 1024**2} MB", 413)
-        said = await _handed_in(workplace.recognizer(content))
-        if isinstance(said, Response):
-            return said
-        found.hearing.take_recognizer(said.pop("folder"))
-        return JSONResponse(said)
+        about = await _handed_in(workplace.recognizer(content))
+        if isinstance(about, Response):
+            return about
+        found.touches.take_recognizer(about.pop("folder"))
+        return JSONResponse(about)
 
     async def session(socket: WebSocket) -> None:
         await _hold(socket, sessions)
@@ -210,7 +212,7 @@ async def _text(socket: WebSocket) -> str:
     try:
         return await socket.receive_text()
     except KeyError:
-        raise MessageError("a message must be a text") from None
+        raise MessageError("a message must be a text", kind=Kind.WRONG_TYPE) from None
 
 
 def _words() -> dict[str, Any]:

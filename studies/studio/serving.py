@@ -10,9 +10,9 @@ import webbrowser
 from collections.abc import Callable
 from ipaddress import ip_address
 
-from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 
 #: Port that is taken where it is free, and how many after it are tried.
 USUAL_PORT, _PORTS = 8765, 20
@@ -21,34 +21,35 @@ LEAST_TOKEN = 16
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
-def _say(line: str) -> None:
+def _post(line: str) -> None:
     print(line, flush=True)  # the address is waited for, also behind a pipe
 
 
 def serve_studio(
-    design: ArrayDesign,
+    design: DesignLike,
     *,
     port: int | None = None,
     host: str = "127.0.0.1",
     token: str | None = None,
     browser: bool = True,
-    tell: Callable[[str], None] = _say,
+    notify: Callable[[str], None] = _post,
 ) -> None:
     """Serve the studio until it is interrupted.
 
     Args:
-        design: that a page begins with.
+        design: that a page begins with: a design, the path of its file, or the name of a prototype.
         port: to listen at, 0 to 65535, 0 for any; by default 8765, or the next one that is free.
         host: address to listen at; any but that of this machine's loopback needs a ``token``.
         token: that the address of the page holds, at least 16 characters; by default one that nobody can guess.
         browser: open the page in the browser of the user.
-        tell: called with the lines for the user.
+        notify: called with the lines for the user.
 
     Raises:
         Refusal: what it takes is not installed, no port is free, or an address for others without a token.
     """
     check_extras("the server of the page", "studio")
     _check(host, token)
+    design = resolve_design(design)
     for variable in _THREADS:  # of the processes that follow; this one has its limits below
         os.environ.setdefault(variable, "1")
     import scipy.linalg  # loads BLAS, which is to have one thread
@@ -89,13 +90,13 @@ def serve_studio(
     try:
         with threadpool_limits(1):
             workplace.warm_up(design)
-            tell(f"The studio of {design.name}: {address}")
-            tell("The address holds the key: give it to nobody. Ctrl-C ends.")
+            notify(f"The studio of {design.name}: {address}")
+            notify("The address holds the key: give it to nobody. Ctrl-C ends.")
             if browser:
                 webbrowser.open(address)
             server.run(sockets=[listening])
     except KeyboardInterrupt:
-        tell("The studio has ended; pages keep their designs until it is there again.")
+        notify("The studio has ended; pages keep their designs until it is there again.")
     finally:
         workplace.close()
         listening.close()
@@ -107,21 +108,27 @@ def _check(host: str, token: str | None) -> None:
     try:
         address = ip_address("127.0.0.1" if host == "localhost" else host)
     except ValueError:
-        raise Refusal(f"host = {host!r} must be an IP address of this machine") from None
+        raise Refusal(field="host", value=host, allowed="an IP address of this machine") from None
     if address.is_unspecified:
-        raise Refusal(f"host = {host!r} must be one address: the studio answers to one name only")
+        raise Refusal(field="host", value=host, allowed="one address, because the studio answers to one name only")
     if token is not None and len(token) < LEAST_TOKEN:
-        raise Refusal(f"token has {len(token)} characters; it must have at least {LEAST_TOKEN}")
+        raise Refusal(f"has {len(token)} characters; it must have at least {LEAST_TOKEN}", field="token")
     if token is not None and not token.isalnum():
-        raise Refusal("token must be letters and digits only: it stands in an address")
+        raise Refusal(field="token", allowed="letters and digits only, because it is part of an address")
     if not address.is_loopback and token is None:
-        raise Refusal(f"host = {host!r} is seen by other machines: give `token` too, at least {LEAST_TOKEN} characters")
+        raise Refusal(
+            "is visible to other machines",
+            kind=Kind.MISSING,
+            field="host",
+            value=host,
+            remedy=("give ", Field("token"), f" too, at least {LEAST_TOKEN} characters"),
+        )
 
 
 def _bound(host: str, port: int | None) -> socket.socket:
     """A socket that is bound to the port, or to the usual one or one of the next."""
     if port is not None and not 0 <= port <= 65535:
-        raise Refusal(f"port = {port} must be between 0 and 65535")
+        raise Refusal(field="port", value=port, allowed="between 0 and 65535")
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     tried = [port] if port is not None else range(USUAL_PORT, USUAL_PORT + _PORTS)
     for number in tried:
@@ -135,4 +142,10 @@ def _bound(host: str, port: int | None) -> socket.socket:
             reason = error.strerror
             continue
         return found
-    raise Refusal(f"port = {tried[0]} of {host} cannot be had: {reason}; give another `port`, 0 for any")
+    raise Refusal(
+        f"of {host} cannot be used: {reason}",
+        kind=Kind.EXISTS,
+        field="port",
+        value=tried[0],
+        remedy=("give another ", Field("port"), ", 0 for any"),
+    )

@@ -1,4 +1,4 @@
-"""One page and its design: what it asks for, and what it is told."""
+"""One page and its design: its requests, and what it is sent."""
 
 from __future__ import annotations
 
@@ -9,18 +9,19 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import prototype, write_design
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from studies.panels.comparing import comparison
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
 from studies.panels.form import addable_tables, flat_values, form_of, removable_tables, stated_values
 from studies.studio.exploration import Exploration, file_of
-from studies.studio.hearing import Hearing
 from studies.studio.messages import MessageError, packed, text_of, written
-from studies.studio.stage import Job, Stage, outcome, progress, teller
+from studies.studio.stage import Job, Stage, notifier, outcome, progress
+from studies.studio.touch_input import TouchInput
 from studies.studio.workplace import Workplace
 
 #: Sends a message to the page: text, or bytes.
@@ -46,18 +47,18 @@ class Session:
         self.state = DesignState(design)
         self.pinned: ArrayDesign | None = None
         self.files: dict[str, tuple[Path, str]] = {}
-        self.exploration = Exploration(workplace, self._say)
+        self.exploration = Exploration(workplace, self._post)
         self._workplace = workplace
         self._quantity = "level"
         self._wanted: set[str] = set()
         self._send: Send | None = None
         #: When its page went, s; before one has come, when it was made.
         self.left = monotonic()
-        self._untold: dict[str, Any] | None = None
+        self._undelivered: dict[str, Any] | None = None
         self._exporting: asyncio.Task[None] | None = None
         self._export_job: Job | None = None
-        self.hearing = Hearing(workplace, self._say)
-        self._told: tuple[dict[str, Any], frozenset[str]] = ({}, frozenset())
+        self.touches = TouchInput(workplace, self._post)
+        self._last_values: tuple[dict[str, Any], frozenset[str]] = ({}, frozenset())
         self._stages = {"curves": Stage(self._curves), "pinned": Stage(self._curves)} | {
             name: Stage(self._figures, workplace.stop, pause)
             for name, pause in {**STAGES, "pinned_points": 0.0}.items()
@@ -70,15 +71,15 @@ class Session:
         return self._send is not None
 
     async def join(self, send: Send) -> None:
-        """A page listens from now on; it is told everything."""
+        """A page listens from now on; it gets everything."""
         self._send = send
-        await self._tell_design(whole=True)
+        await self._post_design(whole=True)
         self._ask_all()
-        await self._tell_pinned()
-        await self.exploration.tell_again()
-        if self._untold is not None:
-            untold, self._untold = self._untold, None
-            await self._say(untold)
+        await self._post_pinned()
+        await self.exploration.post_again()
+        if self._undelivered is not None:
+            message, self._undelivered = self._undelivered, None
+            await self._post(message)
 
     async def restore_quietly(self, values: dict[str, Any], saved: bool, send: Send) -> None:
         """Take up the design that a page kept while there was no studio, or say why not."""
@@ -94,7 +95,7 @@ class Session:
         """The page is gone; its design stays."""
         if self._send == send:
             self._send, self.left = None, monotonic()
-            self.hearing.stop()
+            self.touches.stop()
             for stage in self._stages.values():
                 stage.cancel()
 
@@ -106,7 +107,7 @@ class Session:
         for path, _ in self.files.values():
             self._workplace.remove(path)
         self.files.clear()
-        self.hearing.forget()
+        self.touches.forget()
 
     async def take(self, message: Mapping[str, Any]) -> None:
         """Do what the page asks for.
@@ -117,7 +118,7 @@ class Session:
         kind = message.get("do")
         action = _ACTIONS.get(kind) if isinstance(kind, str) else None
         if action is None:
-            raise MessageError(f"do = {str(kind)[:40]!r} must be one of: {', '.join(_ACTIONS)}")
+            raise MessageError(kind=Kind.UNKNOWN, field="do", value=kind, allowed=_ACTIONS)
         await action(self, message)
 
     # -- the design ---------------------------------------------------------------------------------
@@ -128,7 +129,7 @@ class Session:
             self.state.set_values({name: value}, message.get("gesture"))
         except Refusal as error:
             refused = refusal_of(before, name, value, error)
-            await self._say({"type": "refused", **refused.__dict__})
+            await self._post({"type": "refused", **refused.__dict__})
             return
         await self._changed()
 
@@ -144,35 +145,35 @@ class Session:
         try:
             self.state.open(prototype(text_of(message, "name")))
         except Refusal as error:
-            await self._say({"type": "refused-design", "message": str(error)})
+            await self._post({"type": "refused-design", "message": str(error)})
             return
         await self._changed(whole=True)
 
     async def _restore(self, message: Mapping[str, Any]) -> None:
         values = message.get("values")
         if not isinstance(values, dict):
-            raise MessageError("values must be a table")
+            raise MessageError(kind=Kind.WRONG_TYPE, field="values", allowed="a table")
         try:
             self.state.restore(values, text_of(message, "source"))
         except Refusal as error:
-            await self._say({"type": "refused-design", "message": str(error)})
+            await self._post({"type": "refused-design", "message": str(error)})
             return
         if message.get("saved") is True:
             self.state.mark_saved()
         await self._changed(whole=True)
 
     async def _toml(self, message: Mapping[str, Any]) -> None:
-        await self._say({"type": "toml", "text": write_design(self.state.design)})
+        await self._post({"type": "toml", "text": write_design(self.state.design)})
 
     async def _changed(self, whole: bool = False) -> None:
-        await self._tell_design(whole)
-        await self.hearing.end("the design was changed: press Live to listen with it")
+        await self._post_design(whole)
+        await self.touches.end("the design was changed: press Live to listen with it")
         self._ask_all()
 
-    async def _tell_design(self, whole: bool) -> None:
+    async def _post_design(self, whole: bool) -> None:
         design, state = self.state.design, self.state
         values = flat_values(design)
-        told: dict[str, Any] = {
+        message: dict[str, Any] = {
             "type": "design",
             "session": self.id,
             "revision": state.revision,
@@ -180,17 +181,17 @@ class Session:
             "redo": state.can_redo,
             "unsaved": state.unsaved,
         }
-        before, followers = self._told
-        # Without the names of all fields a page cannot tell which tables follow others, nor which lines there are.
+        before, followers = self._last_values
+        # Without the names of all fields a page does not know which tables follow others, nor which lines there are.
         if whole or values.keys() != before.keys() or design.followers != followers:
-            told |= {"form": form_of(design), "design_name": design.name, "stated": stated_values(design)}
-            told |= {"addable": addable_tables(design), "removable": removable_tables(design)}
+            message |= {"form": form_of(design), "design_name": design.name, "stated": stated_values(design)}
+            message |= {"addable": addable_tables(design), "removable": removable_tables(design)}
         else:
-            told["values"] = {name: value for name, value in values.items() if before[name] != value}
-        self._told = values, design.followers
-        await self._say(told)
+            message["values"] = {name: value for name, value in values.items() if before[name] != value}
+        self._last_values = values, design.followers
+        await self._post(message)
         if self.pinned is not None:
-            await self._tell_comparison()
+            await self._post_comparison()
 
     # -- figures ------------------------------------------------------------------------------------
     async def _want(self, message: Mapping[str, Any]) -> None:
@@ -217,10 +218,10 @@ class Session:
         options = (self._quantity,) if name == "curves" else ()
         self._stages[name].ask(Job(name, self.state.revision, self.state.design, options))
 
-    async def _tell_pinned(self) -> None:
+    async def _post_pinned(self) -> None:
         """All of the pinned design: its page keeps it, as it does its own, for a studio that is started again."""
         stated = None if self.pinned is None else stated_values(self.pinned)
-        await self._say({"type": "pinned", "stated": stated})
+        await self._post({"type": "pinned", "stated": stated})
         self._ask_pinned_curves()
         if self.pinned is not None:
             self._stages["pinned_points"].ask(Job("pinned_points", self.state.revision, self.pinned))
@@ -230,19 +231,19 @@ class Session:
             self._stages["pinned"].ask(Job("pinned", self.state.revision, self.pinned, (self._quantity,)))
 
     async def _curves(self, job: Job) -> None:
-        curves = await outcome(job, self._workplace.curves(job.design, job.options[0]), self._say)
+        curves = await outcome(job, self._workplace.curves(job.design, job.options[0]), self._post)
         if curves is not None:
-            await self._say(packed(job, curves))
+            await self._post(packed(job, curves))
 
     async def _figures(self, job: Job) -> None:
-        await progress(job, "", self._say)
-        found = await outcome(job, self._workplace.result(job, teller(job, self._say)), self._say)
+        await progress(job, "", self._post)
+        found = await outcome(job, self._workplace.result(job, notifier(job, self._post)), self._post)
         if found is None:
             return
         shown = {name: value for name, value in found.items() if name != "glb"}
         if job.stage == "model":
             shown["file"] = f"/models/{design_key(job.design)}.glb"
-        await self._say({"type": "figures", "stage": job.stage, "revision": job.revision, "found": shown})
+        await self._post({"type": "figures", "stage": job.stage, "revision": job.revision, "found": shown})
 
     async def _stop(self, message: Mapping[str, Any]) -> None:
         name = text_of(message, "stage")
@@ -251,7 +252,7 @@ class Session:
         elif name == "study":
             self.exploration.stop()
         elif name == "live":
-            await self.hearing.end("stopped")
+            await self.touches.end("stopped")
         elif name in STAGES:
             self._stages[name].cancel()
 
@@ -262,18 +263,18 @@ class Session:
             try:
                 self.pinned = validated(values, "the pinned design that the page kept")
             except Refusal as error:
-                await self._say({"type": "refused-design", "message": str(error)})
+                await self._post({"type": "refused-design", "message": str(error)})
                 return
         else:
             self.pinned = self.state.design if message.get("on") is True else None
-        await self._tell_comparison()
-        await self._tell_pinned()
+        await self._post_comparison()
+        await self._post_pinned()
 
-    async def _tell_comparison(self) -> None:
+    async def _post_comparison(self) -> None:
         if self.pinned is None:
-            await self._say({"type": "comparison", "revision": self.state.revision, "pinned": None})
+            await self._post({"type": "comparison", "revision": self.state.revision, "pinned": None})
             return
-        await self._say(
+        await self._post(
             {
                 "type": "comparison",
                 "revision": self.state.revision,
@@ -284,22 +285,22 @@ class Session:
 
     # -- touches ------------------------------------------------------------------------------------
     async def _touch(self, message: Mapping[str, Any]) -> None:
-        await self.hearing.touch(self.state.design, self.state.revision, message)
+        await self.touches.touch(self.state.design, self.state.revision, message)
 
     async def _listen(self, message: Mapping[str, Any]) -> None:
-        await self.hearing.listen(self.state.design, self.state.revision, message)
+        await self.touches.listen(self.state.design, self.state.revision, message)
 
     async def _cards(self, message: Mapping[str, Any]) -> None:
-        await self.hearing.cards(self.state.design, self.state.revision)
+        await self.touches.cards(self.state.design, self.state.revision)
 
     # -- studies ------------------------------------------------------------------------------------
     async def _study(self, message: Mapping[str, Any]) -> None:
         design = self.state.design
         job = Job("study", self.state.revision, design)
         if message.get("run") is True:
-            await outcome(job, self.exploration.run(design, job.revision, message), self._say)
+            await outcome(job, self.exploration.run(design, job.revision, message), self._post)
             return
-        path = await outcome(job, self._study_file(design, message), self._say)
+        path = await outcome(job, self._study_file(design, message), self._post)
         if path is not None:
             await self._hand_out(path, f"{design.name}-{path.name}")
 
@@ -310,20 +311,20 @@ class Session:
         try:
             self.state.open(self.exploration.design_of(message.get("number")), saved=False)
         except Refusal as error:
-            await self._say({"type": "refused-design", "message": str(error)})
+            await self._post({"type": "refused-design", "message": str(error)})
             return
         await self._changed(whole=True)
 
     # -- files --------------------------------------------------------------------------------------
     async def _export(self, message: Mapping[str, Any]) -> None:
-        name, fidelity = text_of(message, "name"), message.get("fidelity", "lumped")
+        name, fidelity = text_of(message, "name"), message.get("fidelity", ONE_DESIGN)
         if name not in EXPORTS:
-            raise MessageError(f"export = {name[:40]!r} must be one of: {', '.join(EXPORTS)}")
+            raise MessageError(kind=Kind.UNKNOWN, field="export", value=name, allowed=EXPORTS)
         if name == "design.toml":
             await self._save()
             return
         if self._exporting is not None and not self._exporting.done():
-            await self._say(
+            await self._post(
                 {"type": "refused-export", "message": "one file at a time: stop the one that is made first"}
             )
             return
@@ -333,19 +334,19 @@ class Session:
 
     async def _save(self) -> None:
         job = Job("save", self.state.revision, self.state.design)
-        path = await outcome(job, self._workplace.save(job.design), self._say)
+        path = await outcome(job, self._workplace.save(job.design), self._post)
         if path is None:
             return
         if self.state.design is job.design:
             self.state.mark_saved()
-            await self._tell_design(whole=False)
+            await self._post_design(whole=False)
         await self._hand_out(path, f"{job.design.name}.toml")
 
     async def _make(self, job: Job) -> None:
         name, fidelity = job.options
-        await progress(job, "begins", self._say)
-        work = self._workplace.export(job.design, name, fidelity, teller(job, self._say), job)
-        path = await outcome(job, work, self._say, "stopped")
+        await progress(job, "begins", self._post)
+        work = self._workplace.export(job.design, name, fidelity, notifier(job, self._post), job)
+        path = await outcome(job, work, self._post, "stopped")
         if path is not None:
             await self._hand_out(path, f"{job.design.name}-{name}", "export")
 
@@ -354,12 +355,12 @@ class Session:
         self.files[key] = (path, name)
         for old in [*self.files][:-MOST_FILES]:
             self._workplace.remove(self.files.pop(old)[0])
-        told = {"type": "file", "stage": stage, "name": name, "file": f"/files/{self.id}/{key}"}
+        message = {"type": "file", "stage": stage, "name": name, "file": f"/files/{self.id}/{key}"}
         if self._send is None:  # its page comes back: a report takes minutes
-            self._untold = told
-        await self._say(told)
+            self._undelivered = message
+        await self._post(message)
 
-    async def _say(self, message: dict[str, Any] | bytes) -> None:
+    async def _post(self, message: dict[str, Any] | bytes) -> None:
         if self._send is not None:
             await self._send(message if isinstance(message, bytes) else written(message))
 

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.process_messages import Stopped
 from geometry.ground.refusal import Refusal
-from studies.studio.workshop import Stopped
 
-#: Tells the page a message.
-Say = Callable[[dict[str, Any]], Coroutine[Any, Any, None]]
-#: What a page is told where nothing was foreseen.
+#: Sends a message to the page.
+Post = Callable[[dict[str, Any] | bytes], Coroutine[Any, Any, None]]
+#: Message to a page about an error that nobody foresaw.
 MISTAKE = "this is a mistake of the program; the studio's terminal says where"
 
 
@@ -25,7 +25,7 @@ class Job:
     stage: str
     """Name of the stage."""
     revision: int
-    """Number of the design in its session, by which the page tells what is stale."""
+    """Number of the design in its session, by which the page knows what is stale."""
     design: ArrayDesign
     """Design that the result is of."""
     options: tuple[Any, ...] = ()
@@ -61,7 +61,7 @@ class Stage:
             self._task = asyncio.create_task(self._work())
 
     def cancel(self) -> None:
-        """Do nothing more; what runs is told to end."""
+        """Do nothing more; what runs is asked to end."""
         self._next = None
         if self._running is not None:
             self._superseded(self._running)
@@ -76,23 +76,23 @@ class Stage:
             self._running = job
             try:
                 await self._do(job)
-            except Exception:  # a mistake of ours, which the page was told: the next job is done all the same
+            except Exception:  # a mistake of ours, which the page knows of: the next job is done all the same
                 traceback.print_exc()
             finally:
                 self._running = None
 
 
-async def outcome(job: Job, work: Awaitable[Any], say: Say, stopped: str = "") -> Any:
-    """What some work for a job gives; None after the page was told why there is nothing.
+async def outcome(job: Job, work: Awaitable[Any], post: Post, stopped: str = "") -> Any:
+    """Result of some work for a job; None after a message to the page about why there is none.
 
     Args:
         job: that the work is for.
         work: awaited.
-        say: tells the page.
-        stopped: what the page is told of work that was stopped; nothing where empty.
+        post: sends a message to the page.
+        stopped: message about work that was stopped; empty for none.
 
     Raises:
-        Exception: nothing was foreseen; the page was told, and the traceback is for the terminal.
+        Exception: nobody foresaw it; the page got a message, and the traceback is for the terminal.
     """
     try:
         return await work
@@ -103,23 +103,23 @@ async def outcome(job: Job, work: Awaitable[Any], say: Say, stopped: str = "") -
     except OSError as error:  # such as a full disk
         message = f"{error.filename or job.stage}: {error.strerror or error}; the design is kept"
     except Exception:
-        await say({"type": "failed", "stage": job.stage, "revision": job.revision, "message": MISTAKE})
+        await post({"type": "failed", "stage": job.stage, "revision": job.revision, "message": MISTAKE})
         raise
     if message:
-        await say({"type": "failed", "stage": job.stage, "revision": job.revision, "message": message})
+        await post({"type": "failed", "stage": job.stage, "revision": job.revision, "message": message})
     return None
 
 
-async def progress(job: Job, line: str, say: Say) -> None:
-    """Tell the page how far a job is."""
-    await say({"type": "progress", "stage": job.stage, "revision": job.revision, "line": line})
+async def progress(job: Job, line: str, post: Post) -> None:
+    """Send the page how far a job is."""
+    await post({"type": "progress", "stage": job.stage, "revision": job.revision, "line": line})
 
 
-def teller(job: Job, say: Say) -> Callable[[str], None]:
-    """Function that tells the page lines on a job from another thread."""
+def notifier(job: Job, post: Post) -> Callable[[str], None]:
+    """Function that sends the page lines on a job from another thread."""
     loop = asyncio.get_running_loop()
 
-    def tell(line: str) -> None:
-        asyncio.run_coroutine_threadsafe(progress(job, line, say), loop)
+    def notify(line: str) -> None:
+        asyncio.run_coroutine_threadsafe(progress(job, line, post), loop)
 
-    return tell
+    return notify

@@ -10,32 +10,31 @@ from contextlib import contextmanager
 from pathlib import Path
 from shutil import rmtree
 from tempfile import TemporaryDirectory, mkdtemp
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from geometry.ground.refusal import Refusal
+from acoustic_fem import Library
+from acoustic_fem.atlas import QuickFidelity
+from acoustic_fem.quantities.fidelity import Fidelity
+from geometry.design.array_design import ArrayDesign
+from geometry.ground.process_messages import Stopped
+from geometry.ground.refusal import Kind, Refusal
+from studies.panels.cad_panel import check_figures, model_of_array, read_upload
 from studies.panels.curves import Curves, curves_of, quick_library
 from studies.panels.designing import design_key
 from studies.panels.exploring import FoundDesigns, run_study, study_so_far, write_study
 from studies.panels.export_files import make_export
-from studies.panels.live import hear_live, sound_cards
-from studies.panels.making import check_figures, model_of_array, read_upload
-from studies.panels.points import mis_made_figures, point_figures
-from studies.panels.recognizing import keep_recognizer, recognized, wrote
-from studies.panels.touching import replayed, slid, surface, touched
-from studies.studio.kept import Kept
-from studies.studio.workshop import Stopped, Workshop
+from studies.panels.live_panel import listen_live, sound_cards
+from studies.panels.points import as_built_figures, point_figures
+from studies.panels.recognizing import store_recognizer, with_kinds, write_letter
+from studies.panels.touching import membranes, replay_recording, simulate_slide, simulate_touch
+from studies.studio.result_cache import ResultCache
+from studies.studio.stage import Job
+from studies.studio.task_process import TaskProcess
 
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-    from acoustic_fem.atlas import QuickFidelity
-    from acoustic_fem.quantities.fidelity import Fidelity
-    from geometry.design.array_design import ArrayDesign
-    from studies.studio.stage import Job
-
-#: What a page is told whose file or study begins when that of another page is done.
+#: Message to a page whose file or study waits for that of another page.
 WAITING = "waiting for that of another page"
 #: Libraries and results of each stage that are kept, and models in three dimensions, which are larger.
-MOST_KEPT, MOST_MODELS = 64, 12
+MOST_RESULTS, MOST_MODELS = 64, 12
 
 
 class Workplace:
@@ -50,21 +49,21 @@ class Workplace:
             name: ThreadPoolExecutor(1, f"studio-{name}")
             for name in ("curves", "points", "mis_made", "cad", "save", "export", "live", "study", "touch")
         }
-        self.workshop = Workshop(_warm_up)
-        self._listening = Workshop(_import_decoder, "the process that listens", aside=False)
+        self.cad = TaskProcess(_warm_up)
+        self._decoder = TaskProcess(_import_decoder, "the decoder", in_background=False)
         # Seconds of Python: in a thread they would stand in the way of every curve.
-        self._predicting = Workshop(_import_decoder, "the process that predicts mis-made sensors")
-        self._libraries: Kept[tuple[Library, QuickFidelity]] = Kept(MOST_KEPT)
-        self._results: Kept[dict[str, Any]] = Kept(MOST_KEPT)
-        self._models: Kept[dict[str, Any]] = Kept(MOST_MODELS)
+        self._predictor = TaskProcess(_import_decoder, "the process of as-built sensors")
+        self._libraries: ResultCache[tuple[Library, QuickFidelity]] = ResultCache(MOST_RESULTS)
+        self._results: ResultCache[dict[str, Any]] = ResultCache(MOST_RESULTS)
+        self._models: ResultCache[dict[str, Any]] = ResultCache(MOST_MODELS)
         self._folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
-        self._apart: dict[str, Workshop] = {}
+        self._processes: dict[str, TaskProcess] = {}
         self._queued: dict[object, Future[Any]] = {}
 
     def warm_up(self, design: ArrayDesign) -> None:
         """Import and solve once what the first change would otherwise wait for; returns at once."""
         self._threads["curves"].submit(self._warm_up_threads, design)
-        self._threads["cad"].submit(self.workshop.start)
+        self._threads["cad"].submit(self.cad.start)
 
     def _warm_up_threads(self, design: ArrayDesign) -> None:
         self.library(design)
@@ -89,13 +88,13 @@ class Workplace:
 
         return await self.in_thread("curves", work)
 
-    async def result(self, job: Job, tell: Callable[[str], None]) -> dict[str, Any]:
+    async def result(self, job: Job, notify: Callable[[str], None]) -> dict[str, Any]:
         """Result of a job of any stage but that of the curves.
 
         Args:
             job: of the stage "points", "pinned_points", "mis_made", "surface",
                 "model" or "check".
-            tell: called from another thread with each line on what is being done.
+            notify: called from another thread with each line on what is being done.
         """
         stage = "points" if job.stage == "pinned_points" else job.stage
         key = (stage, design_key(job.design))
@@ -105,17 +104,17 @@ class Workplace:
             if stage == "points":
                 found = await self.in_thread("points", lambda: point_figures(job.design))
             elif stage == "surface":
-                self._threads["touch"].submit(self._listening.start)  # the first touch is not far
-                found = await self.in_thread("points", lambda: surface(job.design))
+                self._threads["touch"].submit(self._decoder.start)  # the first touch is not far
+                found = await self.in_thread("points", lambda: membranes(job.design))
             elif stage == "mis_made":
                 found = await self.in_thread(
-                    "mis_made", lambda: self._predicting.run(mis_made_figures, (job.design,), task=job)
+                    "mis_made", lambda: self._predictor.run(as_built_figures, (job.design,), task=job)
                 )
             elif stage == "model":
-                found = await self.in_thread("cad", lambda: self.workshop.run(model_of_array, (job.design,), task=job))
+                found = await self.in_thread("cad", lambda: self.cad.run(model_of_array, (job.design,), task=job))
             else:
                 found = await self.in_thread(
-                    "cad", lambda: self.workshop.run(check_figures, (job.design,), tell, task=job)
+                    "cad", lambda: self.cad.run(check_figures, (job.design,), notify, task=job)
                 )
             kept.put(key, found)
         return found
@@ -127,7 +126,7 @@ class Workplace:
 
     async def upload(self, text: str, name: str) -> dict[str, Any]:
         """What a design file states that somebody handed in; it waits for no check of a design."""
-        return await self.in_thread("touch", lambda: self._listening.run(read_upload, (text, name)))
+        return await self.in_thread("touch", lambda: self._decoder.run(read_upload, (text, name)))
 
     async def touch(
         self, design: ArrayDesign, kind: str, options: tuple[Any, ...], recognizer: str | None
@@ -137,61 +136,61 @@ class Workplace:
         Args:
             design: the array.
             kind: of touch.
-            options: of :func:`studies.panels.slid`, :func:`studies.panels.wrote` or :func:`studies.panels.touched`,
-                behind the design.
-            recognizer: the folder of one that tells kinds; None for none.
+            options: arguments of :func:`studies.panels.simulate_slide`, :func:`studies.panels.write_letter` or
+                :func:`studies.panels.simulate_touch`, behind the design.
+            recognizer: folder of a recognizer of kinds; None for none.
         """
-        works: dict[str, Callable[..., dict[str, Any]]] = {"slide": slid, "letter": wrote}
-        return await self._heard(works.get(kind, touched), design, options, recognizer)
+        works: dict[str, Callable[..., dict[str, Any]]] = {"slide": simulate_slide, "letter": write_letter}
+        return await self._decoded(works.get(kind, simulate_touch), design, options, recognizer)
 
-    async def _heard(
+    async def _decoded(
         self, work: Callable[..., dict[str, Any]], design: ArrayDesign, options: tuple[Any, ...], model: str | None
     ) -> dict[str, Any]:
-        return await self.in_thread("touch", lambda: self._listening.run(recognized, (work, design, options, model)))
+        return await self.in_thread("touch", lambda: self._decoder.run(with_kinds, (work, design, options, model)))
 
     async def recognizer(self, content: bytes) -> dict[str, Any]:
         """A recognizer that somebody handed in, kept in a folder of its own."""
 
         def work() -> dict[str, Any]:
             with self._place() as place:
-                found: dict[str, Any] = self._listening.run(keep_recognizer, (content, str(place)))
+                found: dict[str, Any] = self._decoder.run(store_recognizer, (content, str(place)))
                 return found
 
         return await self.in_thread("touch", work)
 
     async def sound_cards(self) -> list[dict[str, Any]]:
         """Sound cards of this machine."""
-        return await self.in_thread("touch", lambda: self._listening.run(sound_cards, ()))
+        return await self.in_thread("touch", lambda: self._decoder.run(sound_cards, ()))
 
-    async def live(self, job: Job, tell: Callable[[str], None]) -> dict[str, Any]:
-        """What is heard at a sound card, told line by line until it is stopped; one after the other."""
+    async def live(self, job: Job, notify: Callable[[str], None]) -> dict[str, Any]:
+        """Live input from a sound card, line by line until it is stopped; one after the other."""
 
         def work() -> dict[str, Any]:
-            with self._workshop("live", "the process that listens to the sound card") as workshop:
-                found: dict[str, Any] = workshop.run(hear_live, (job.design, *job.options, None), tell, job)
+            with self._process("live", "the process of the sound card") as process:
+                found: dict[str, Any] = process.run(listen_live, (job.design, *job.options, None), notify, job)
                 return found
 
-        if "live" in self._apart:
-            raise Refusal("another page is listening to a sound card: stop it first")
+        if "live" in self._processes:
+            raise Refusal("another page is listening to a sound card", kind=Kind.CONFLICT, remedy="stop it there first")
         return await self._in_turn("live", work, job)
 
     async def replay(
         self, design: ArrayDesign, options: tuple[bytes, str, float], recognizer: str | None
     ) -> dict[str, Any]:
-        """A recording that somebody handed in, and what the decoder makes of it; as :func:`studies.panels.replayed`."""
-        return await self._heard(replayed, design, options, recognizer)
+        """An uploaded recording, decoded; as :func:`studies.panels.replay_recording`."""
+        return await self._decoded(replay_recording, design, options, recognizer)
 
     async def export(
-        self, design: ArrayDesign, name: str, fidelity: Fidelity, tell: Callable[[str], None], task: object
+        self, design: ArrayDesign, name: str, fidelity: Fidelity, notify: Callable[[str], None], task: object
     ) -> Path:
         """One file of a design, made in a process of its own, one after the other."""
 
         def work() -> Path:
-            with self._place() as place, self._workshop("export", "the process that makes files") as workshop:
-                return Path(workshop.run(make_export, (design, name, str(place), fidelity), tell, task))
+            with self._place() as place, self._process("export", "the process that makes files") as process:
+                return Path(process.run(make_export, (design, name, str(place), fidelity), notify, task))
 
-        if "export" in self._apart:
-            tell(WAITING)
+        if "export" in self._processes:
+            notify(WAITING)
         return await self._in_turn("export", work, task)
 
     async def save(self, design: ArrayDesign) -> Path:
@@ -203,19 +202,19 @@ class Workplace:
 
         return await self.in_thread("save", work)
 
-    async def study(self, design: ArrayDesign, text: str, tell: Callable[[str], None], task: object) -> FoundDesigns:
+    async def study(self, design: ArrayDesign, text: str, notify: Callable[[str], None], task: object) -> FoundDesigns:
         """What a study found, run in a process of its own, one after the other; stopped, what it has found so far."""
 
         def work() -> FoundDesigns:
-            with self._workshop("study", "the process that runs studies") as workshop:
+            with self._process("study", "the process that runs studies") as process:
                 try:
-                    found: FoundDesigns = workshop.run(run_study, (design, text), tell, task)
+                    found: FoundDesigns = process.run(run_study, (design, text), notify, task)
                 except Stopped:
-                    found = workshop.run(study_so_far, (design, text))
+                    found = process.run(study_so_far, (design, text))
                 return found
 
-        if "study" in self._apart:
-            tell(WAITING)
+        if "study" in self._processes:
+            notify(WAITING)
         return await self._in_turn("study", work, task)
 
     async def study_file(self, design: ArrayDesign, text: str) -> Path:
@@ -234,23 +233,23 @@ class Workplace:
         rmtree(path.parent, ignore_errors=True)
 
     def stop(self, task: object) -> None:
-        """Say that nobody waits for a task any more."""
-        self.workshop.stop(task)
-        self._predicting.stop(task)
+        """Post that nobody waits for a task any more."""
+        self.cad.stop(task)
+        self._predictor.stop(task)
 
     def stop_apart(self, name: str, task: object) -> None:
-        """Say that a file ("export"), a study ("study") or listening ("live") is not wanted any more."""
+        """Post that a file ("export"), a study ("study") or listening ("live") is not wanted any more."""
         queued = self._queued.get(task)
         if queued is not None and queued.cancel():
             return
-        workshop = self._apart.get(name)
-        if workshop is not None:
-            workshop.stop(task, at_once=True)
+        process = self._processes.get(name)
+        if process is not None:
+            process.stop(task, at_once=True)
 
     def close(self) -> None:
         """End threads and processes, and remove what was written."""
-        for workshop in (self.workshop, self._listening, self._predicting, *self._apart.values()):
-            workshop.end()
+        for process in (self.cad, self._decoder, self._predictor, *self._processes.values()):
+            process.end()
         for threads in self._threads.values():
             threads.shutdown(wait=False, cancel_futures=True)
         self._folder.cleanup()
@@ -270,7 +269,7 @@ class Workplace:
             return await asyncio.wrap_future(future)
         except asyncio.CancelledError:
             if future.cancelled():
-                raise Stopped("stopped") from None
+                raise Stopped("stopped", kind=Kind.STOPPED) from None
             raise
         finally:
             del self._queued[task]
@@ -286,13 +285,13 @@ class Workplace:
             raise
 
     @contextmanager
-    def _workshop(self, name: str, title: str) -> Iterator[Workshop]:
+    def _process(self, name: str, title: str) -> Iterator[TaskProcess]:
         """A process for one piece of work that may be stopped."""
-        self._apart[name] = Workshop(name=title)
+        self._processes[name] = TaskProcess(name=title)
         try:
-            yield self._apart[name]
+            yield self._processes[name]
         finally:
-            self._apart.pop(name).close()
+            self._processes.pop(name).close()
 
 
 def _import_decoder() -> None:

@@ -1,5 +1,10 @@
-from .cases import Cases as Cases, cases_of as cases_of, sobol_note as sobol_note
-from .failure_reasons import PROGRAM_ERROR as PROGRAM_ERROR, by_kind as by_kind
+from .cases import (
+    PROGRAM_ERROR as PROGRAM_ERROR,
+    Cases as Cases,
+    by_kind as by_kind,
+    cases_of as cases_of,
+    sobol_note as sobol_note,
+)
 from .file import FileSection as FileSection, load_study as load_study, read_study as read_study, study_of as study_of
 from .metric_registry import METRICS as METRICS, Metric as Metric, metrics_named as metrics_named
 from .study import Parameter as Parameter, Study as Study, StudyError as StudyError

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,11 +12,14 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.overlaps import refuse_overlaps
 from geometry.layout.remedies import refuse_unbuildable
 from studies.study.constraints import Constraint
 from studies.study.study import Study
+
+#: How the reason begins of a case that failed by a mistake of the program, not by its design.
+PROGRAM_ERROR = "program error: "
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,21 +81,18 @@ def check_base(study: Study) -> None:
     refuse_unbuildable(study.base)
 
 
-#: Told the number of a case and its design, or why it has none.
-Look = Callable[[int, ArrayDesign | DesignError], None]
-
-
-def cases_of(study: Study, look: Look | None = None) -> Cases:
+def cases_of(study: Study) -> Cases:
     """Cases of a study, all of them, in a fixed order: in a grid the last parameter changes fastest.
-
-    Args:
-        study: the study.
-        look: called with every case in turn, whose design is then built, once; by default designs are built where a
-            constraint reads what a case does not state.
 
     Raises:
         Refusal: the constraints leave no case, or one cannot be computed.
     """
+    drawn = drawn_cases(study)
+    return kept_cases(study, drawn, [number for number, _ in allowed_cases(study, drawn)])
+
+
+def drawn_cases(study: Study) -> Cases:
+    """Cases of a study before its constraints leave any out, in the order of :func:`cases_of`."""
     if study.sampling == "grid":
         grids = [[parameter.grid() for parameter in axis] for axis in study.axes]
         indices = np.meshgrid(*(np.arange(len(axis[0])) for axis in grids), indexing="ij")
@@ -100,19 +100,28 @@ def cases_of(study: Study, look: Look | None = None) -> Cases:
     else:
         places = _sampled(study)
         columns = [parameter.at(place) for axis, place in zip(study.axes, places.T, strict=True) for parameter in axis]
-    cases = Cases(study.base, tuple(parameter.name for parameter in study.parameters), tuple(columns))
-    if not study.constraints and look is None:
-        return cases
-    kept, count = np.zeros(len(cases), dtype=bool), 0
-    for number in range(len(cases)):
-        case = _Case(cases, number)
-        kept[number] = case.meets(study.constraints)
-        if kept[number] and look is not None:
-            look(count, case.design)
-            count += 1
-    if not kept.any():
-        raise Refusal(f"{study.name}: constraints leave none of {counted(len(cases), 'case')}")
-    return Cases(cases.base, cases.names, tuple(column[kept] for column in columns), int((~kept).sum()))
+    return Cases(study.base, tuple(parameter.name for parameter in study.parameters), tuple(columns))
+
+
+def allowed_cases(study: Study, drawn: Cases) -> Iterator[tuple[int, DrawnCase]]:
+    """Each drawn case that meets the constraints of a study, with its number among those that were drawn."""
+    for number in range(len(drawn)):
+        case = DrawnCase(drawn, number)
+        if case.meets(study.constraints):
+            yield number, case
+
+
+def kept_cases(study: Study, drawn: Cases, numbers: Sequence[int]) -> Cases:
+    """Those of the drawn cases that are part of a study, by their numbers.
+
+    Raises:
+        Refusal: there are none.
+    """
+    if not numbers:
+        left = f"of {study.name} leave none of {counted(len(drawn), 'case')}"
+        raise Refusal(left, kind=Kind.CONFLICT, field="constraints")
+    columns = tuple(column[list(numbers)] for column in drawn.columns)
+    return Cases(drawn.base, drawn.names, columns, len(drawn) - len(numbers))
 
 
 def _sampled(study: Study) -> NDArray[np.float64]:
@@ -139,7 +148,7 @@ def sobol_note(study: Study) -> str:
     return f"a Sobol sample of {study.cases} cases is not balanced; one of {lower} or {2 * lower} is"
 
 
-class _Case:
+class DrawnCase:
     """One case whose design is built when it is first asked for, and once."""
 
     def __init__(self, cases: Cases, number: int) -> None:
@@ -181,3 +190,27 @@ def _read(design: ArrayDesign, name: str) -> Any:
     except (AttributeError, LookupError):
         return value_of(design, name)
     return place
+
+
+def by_kind(reasons: Iterable[tuple[int, str]]) -> dict[str, list[int]]:
+    """Numbers of the designs by kind of reason, the most frequent first.
+
+    Args:
+        reasons: number of each design that failed, and why.
+
+    Returns:
+        Numbers of all designs of a kind, by the reason of the first of them.
+    """
+    first: dict[str, str] = {}
+    found: dict[str, list[int]] = {}
+    for number, reason in reasons:
+        found.setdefault(first.setdefault(_kind(reason), reason), []).append(number)
+    return dict(sorted(found.items(), key=lambda entry: (-len(entry[1]), entry[1][0])))
+
+
+def _kind(reason: str) -> str:
+    """A reason without its numbers; of a mistake of the program all, for its line is what it is."""
+    if reason.startswith(PROGRAM_ERROR):
+        return reason
+    words = reason.replace("(", " ").replace(")", " ").split()
+    return " ".join(word for word in words if not any(letter.isdigit() for letter in word))

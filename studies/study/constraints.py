@@ -8,12 +8,11 @@ import operator
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from geometry import ArrayDesign, DesignError
+from geometry.design.design_file import value_of
 from geometry.ground.refusal import Refusal
-
-if TYPE_CHECKING:
-    from geometry import ArrayDesign
 
 #: A dotted name; a step after ``materials.`` may hold dashes, an index of a list is a number.
 _NAME = re.compile(r"""(?<![\w.'"])(?:materials\.[\w-]+(?:\.\w+)+|[A-Za-z]\w*(?:\.\w+)*)\b(?!\s*\()""")
@@ -69,9 +68,6 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
     Raises:
         Refusal: it cannot be read, is no condition, or holds a name that the design does not know.
     """
-    from geometry import DesignError
-    from geometry.design.design_file import value_of
-
     if len(text) > _LONGEST:
         raise Refusal(f"constraint of {len(text)} characters must have at most {_LONGEST}")
     names: list[str] = []
@@ -93,9 +89,7 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
         tree = ast.parse("".join(pieces).strip(), mode="eval").body
         _check(tree, len(names))
     except (SyntaxError, ValueError, RecursionError) as error:
-        why = (
-            error.args[0] if isinstance(error, ValueError) and not isinstance(error, SyntaxError) else "cannot be read"
-        )
+        why = error.problem if isinstance(error, Refusal) else "cannot be read"
         raise Refusal(
             f"constraint {text!r} {why}; it must be a condition such as 'tube.length > 20 * tube.inner_diameter'"
         ) from None

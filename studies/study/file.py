@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from acoustic_fem.atlas.fidelity_choice import quick_fidelity
+from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import Fidelity
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.changes import as_lists, check_name
@@ -21,6 +23,7 @@ from geometry.ground.text_files import parse_toml, read_text
 from geometry.schema.declared_fields import field_named
 from geometry.schema.field_errors import check_value, model_of
 from studies.study.constraints import parse_constraint
+from studies.study.metric_registry import metrics_named
 from studies.study.study import Parameter, Sampling, Study, StudyError
 
 #: Most cases of one study; a store of more should be several.
@@ -69,8 +72,10 @@ class StudyFields(FileSection):
     constraints: tuple[str, ...] = Field(
         default=(), description="conditions on a case; one that breaks any is left out and counted"
     )
-    fidelity: Fidelity = Field(
-        default="atlas", description="what the cells are computed with; cases outside the atlas fail by name"
+    fidelity: Fidelity | None = Field(
+        default=None,
+        description="what the cells are computed with; by default `atlas` if it covers the base, otherwise "
+        "`navier-stokes`; cases outside the atlas fail by name",
     )
     frequencies: str = Field(
         default="1:100:64", description="FIRST:LAST:COUNT, Hz; they must cover the band of every metric"
@@ -149,7 +154,7 @@ def study_of(
             cases=_cases(file, axes),
             seed=file.seed,
             constraints=constraints,
-            fidelity=file.fidelity,
+            fidelity=file.fidelity or quick_fidelity(design, frequency).name,
             frequency=frequency,
             metrics=_metrics(file.metrics, frequency),
             transfer_functions=file.transfer_functions,
@@ -177,24 +182,16 @@ def _base(name: str, folder: Path) -> ArrayDesign:
 
 
 def _metrics(names: tuple[str, ...], frequency: NDArray[np.float64]) -> tuple[str, ...]:
-    from studies.study.metric_registry import metrics_named
-
     for metric in metrics_named(names):
         metric.check_grid(frequency)
     return tuple(dict.fromkeys(names))
 
 
 def _frequencies(text: str) -> NDArray[np.float64]:
-    from acoustic_fem.quantities.checks import frequency_grid, stated_grid
-
     try:
-        grid = stated_grid(text)
+        return frequency_grid(text)
     except Refusal as error:
-        raise Refusal(f"frequencies = {error}") from None
-    try:
-        return frequency_grid(grid)
-    except Refusal as error:
-        raise Refusal(f"frequencies = {text!r}: {error}") from None
+        raise Refusal.of(error, field="frequencies") from None
 
 
 # -- what varies ------------------------------------------------------------------------------------

@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry import ArrayDesign
 from geometry.ground.refusal import Refusal
 from studies.metrics import build, touch_metrics
 from studies.metrics.batch_responses import Responses, known
+from studies.metrics.confusion import check_grid as check_confusion_grid
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, check_band
 from studies.metrics.shared import SharedFigures
@@ -24,7 +26,6 @@ from studies.metrics.shared import SharedFigures
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.membrane.disc import KnownDiscs
-    from geometry import ArrayDesign
 
 Values = NDArray[np.float64]
 
@@ -75,7 +76,7 @@ class Metric:
             frequency: (n_freq,) float64, Hz, ascending.
 
         Raises:
-            Refusal: it does not, or its steps are wider than half the band.
+            Refusal: it does not, its steps are wider than half the band, or it is too coarse for a confusion.
         """
         if self.band is None:
             return
@@ -83,6 +84,8 @@ class Metric:
             check_band(frequency, self.band)
         except Refusal as error:
             raise Refusal(f"metric {self.name} needs {error}") from None
+        if self.noise_levels:
+            check_confusion_grid(frequency)
 
     def of_batch(self, responses: Responses, figures: SharedFigures | None = None) -> Values:
         """Value of each design of a batch; (n_design,) float64, in the unit of the metric.
@@ -241,8 +244,8 @@ def _scatter_slopes(design: ArrayDesign, names: Sequence[str], discs: KnownDiscs
 def _forgiving() -> Iterable[Metric]:
     yield Metric(
         "scattered_top1", "1", "predicted top-1 accuracy of mis-made sensors",
-        f"Mean over {SENSORS} sensors made with the scatter of studies.scatter.TOLERANCES of the predicted top-1 of "
-        "one localizer that was trained on the nominal design; the design's microphone noise, lumped fidelity. Two "
+        f"Mean over {SENSORS} sensors made with the scatter of acoustic_fem.scatter.TOLERANCES of the predicted top-1 "
+        "of one localizer that was trained on the nominal design; the design's microphone noise, lumped fidelity. Two "
         "seconds per design.",
         _scattered_top1, frozenset({"designs"}), band=BAND,
     )  # fmt: skip
@@ -292,10 +295,10 @@ def _build() -> Iterable[Metric]:
         ("coverage", "1", "coverage", "Share of the area within the hull of all membranes, in plan, in which a "
          f"contact of {FINGER:g} mm radius reaches a membrane.", partial(_of_designs, coverage), "larger"),
         ("length", "mm", "length", "Longer side of the box around all that is built, tubes and boards included.",
-         lambda figures: figures.sizes()[:, 0], "smaller"),
-        ("width", "mm", "width", "Shorter side of that box.", lambda figures: figures.sizes()[:, 1], "smaller"),
+         lambda figures: figures.sizes[:, 0], "smaller"),
+        ("width", "mm", "width", "Shorter side of that box.", lambda figures: figures.sizes[:, 1], "smaller"),
         ("height", "mm", "height", "Of that box, from the lowest floor to the highest membrane or microphone.",
-         lambda figures: figures.sizes()[:, 2], "smaller"),
+         lambda figures: figures.sizes[:, 2], "smaller"),
         ("volume", "mm^3", "volume of all parts", "Shells, housings, boards, membranes and tubes, without their air.",
          partial(_of_parts, build.volume), "smaller"),
         ("mass", "g", "mass", "Of those parts and the microphones.", partial(_of_parts, build.mass),
@@ -317,7 +320,7 @@ def _of_designs(of_design: Callable[[ArrayDesign], float], figures: SharedFigure
 
 def _of_parts(of_design: Callable[[ArrayDesign, build.Volumes], float], figures: SharedFigures) -> Values:
     designs = known(figures.responses.designs)
-    return np.array([of_design(*each) for each in zip(designs, figures.volumes(), strict=True)])
+    return np.array([of_design(*each) for each in zip(designs, figures.volumes, strict=True)])
 
 
 #: All metrics by name.

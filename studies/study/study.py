@@ -6,17 +6,17 @@ import hashlib
 import json
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.atlas import cell_atlas
 from acoustic_fem.quantities.fidelity import Fidelity
+from geometry import ArrayDesign
+from geometry.design.design_file import write_design
 from geometry.ground.refusal import Refusal
 from studies.study.constraints import Constraint
-
-if TYPE_CHECKING:
-    from geometry import ArrayDesign
 
 #: Significant digits of a value within a range: below a micrometre nothing is made.
 _DIGITS = 4
@@ -147,14 +147,10 @@ class Study:
         """Digest of the table of the atlas that is installed; empty at other fidelities."""
         if self.fidelity != "atlas":
             return ""
-        from acoustic_fem.atlas import cell_atlas
-
         return cell_atlas().digest
 
     def content(self) -> dict[str, Any]:
         """Content that decides the results, as plain values: neither comments nor the order of lines count."""
-        from geometry.design.design_file import write_design
-
         return {
             "base": hashlib.sha256(write_design(self.base).encode()).hexdigest(),
             "parameters": [[_content(parameter) for parameter in axis] for axis in self.axes],

@@ -2,7 +2,8 @@
 
 Cases of one topology whose cells are closed forms are computed in one vectorised call; what a batch cannot hold, and
 every 3-D fidelity, case by case with the admittances of the cells given. A case that fails keeps its reason and stops
-no other; that of a mistake of the program says so.
+no other; a mistake of the program says so in its reason, and keeps its traceback. A full disk, memory that does not
+suffice and a package that is missing are no fault of a case: they end the sweep, and the case waits.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 import gc
 import traceback
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from itertools import compress
@@ -21,40 +22,38 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Medium
-from acoustic_fem.atlas.cell_in_atlas import atlas_admittance
 from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.openings import designs_outside
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import kept_cell, solve_cells
-from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.cell.one_cell import CellError, CellRecord
+from acoustic_fem.library.network_responses import closed_form, joined_cells
 from acoustic_fem.membrane.disc import KnownDiscs, design_rubber
-from acoustic_fem.network.array_network import solve_network
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.ground.extras import NotInstalled
 from geometry.ground.refusal import Refusal
-from geometry.layout.arrangement import lay_out
+from geometry.layout.arrangement import place_housings
 from studies.metrics.batch_responses import Responses
 from studies.metrics.shared import SharedFigures
-from studies.study.cases import Cases
-from studies.study.failure_reasons import PROGRAM_ERROR
+from studies.study.cases import PROGRAM_ERROR, Cases
 from studies.study.metric_registry import Metric, metrics_named
-from studies.sweep.store import DONE, FAILED, BlockResult
+from studies.sweep.records import DONE, FAILED, BlockResult
 
 #: A cell in its air.
 CellKey: TypeAlias = tuple[Cell, Medium]
 Complex: TypeAlias = NDArray[np.complex128]
 
 _LONGEST_REASON = 500
-#: What stops a case: its design is refused, or cannot be computed (libraries raise more than refusals).
-FAILURES = (Refusal, np.linalg.LinAlgError, ArithmeticError, OSError, MemoryError)
-#: What stops a case and is no property of its design.
-_MISTAKES = (ValueError, RuntimeError, TypeError, AttributeError, NameError, LookupError, AssertionError)
+#: What stops a case as a property of its design: it is refused, or cannot be computed (libraries raise more than
+#: refusals). All else is a mistake of the program, but for what the machine lacks.
+FAILURES = (Refusal, np.linalg.LinAlgError, ArithmeticError)
+LACKS = (OSError, MemoryError, NotInstalled)
+"""What stops a sweep, because its machine lacks something: the case at hand is not to blame, and waits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,6 +86,8 @@ class SolvedCell:
     """Whether it came from the cache."""
     record: CellRecord | None = None
     """What the cache keeps of it, for the cache of another machine."""
+    mistake: str = ""
+    """Traceback, where a mistake of the program is the reason."""
 
 
 def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> SolvedCell:
@@ -96,12 +97,16 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
         key: the cell and its air.
         frequency: (n_freq,) float64, Hz.
         fidelity: "helmholtz" or "navier-stokes".
+
+    Raises:
+        Exception: one of :data:`LACKS`.
     """
     cell, medium = key
     try:
         solution = solve_cells([cell], frequency, medium, fidelity, apart=True)[cell]
-    except (*FAILURES, *_MISTAKES) as error:
-        return SolvedCell(None, _reason(error))
+    except Exception as error:
+        why, mistake = _reason(error)
+        return SolvedCell(None, why, mistake=mistake)
     kept = kept_cell(cell, frequency, medium, fidelity)
     return SolvedCell(solution.admittance, "", solution.seconds, solution.cached, None if kept is None else kept[1])
 
@@ -109,7 +114,7 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
 def cells_of(design: ArrayDesign) -> tuple[CellKey, ...]:
     """Distinct cells of a design, in its air."""
     air = design_air(design)
-    return tuple((cell, air) for cell in cell_catalogue(design, lay_out(design)).distinct)
+    return tuple((cell, air) for cell in cell_catalogue(design, place_housings(design)).distinct)
 
 
 @dataclass
@@ -120,11 +125,19 @@ class _Block:
     values: dict[str, NDArray[np.float64]]
     reason: list[str]
     transfer_functions: dict[int, Complex] = field(default_factory=dict)
+    mistakes: dict[str, None] = field(default_factory=dict)
 
-    def fail(self, number: int, why: str) -> None:
-        """Keep the first reason for which a case fails."""
-        if not self.reason[number]:
-            self.reason[number] = why[:_LONGEST_REASON]
+    def fail(self, numbers: Iterable[int], error: Exception, where: str = "") -> None:
+        """Keep the first reason for which cases fail.
+
+        Raises:
+            Exception: one of :data:`LACKS`.
+        """
+        why, mistake = _reason(error, where)
+        if mistake:
+            self.mistakes[mistake] = None
+        for number in numbers:
+            self.reason[number] = self.reason[number] or why[:_LONGEST_REASON]
 
 
 def solve_block(
@@ -140,6 +153,9 @@ def solve_block(
 
     Returns:
         The results, and the warnings that came up, each once.
+
+    Raises:
+        Exception: one of :data:`LACKS`.
     """
     metrics = metrics_named(job.metrics)
     block = _Block(len(cases), {metric.name: np.full(len(cases), np.nan) for metric in metrics}, [""] * len(cases))
@@ -152,14 +168,14 @@ def solve_block(
             try:
                 designs[number] = cases.buildable(number)
             except DesignError as error:
-                block.fail(number, _reason(error))
+                block.fail([number], error)
         for numbers, responses in _responses(job, designs, cells, block):
             _measure(numbers, responses, metrics, block)
             if job.transfer_functions:
                 block.transfer_functions |= dict(zip(numbers, responses.transfer_function, strict=True))
     state = np.array([FAILED if why else DONE for why in block.reason], dtype=np.int8)
     transfer = _padded(block) if block.transfer_functions else None
-    result = BlockResult(first, block.values, state, tuple(block.reason), transfer)
+    result = BlockResult(first, block.values, state, tuple(block.reason), transfer, tuple(block.mistakes))
     ours = (UserWarning, RuntimeWarning)
     return result, tuple(dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, ours)))
 
@@ -206,11 +222,10 @@ def _responses(
     for topology, numbers in groups.items():
         try:
             inside, responses = _batch(job, topology, [designs[number] for number in numbers])
-        except FAILURES:
-            alone += numbers  # one of them is at fault; which one shows case by case
-        except _MISTAKES as error:
-            for number in numbers:
-                block.fail(number, _reason(error))
+        except (*FAILURES, MemoryError):
+            alone += numbers  # one of them is at fault, or they are too many at once: that shows case by case
+        except Exception as error:
+            block.fail(numbers, error)
         else:
             alone += compress(numbers, ~inside)
             if responses is not None:
@@ -219,8 +234,8 @@ def _responses(
     for number in sorted(alone):
         try:
             one = _network(job, designs[number], cells)
-        except (*FAILURES, *_MISTAKES) as error:
-            block.fail(number, _reason(error))
+        except Exception as error:
+            block.fail([number], error)
         else:
             single.setdefault(one.transfer_function.shape, []).append((number, one))
     found += [([number for number, _ in each], _joined([one for _, one in each])) for each in single.values()]
@@ -275,29 +290,22 @@ def _in_order(parts: list[ArrayParameters], designs: Sequence[ArrayDesign], stat
 
 def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell]) -> Responses:
     """One design, its cells given or in closed form."""
-    air, layout = design_air(design), lay_out(design)
-    admittances: dict[Cell, Complex] = {}
-    catalogue = cell_catalogue(design, layout)
-    for cell in catalogue.distinct:
+    air = design_air(design)
+
+    def admittance(cell: Cell) -> Complex:
         if job.fidelity in CLOSED_FORMS:
-            closed_form = lumped_admittance if job.fidelity == "lumped" else atlas_admittance
-            admittances[cell] = closed_form(cell, job.frequency, air)
-            continue
+            return closed_form(job.fidelity, cell, job.frequency, air)
         solved = cells[cell, air]
         if solved.admittance is None:
             raise CellError(solved.reason)
-        admittances[cell] = solved.admittance
-    response = solve_network(design, layout, catalogue, admittances, job.frequency, air, job.discs)
-    return Responses(
-        frequency=job.frequency,
-        transfer_function=(response.source_response / response.point_impedance[:, None])[None],
-        designs=(design,),
-        medium=(air,),
-        source_response=response.source_response[None],
-        point_impedance=response.point_impedance[None],
-        microphone_impedance=response.microphone_impedance[None],
-        discs=job.discs,
-    )
+        return solved.admittance
+
+    def admittances(distinct: tuple[Cell, ...]) -> dict[Cell, Complex]:
+        return {cell: admittance(cell) for cell in distinct}
+
+    found = joined_cells(design, job.frequency, air, admittances, job.discs)
+    responses: dict[str, Any] = {name: values[None] for name, values in found.items()}
+    return Responses(frequency=job.frequency, designs=(design,), medium=(air,), discs=job.discs, **responses)
 
 
 def _joined(parts: Sequence[Responses]) -> Responses:
@@ -346,46 +354,32 @@ def _one(responses: Responses, number: int) -> Responses:
 def _measure(numbers: Sequence[int], responses: Responses, metrics: Sequence[Metric], block: _Block) -> None:
     figures = SharedFigures(responses, (level for metric in metrics for level in metric.noise_levels))
     for metric in metrics:
-        values = block.values[metric.name]
+        values, where = block.values[metric.name], f"metric {metric.name}: "
         try:
             values[list(numbers)] = metric.of_batch(responses, figures)
-        except FAILURES:  # one design is at fault, or all are: each has its own reason
+        except (*FAILURES, MemoryError):  # one design is at fault, or all are: each has its own reason
             for place_in_batch, number in enumerate(numbers):
                 try:
                     values[number] = metric.of_batch(_one(responses, place_in_batch))[0]
-                except (*FAILURES, *_MISTAKES) as error:
-                    block.fail(number, _reason(error, f"metric {metric.name}: "))
-        except _MISTAKES as error:
-            for number in numbers:
-                block.fail(number, _reason(error, f"metric {metric.name}: "))
-        for number in numbers:
-            if np.isnan(values[number]):
-                block.fail(number, f"metric {metric.name}: is not a number")
+                except Exception as error:
+                    block.fail([number], error, where)
+        except Exception as error:
+            block.fail(numbers, error, where)
+        block.fail((number for number in numbers if np.isnan(values[number])), Refusal("is not a number"), where)
 
 
-def check_metrics(job: Job, design: ArrayDesign) -> None:
-    """Refuse metrics that the study's frequencies cannot give, on a design in closed form.
+def _reason(error: Exception, where: str = "") -> tuple[str, str]:
+    """Why a case failed, in one line, and the traceback where that is a mistake of the program.
 
     Raises:
-        Refusal: what a metric says.
+        Exception: the error, where no case is to blame for it.
     """
-    responses = _network(replace(job, fidelity="lumped"), design, {})
-    figures = SharedFigures(responses)
-    for metric in metrics_named(job.metrics):
-        metric.of_batch(responses, figures)
-
-
-def _reason(error: BaseException, where: str = "") -> str:
-    """Why a case failed, in one line; of a mistake of the program with the place in it.
-
-    Raises:
-        NotInstalled: that is what failed, and no case is to blame for it.
-    """
-    if isinstance(error, NotInstalled):
+    if isinstance(error, LACKS):
         raise error
     message = " ".join(str(error).split())
-    if not isinstance(error, FAILURES):
-        last = traceback.extract_tb(error.__traceback__)[-1]
-        return f"{PROGRAM_ERROR}{where}{type(error).__name__} in {Path(last.filename).name}:{last.lineno}: {message}"
-    named = isinstance(error, Refusal) and message
-    return where + (message if named else f"{type(error).__name__}: {message}")
+    if isinstance(error, FAILURES):
+        named = isinstance(error, Refusal) and message
+        return where + (message if named else f"{type(error).__name__}: {message}"), ""
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    why = f"{PROGRAM_ERROR}{where}{type(error).__name__} in {Path(last.filename).name}:{last.lineno}: {message}"
+    return why, "".join(traceback.format_exception(error))

@@ -17,14 +17,16 @@ import sys
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from geometry.ground.refusal import Refusal, counted, said_by
+from threadpoolctl import ThreadpoolController
+
+from geometry.ground.refusal import Kind, Refusal, counted, said_by
 
 #: Seconds for which a worker, or the scheduler, may be silent; heartbeats come once a second or two.
 SILENCE = 60.0
@@ -39,6 +41,7 @@ DEATHS = 2
 #: Distributions that change results, or how they are handed on.
 LIBRARIES = ("acoustic-fem", "numpy", "scipy", "scikit-fem", "gmsh", "mkl", "torch", "pydantic", "dask", "distributed")
 _CODE = ("geometry", "acoustic_fem", "localize", "studies")
+CONNECTION_LOST = "the connection to the scheduler was lost"
 
 
 class WorkersLost(Refusal):
@@ -64,8 +67,6 @@ class _Attempt:
     """Task; None: the worker is asked what is installed."""
     worker: _Worker
     future: Any
-    finished: float | None = None
-    """Since when the worker has its result, which is on its way."""
     passed_on: bool = False
     """Whether another worker got the task as well."""
 
@@ -143,44 +144,42 @@ class Cluster:
         again: deque[_Task] = deque()
         live: set[_Task] = set()
         self._manned, ended, more = monotonic(), 0, True
+
+        def finish(task: _Task) -> None:
+            live.remove(task)
+            task.done = True
+            for attempt in task.attempts:  # also where others still work on it
+                self._drop(attempt)
+
         try:
-            while True:
+            while live or more:
                 again += self._look()
                 for task in [task for task in live if task.deaths >= DEATHS]:
-                    live.remove(task)
-                    self._finish(task)
+                    finish(task)
                     if lost is None:
                         ended += 1
                     else:
                         yield task.number, lost(*task.arguments)
                 again = deque(task for task in again if not task.done)
-                while more or again:
-                    worker = self._free()
-                    if worker is None:
-                        break
+                while (more or again) and (worker := self._free()) is not None:
                     given = again.popleft() if again else next(waiting, None)
                     if given is None:
                         more = False
                         break
                     live.add(given)
                     self._give(worker, given, _by_a_worker, function, *given.arguments)
-                if not (live or more):
-                    break
-                for task, result in self._answered():
+                if live and (answer := self._answer()) is not None:
+                    task, result = answer
                     if isinstance(result, Refusal):
                         raise result
-                    if result is _Ended:
-                        task.deaths += 1
-                        again.append(task)
-                        continue
-                    live.remove(task)
-                    self._finish(task)
+                    finish(task)
                     yield task.number, result
         finally:
-            for task in live:
-                self._finish(task)
+            for task in [*live]:
+                finish(task)
         if ended:
-            raise WorkersLost(f"{counted(ended, 'task')} ended several workers each, which may lack memory")
+            problem = f"{counted(ended, 'task')} ended several workers each, which may lack memory"
+            raise WorkersLost(problem, kind=Kind.STOPPED)
 
     def _give(self, worker: _Worker, task: _Task | None, function: Callable[..., Any], *arguments: Any) -> None:
         future = self._client.submit(function, *arguments, pure=False, workers=[worker.address])
@@ -189,13 +188,6 @@ class Cluster:
         if task is not None:
             task.attempts.append(attempt)
         self._client.loop.add_callback(self._follow, attempt)
-
-    def _finish(self, task: _Task) -> None:
-        """Let a task go, also where others still work on it."""
-        task.done = True
-        for attempt in task.attempts:
-            self._drop(attempt)
-        task.attempts.clear()
 
     def _drop(self, attempt: _Attempt) -> None:
         if attempt in attempt.worker.given:
@@ -213,30 +205,26 @@ class Cluster:
         ]
         return min(free, key=lambda worker: len(worker.given) / worker.threads, default=None)
 
-    def _answered(self) -> Iterator[tuple[_Task, Any]]:
-        """The next answer, where it comes soon and counts: a task and its result, or :class:`_Ended`."""
+    def _answer(self) -> tuple[_Task, Any] | None:
+        """The next task that has a result, and that; None where none comes soon."""
         from distributed import KilledWorker
 
         try:
             attempt, result, error = self._answers.get(timeout=WATCH / 4)
         except queue.Empty:
-            return
-        if attempt not in attempt.worker.given:
-            return  # let go before
+            return None
+        if attempt not in attempt.worker.given or isinstance(error, KilledWorker):
+            return None  # it was dropped before, or will be when the scheduler says that its worker is gone
         self._drop(attempt)
         if attempt.task is None:
-            self._judge(attempt.worker, result, error)
-            return
-        attempt.task.attempts.remove(attempt)
+            self._compare_installed(attempt.worker, result, error)
+            return None
         gone = error is not None and self._client.status != "running"
         if gone or isinstance(error, (asyncio.CancelledError, concurrent.futures.CancelledError)):
-            raise WorkersLost("the connection to the scheduler was lost")
-        if isinstance(error, KilledWorker):
-            yield attempt.task, _Ended
-        elif error is not None:
+            raise WorkersLost(CONNECTION_LOST, kind=Kind.STOPPED)
+        if error is not None:
             raise error
-        else:
-            yield attempt.task, result
+        return attempt.task, result
 
     def _look(self) -> Iterator[_Task]:
         """Note who came, went or fell silent; the tasks that others must take over.
@@ -250,42 +238,33 @@ class Cluster:
             self._return(now)
         self._looked = now
         if self._client.status != "running":
-            raise WorkersLost("the connection to the scheduler was lost")
+            raise WorkersLost(CONNECTION_LOST, kind=Kind.STOPPED)
         if now - max(when, self._back) > SCHEDULER_SILENCE:
-            raise WorkersLost(f"{self._name} has not answered for {SCHEDULER_SILENCE:g} s")
+            raise WorkersLost(f"{self._name} has not answered for {SCHEDULER_SILENCE:g} s", kind=Kind.STOPPED)
         if when != self._read:
             self._read = when
             yield from self._compare(known, now)
         for worker in self._crew.values():
-            late = [attempt for attempt in worker.given if self._is_late(attempt, now)]
-            if late:
-                self.notes[
-                    f"worker {worker.address} was not heard for {SILENCE:g} s: others took over what it was given"
-                ] = None
-            yield from (attempt.task for attempt in late if attempt.task is not None)
+            if not worker.silent:
+                continue
+            for attempt in worker.given:
+                if attempt.task is not None and not attempt.passed_on:
+                    attempt.passed_on = True
+                    self.notes[f"worker {worker.address} was silent for {SILENCE:g} s: others took over its tasks"] = (
+                        None
+                    )
+                    yield attempt.task
         if any(worker.same and not worker.silent for worker in self._crew.values()):
             self._manned = now
         elif now - self._manned > self._patience:
             why = f": {self._refused}" if self._refused else ""
-            raise WorkersLost(f"there have been no workers for {self._patience:.0f} s{why}")
+            raise WorkersLost(f"there have been no workers for {self._patience:.0f} s{why}", kind=Kind.STOPPED)
 
     def _return(self, now: float) -> None:
         """Take nobody to have been silent while this process was away: stopped by its user, or long at its store."""
         self._back = self._manned = now
         for worker in self._crew.values():
             worker.heard = now
-            for attempt in worker.given:
-                attempt.finished = None
-
-    def _is_late(self, attempt: _Attempt, now: float) -> bool:
-        """Whether it is time that another worker takes a task over; true once."""
-        if attempt.finished is None and attempt.future.done():
-            attempt.finished = now
-        on_its_way = attempt.finished is not None and now - attempt.finished > SILENCE
-        if attempt.passed_on or attempt.task is None or not (attempt.worker.silent or on_its_way):
-            return False
-        attempt.passed_on = True
-        return True
 
     def _compare(self, known: dict[str, Any], now: float) -> Iterator[_Task]:
         """Bring the crew to what the scheduler says; the tasks of those that are gone."""
@@ -295,7 +274,6 @@ class Cluster:
                 self._drop(attempt)
                 if (task := attempt.task) is None:
                     continue
-                task.attempts.remove(attempt)
                 task.deaths += place < worker.threads  # what it was at; the others waited beside it
                 if not attempt.passed_on:
                     yield task
@@ -310,7 +288,7 @@ class Cluster:
             if running and about["last_seen"] != worker.seen:
                 worker.seen, worker.heard = about["last_seen"], now
 
-    def _judge(self, worker: _Worker, found: dict[str, str], error: BaseException | None) -> None:
+    def _compare_installed(self, worker: _Worker, found: dict[str, str], error: BaseException | None) -> None:
         """Take or refuse a worker by what is installed there."""
         if error is not None:
             differs = f"cannot load this version of acoustic-fem ({type(error).__name__}: {said_by(error)})"
@@ -324,25 +302,17 @@ class Cluster:
             self.notes[self._refused] = None
 
 
-class _Ended:
-    """In place of the result of a task that ended a worker."""
-
-
 # -- what a worker runs -----------------------------------------------------------------------------
-#: What BLAS and OpenMP libraries are loaded, and how many modules there were when they were looked for.
-_libraries: tuple[int, Any] = (0, None)
-
-
 def in_one_thread(function: Callable[..., Any], *task: Any) -> Any:
     """Run a task with one thread in BLAS: the workers share the processors among themselves."""
-    global _libraries
-    from threadpoolctl import ThreadpoolController
-
-    if _libraries[0] != len(sys.modules):  # looking for them takes ten milliseconds
-        controller = ThreadpoolController()
-        _libraries = len(sys.modules), controller
-    with _libraries[1].limit(limits=1):
+    with _thread_pools(len(sys.modules)).limit(limits=1):
         return function(*task)
+
+
+@lru_cache(maxsize=1)
+def _thread_pools(modules: int) -> ThreadpoolController:
+    """The BLAS and OpenMP libraries of so many modules: looking for them takes ten milliseconds."""
+    return ThreadpoolController()
 
 
 def _by_a_worker(function: Callable[..., Any], *task: Any) -> Any:

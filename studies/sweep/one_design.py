@@ -46,7 +46,7 @@ def design_metrics(
         RuntimeError: one failed by a mistake of the program.
     """
     from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-    from studies.study.failure_reasons import PROGRAM_ERROR
+    from studies.study.cases import PROGRAM_ERROR
     from studies.sweep.block import Job, solve_block
 
     names = [metric.name for metric in metrics]

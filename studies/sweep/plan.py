@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from acoustic_fem.cell.design_cells import is_cached
-from studies.study.cases import sobol_note
-from studies.study.failure_reasons import by_kind
+from studies.study.cases import by_kind, sobol_note
 from studies.study.study import Study
-from studies.sweep.block import Job
 from studies.sweep.cost import elapsed, seconds_of, team_size
-from studies.sweep.new_store import block_size, point_count
-from studies.sweep.survey import surveyed, try_metrics
+from studies.sweep.records import block_size, point_count
+from studies.sweep.survey import surveyed
 
 #: Memory of a worker that has loaded everything, and of one that solves a 3-D cell, bytes.
 _WORKER_MEMORY = 0.25e9
@@ -50,11 +48,10 @@ def plan_sweep(study: Study, workers: int | None = None) -> Plan:
     """Cost of a study: its cases and cells counted, a few of its cases measured in closed form.
 
     Raises:
-        StudyError: a metric does not suit the study.
+        Refusal: as :func:`studies.sweep.survey.surveyed`.
     """
     found = surveyed(study, every=True)
     cases = found.cases
-    try_metrics(Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions), found, study)
     valid = [number for number in range(len(cases)) if number not in found.refused]
     cells = found.cells_of(valid)
     cached = sum(is_cached(cell, study.frequency, air, study.fidelity) for cell, air in cells)

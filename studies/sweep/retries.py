@@ -20,7 +20,7 @@ from acoustic_fem.cell.design_cells import keep_cell, kept_cell
 from studies.study.cases import Cases
 from studies.study.metric_registry import metrics_named
 from studies.sweep.block import CellKey, Job, SolvedCell, solve_block, solve_cell
-from studies.sweep.store import FAILED, BlockResult
+from studies.sweep.records import FAILED, BlockResult
 from studies.sweep.workers import Workers
 
 #: Why a case or a cell failed that no worker survived.
@@ -128,5 +128,6 @@ def _joined(halves: list[Solved]) -> Solved:
         state=np.concatenate([result.state for result in results]),
         reason=tuple(reason for result in results for reason in result.reason),
         transfer_function=transfer,
+        mistakes=tuple(dict.fromkeys(mistake for result in results for mistake in result.mistakes)),
     )
     return joined, tuple(dict.fromkeys(note for _, notes in halves for note in notes))

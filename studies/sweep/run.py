@@ -7,6 +7,7 @@ they come. What was killed and started again ends in the same store as what was 
 from __future__ import annotations
 
 import json
+import traceback
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
@@ -19,19 +20,19 @@ import numpy as np
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted, said_by
 from studies.output.display import Display
-from studies.study.cases import Cases
-from studies.study.failure_reasons import PROGRAM_ERROR
+from studies.study.cases import PROGRAM_ERROR, Cases
 from studies.study.metric_registry import metrics_named
 from studies.study.study import Study
 from studies.sweep.block import CellKey, Job, SolvedCell
 from studies.sweep.cluster import WorkersLost
 from studies.sweep.cost import seconds_of, team_size
 from studies.sweep.progress import Progress, shown_on
+from studies.sweep.records import DONE, FAILED, WAITING
 from studies.sweep.retries import solved_blocks, solved_cells
-from studies.sweep.store import DONE, FAILED, SweepStore, check_store, sole_writer
-from studies.sweep.survey import surveyed, try_metrics
+from studies.sweep.store import SweepStore, check_store, sole_writer
+from studies.sweep.survey import surveyed
 from studies.sweep.workers import Workers, open_workers
 
 
@@ -73,7 +74,7 @@ class Summary:
         if wrong := self.program_errors:
             return (
                 f"{counted(len(wrong), 'case')} (the first is {min(wrong)}) failed by a mistake of the program, not by "
-                "their design; when it is mended compute the study into a new store"
+                "their design; its traceback is in the log. When it is fixed compute the study into a new store"
             )
         if self.failures and sum(map(len, self.failures.values())) == self.cases:
             why, numbers = next(iter(self.failures.items()))
@@ -131,15 +132,14 @@ def _run_sweep(
     found = surveyed(study)
     cases, metrics = found.cases, metrics_named(study.metrics)
     job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
-    try_metrics(job, found, study)
     with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
         store = SweepStore.claim(out, study, cases, metrics)
         waiting = store.waiting()
         notes = dict.fromkeys(store.notes)
-        if store.attributes.get("code_version") != versions(None, ())["code_version"]:
-            notes[f"begun by version {store.attributes.get('code_version')} of acoustic-fem"] = None
-        before = int((store.state != 0).sum())
-        write_line(log, {"event": "start", **versions(study.seed, ()), "waiting_blocks": len(waiting)})
+        if store.attributes["code_version"] != versions(None, ())["code_version"]:
+            notes[f"begun by version {store.attributes['code_version']} of acoustic-fem"] = None
+        before = int((store.state != WAITING).sum())
+        write_line(log, "start", **versions(study.seed, ()), waiting_blocks=len(waiting))
         cells: dict[CellKey, SolvedCell] = {}
         if waiting:
             needed = {block: found.cells_of(range(*block)) for block in waiting}
@@ -148,14 +148,17 @@ def _run_sweep(
             try:
                 with pool as team:
                     job = replace(job, discs=_interpolate_discs(team, found.discs))
-                    cells = _solve_cells(team, job, keys, progress)
+                    cells = _solve_cells(team, job, keys, progress, log)
                     _solve_blocks(team, job, cases, store, waiting, needed, cells, progress, notes, log)
             except WorkersLost as error:
-                raise SweepError(f"{out}: {error}; what is done is kept, run again to continue") from None
+                raise _stopped(out, str(error)) from None
+            except (OSError, MemoryError) as error:  # the cases at hand wait
+                write_line(log, "stopped", traceback="".join(traceback.format_exception(error)))
+                raise _stopped(out, _lack(error)) from None
         state = store.state
         summary = Summary(
             cases=len(cases),
-            computed=int((state != 0).sum()) - before,
+            computed=int((state != WAITING).sum()) - before,
             failures=store.failures(),
             cells=len(cells),
             cells_solved=sum(not cell.cached and cell.admittance is not None for cell in cells.values()),
@@ -163,9 +166,21 @@ def _run_sweep(
             seconds=perf_counter() - started,
             notes=tuple(notes),
         )
-        write_line(log, {"event": "end", "done": int((state == DONE).sum()), "failed": int((state == FAILED).sum()),
-                         "seconds": round(summary.seconds, 3)})  # fmt: skip
+        done, failed = int((state == DONE).sum()), int((state == FAILED).sum())
+        write_line(log, "end", done=done, failed=failed, seconds=round(summary.seconds, 3))
     return summary
+
+
+def _stopped(out: Path, why: str) -> SweepError:
+    return SweepError(why, kind=Kind.STOPPED, file=out, remedy="what is done is kept, run again to continue")
+
+
+def _lack(error: OSError | MemoryError) -> str:
+    """What the machine lacks, in words."""
+    if isinstance(error, MemoryError):
+        return f"the memory does not suffice ({said_by(error)})"
+    where = "" if error.filename is None else f" ({error.filename})"
+    return f"{error.strerror or said_by(error)}{where}"
 
 
 def _team(
@@ -198,6 +213,7 @@ def _solve_cells(
     job: Job,
     keys: Sequence[CellKey],
     progress: Callable[[Progress], None] | None,
+    log: IO[str],
 ) -> dict[CellKey, SolvedCell]:
     """Every distinct cell once."""
     solved: dict[CellKey, SolvedCell] = {}
@@ -205,6 +221,8 @@ def _solve_cells(
     for key, cell in solved_cells(team, keys, job.frequency, job.fidelity):
         solved[key] = cell
         failed += cell.admittance is None
+        if cell.mistake:
+            write_line(log, "mistake", traceback=cell.mistake)
         if progress is not None:
             progress(_progress("cells", len(solved), len(keys), failed, len(solved), perf_counter() - started))
     return solved
@@ -222,23 +240,20 @@ def _solve_blocks(
     notes: dict[str, None],
     log: IO[str],
 ) -> None:
-    state = store.state
-    done, failed, computed = int((state != 0).sum()), int((state == FAILED).sum()), 0
-    for first, stop in waiting:  # a block is written whole, also what an earlier run had of it
-        done -= int((state[first:stop] != 0).sum())
-        failed -= int((state[first:stop] == FAILED).sum())
+    done, failed, computed = int((store.state != WAITING).sum()), int((store.state == FAILED).sum()), 0
     started = perf_counter()
-
     for result, warned in solved_blocks(team, job, cases, waiting, needed, cells):
         store.write(result)
         for note in team.notes:
             if note not in notes:
-                write_line(log, {"event": "note", "note": note})
+                write_line(log, "note", note=note)
+        for mistake in result.mistakes:
+            write_line(log, "mistake", first=result.first, traceback=mistake)
         notes |= dict.fromkeys((*warned, *team.notes))
         count = len(result.state)
         done, computed = done + count, computed + count
         failed += int((result.state == FAILED).sum())
-        write_line(log, {"event": "block", "first": result.first, "cases": count})
+        write_line(log, "block", first=result.first, cases=count)
         if progress is not None:
             progress(_progress("cases", done, len(cases), failed, computed, perf_counter() - started))
 
@@ -249,7 +264,8 @@ def _progress(what: str, done: int, total: int, failed: int, computed: int, seco
 
 
 # -- log --------------------------------------------------------------------------------------------
-def write_line(log: IO[str], content: Mapping[str, Any]) -> None:
+def write_line(log: IO[str], event: str, **content: Any) -> None:
     """Write one line of JSON with the time."""
-    log.write(json.dumps({"time": datetime.now(UTC).isoformat(timespec="milliseconds"), **content}) + "\n")
+    now = datetime.now(UTC).isoformat(timespec="milliseconds")
+    log.write(json.dumps({"time": now, "event": event, **content}) + "\n")
     log.flush()

@@ -8,16 +8,13 @@ from dataclasses import dataclass
 from acoustic_fem.membrane.disc import design_shape
 from acoustic_fem.membrane.elasticity import DiscShape
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry import ArrayDesign, DesignError
-from geometry.ground.extras import NotInstalled
+from geometry import DesignError
 from geometry.ground.refusal import Refusal
 from geometry.layout.overlaps import refuse_overlaps
-from studies.study.cases import Cases, cases_of, check_base
-from studies.study.study import Study, StudyError
-from studies.sweep.block import CellKey, Job, cells_of, check_metrics
+from studies.study.cases import Cases, allowed_cases, check_base, drawn_cases, kept_cases
+from studies.study.study import Study
+from studies.sweep.block import CellKey, cells_of
 
-#: Cases looked at for a valid one where nothing else asks for their designs.
-_LOOKED_AT = 1000
 #: Parameters that may change a membrane.
 _OF_MEMBRANES = ("membrane.", "materials.", "resonator.cavity_diameter", "point_kinds.")
 
@@ -28,8 +25,6 @@ class Survey:
 
     cases: Cases
     """All cases."""
-    first: ArrayDesign | None
-    """First valid design; None where none was found."""
     refused: dict[int, str]
     """Why a case has no design or no cells, by its number; complete where all designs were looked at."""
     discs: tuple[DiscShape, ...]
@@ -59,47 +54,24 @@ def surveyed(study: Study, every: bool = False) -> Survey:
     discs: dict[DiscShape, None] = {}
     cells: list[tuple[CellKey, ...]] = []
     refused: dict[int, str] = {}
-    valid: list[ArrayDesign] = []
-
-    def look(number: int, design: ArrayDesign | DesignError) -> None:
+    drawn, kept = drawn_cases(study), []
+    for number, case in allowed_cases(study, drawn):
+        kept.append(number)
+        if not (every or membranes or solid):
+            continue
         own: tuple[CellKey, ...] = ()
         try:
+            design = case.design
             if isinstance(design, DesignError):
                 raise design
             if every or solid:
                 refuse_overlaps(design)
             if solid:
                 own = tuple(known.setdefault(key, key) for key in cells_of(design))
-            if not valid:
-                valid.append(design)
             if membranes:
                 discs.update((design_shape(design.of_kind(kind)), None) for kind in design.kinds)
         except Refusal as error:
-            refused[number] = str(error)  # the case fails by name when it is computed
+            refused[len(kept) - 1] = str(error)  # the case fails by name when it is computed
         cells.append(own)
-
-    cases = cases_of(study, look if every or membranes or solid else None)
-    for number in range(min(len(cases), _LOOKED_AT) if not (valid or refused) else 0):
-        try:
-            valid.append(cases.buildable(number))
-            break
-        except DesignError:
-            continue
-    return Survey(cases, valid[0] if valid else None, refused, tuple(discs), tuple(cells) if solid else ())
-
-
-def try_metrics(job: Job, found: Survey, study: Study) -> None:
-    """Refuse what no case could be computed with, before any work.
-
-    Raises:
-        StudyError: a metric does not suit the study.
-        NotInstalled: a metric needs what is not there.
-    """
-    if found.first is None:
-        return
-    try:
-        check_metrics(job, found.first)
-    except NotInstalled:
-        raise
-    except Refusal as error:
-        raise StudyError(f"{study.name}: {error}") from None
+    cases = kept_cases(study, drawn, kept)
+    return Survey(cases, refused, tuple(discs), tuple(cells) if solid else ())

@@ -6,21 +6,28 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.calibration import Calibration, Update
+from acoustic_fem.calibration.fitted_model import UpdatedModel
+from acoustic_fem.calibration.manifest import read_manifest
+from acoustic_fem.calibration.measured_library import calibrate
+from acoustic_fem.calibration.model_updating import update
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
+from acoustic_fem.quantities.local_air import LocalAir
+from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.ground.refusal import Refusal
+from localize.signals import BAND
 from studies.output.display import Display
 from studies.output.folders import check_new_file
-from studies.output.frequencies import CALIBRATION_FREQUENCIES, stated_frequencies
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
-
-    from acoustic_fem import Library
-    from acoustic_fem.calibration import Calibration, Update
-    from acoustic_fem.quantities.local_air import LocalAir
-    from acoustic_fem.scatter.tolerances import Tolerance
+from studies.output.frequencies import CALIBRATION_FREQUENCIES
+from studies.test_rig.calibration_figures import draw_calibration
+from studies.test_rig.priors import fit_priors, model_deviation
 
 #: The manifest of a folder of recordings.
 MANIFEST = "calibration.toml"
@@ -53,7 +60,7 @@ def calibrate_sensor(
     recordings: str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
-    fidelity: str = "lumped",
+    fidelity: str = ONE_DESIGN,
     frequency: ArrayLike | str = CALIBRATION_FREQUENCIES,
     tolerances: str | os.PathLike[str] | Sequence[Tolerance] | None = None,
     air: LocalAir | None = None,
@@ -83,16 +90,7 @@ def calibrate_sensor(
         raise Refusal(f"{path}: `out` must be a library, .nc; its figure goes beside it as .png")
     check_new_file(path, kept="a measured library")
     check_new_file(picture, kept="the figure of one")
-    import acoustic_fem
-    from acoustic_fem.calibration.fitted_model import UpdatedModel
-    from acoustic_fem.calibration.manifest import read_manifest
-    from acoustic_fem.calibration.measured_library import calibrate
-    from acoustic_fem.calibration.model_updating import update
-    from acoustic_fem.scatter.tolerances import tolerances_of
-    from studies.test_rig.calibration_figures import draw_calibration
-    from studies.test_rig.priors import fit_priors, model_deviation
-
-    grid, scatter, source = stated_frequencies(frequency), tolerances_of(tolerances), Path(recordings)
+    grid, scatter, source = frequency_grid(frequency), tolerances_of(tolerances), Path(recordings)
     manifest = read_manifest(source / MANIFEST if source.is_dir() else source)
     if air is not None:
         manifest = replace(manifest, design=manifest.design.with_values(air.design_values))
@@ -116,7 +114,6 @@ def calibrate_sensor(
 def _prospect(fit: Update) -> tuple[NDArray[np.float64] | None, int | None]:
     """What is to be expected of the fitted library, and what to measure next."""
     from localize.recalibration import expected_accuracy, is_enough, least_known
-    from localize.signals import BAND
 
     if fit.model.frequency[0] > BAND[0] or fit.model.frequency[-1] < BAND[1]:
         return None, None

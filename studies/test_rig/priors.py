@@ -8,10 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.calibration.fitted_model import Priors
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.as_built_sensors import made_transfer_functions
+from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import Array
@@ -34,10 +33,10 @@ def model_deviation(design: ArrayDesign, frequency: Array, tolerances: Sequence[
         (n_point, n_microphone, n_freq) float64, Pa/Pa: root mean square of the real part, and of the imaginary part, of
         the difference.
     """
-    scattered, air = ScatteredDesign(design, tolerances), design_air(design)
-    made = made_transfer_functions(scattered, scattered.draws(0, _DEVIATION_SENSORS, 0), frequency, air)
-    nominal = batch_transfer_function(scattered.nominal, scattered.topology, frequency, air)
-    return np.asarray(np.sqrt((np.abs(made - nominal) ** 2).mean(0) / 2))
+    scattered = ScatteredDesign(design, tolerances)
+    sensors = AsBuiltSensors(scattered, frequency, design_air(design))
+    made = sensors.transfer_functions(scattered.draws(0, _DEVIATION_SENSORS, 0))
+    return np.asarray(np.sqrt((np.abs(made - sensors.nominal) ** 2).mean(0) / 2))
 
 
 def fit_priors(design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES) -> Priors:

@@ -8,15 +8,23 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
+import acoustic_fem
+from acoustic_fem import Library
+from acoustic_fem.quantities.local_air import LocalAir
+from localize import read_recording
+from localize.live.front_end import HighPass
+from localize.live.options import HIGH_PASS
+from localize.recordings.same_take import find_same_take
+from localize.signals.array_response import response_of
+from localize.signals.frames import FRAME, cut_frames
+from localize.signals.noise_model import NoiseSpectrum
 from studies.output.display import Display
 from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    from acoustic_fem import Library
-    from acoustic_fem.quantities.local_air import LocalAir
     from localize import SelfCalibration
 
 
@@ -63,14 +71,7 @@ def recalibrate(
     """
     path = Path(out)
     check_new_file(path, ".nc", kept="a calibrated library")
-    import numpy as np
-
-    import acoustic_fem
-    from localize import SelfCalibrationError, read_recording, self_calibrate
-    from localize.live.front_end import HIGH_PASS, HighPass
-    from localize.signals.array_response import response_of
-    from localize.signals.frames import cut_frames
-    from localize.signals.noise_model import NoiseSpectrum
+    from localize import SelfCalibrationError, self_calibrate
 
     present = acoustic_fem.load(library)
     if air is not None:
@@ -99,12 +100,8 @@ def _refuse_the_same_take(
     level: float,
 ) -> None:
     """A copy of what the search saw would judge it."""
-    import numpy as np
-
     from localize import SelfCalibrationError
     from localize.recalibration.self_calibration import touched
-    from localize.recordings.same_take import find_same_take
-    from localize.signals.frames import FRAME
 
     # the last frame ends with its recording
     first = [

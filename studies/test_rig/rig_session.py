@@ -5,16 +5,22 @@ from __future__ import annotations
 import os
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any
 
+import numpy as np
+
+import acoustic_fem
+from acoustic_fem.library.exchange import write_library
+from acoustic_fem.library.provenance import versions
+from acoustic_fem.library.transfer_functions import described, measured_library
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import ONE_DESIGN
+from geometry.design.design_file import DesignLike, write_design
 from studies.output.display import Display
 from studies.output.folders import check_folder, make_folder, replaced_folder, write_json
 from studies.test_rig.calibrating import MANIFEST
-
-if TYPE_CHECKING:
-    from geometry import ArrayDesign
-    from studies.test_rig.rig_touches import TouchSession
-    from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
+from studies.test_rig.rig_touches import TouchSession, record_touches
+from studies.test_rig.virtual_rig import RIG_MARK, HiddenScatter, Recorder, Rig
 
 #: What lies in the folder of a session.
 CALIBRATION, TOUCHES, TRUTH, TRUE_LIBRARY = "calibration", "touches", "truth.json", "truth.nc"
@@ -46,11 +52,11 @@ class RigSession:
 
 
 def record_rig(
-    design: ArrayDesign,
+    design: DesignLike,
     out: str | os.PathLike[str],
     *,
     seed: int = 0,
-    fidelity: Literal["lumped", "navier-stokes"] = "lumped",
+    fidelity: str = ONE_DESIGN,
     scatter: HiddenScatter | None = None,
     recorder: Recorder | None = None,
     session: TouchSession | None = None,
@@ -62,10 +68,10 @@ def record_rig(
     :class:`studies.Recorder`, and the touches, :class:`studies.TouchSession`. The same seed gives the same files.
 
     Args:
-        design: the nominal array.
+        design: the nominal array: a design, the path of its file, or the name of a prototype.
         out: a new or empty folder, or one of an earlier session.
         seed: of the hidden parameters and of all recordings.
-        fidelity: ``lumped``, or ``navier-stokes`` for what 3-D cells change.
+        fidelity: of the transfer functions of the nominal design, see :func:`acoustic_fem.solve`.
         scatter: how far the hidden parameters lie from nominal.
         recorder: how recordings are made; by default 30 s for each point of the calibration.
         session: what is recorded of touches; by default two takes of 6 s of each part.
@@ -76,11 +82,9 @@ def record_rig(
             cannot be written.
     """
     folder, show = Path(out), display or Display()
-    from studies.test_rig.rig_touches import TouchSession, record_touches
-    from studies.test_rig.virtual_rig import RIG_MARK, Recorder, Rig
-
     check_folder(folder, "rig", RIG_MARK)
     rig = Rig(design, seed, scatter, fidelity)
+    design = rig.design
     recorder = recorder or Recorder(seconds=SECONDS)
     session = session or TouchSession(TAKES, TAKE_SECONDS)
     make_folder(folder, "rig", RIG_MARK)
@@ -117,19 +121,10 @@ def hidden_values(rig: Rig) -> dict[str, Any]:
 
 def _write_truth(rig: Rig, folder: Path, recorder: Recorder, session: TouchSession) -> Path:
     """The library of the sensor as it is, and the file of all that is hidden."""
-    import numpy as np
-
-    import acoustic_fem
-    from acoustic_fem.library.exchange import write_library
-    from acoustic_fem.library.provenance import versions
-    from acoustic_fem.library.transfer_functions import described, measured_library
-    from geometry.design.design_file import write_design
-    from studies.output.frequencies import stated_frequencies
-
     settings = {"scatter": asdict(rig.scatter), "recorder": asdict(recorder), "session": asdict(session)}
     made = {**versions(rig.seed, ("numpy", "scipy")), "fidelity": rig.fidelity}
-    grid = stated_frequencies(TRUE_FREQUENCIES)
-    nominal = acoustic_fem.solve(rig.design, grid, "lumped")
+    grid = frequency_grid(TRUE_FREQUENCIES)
+    nominal = acoustic_fem.solve(rig.design, grid, rig.fidelity)
     h = rig.transfer_function(grid)
     about = {"seed": rig.seed, "rig": settings, "model": described(nominal)}
     library = measured_library(rig.design, nominal, h, np.zeros(h.shape), ("numpy", "scipy"), about)

@@ -1,6 +1,6 @@
 """A virtual rig: a sensor with hidden deviations that writes recordings as a real one would.
 
-The hidden sensor is computed by the lumped batch, and at ``navier-stokes`` fidelity multiplied by what that changes in
+The hidden sensor is computed by the lumped batch, and at any other fidelity multiplied by what that changes in
 the nominal design. Beside what a fit of the usual parameters knows (bores, compliances, modulus, loss, gains, corners,
 chambers) it has deviations that such a fit lacks: lengths of tubes, cavities apart from their membranes, a loss factor
 of each membrane with the slope that it asks for, a rubber that relaxes more than that, temperature and pressure of the
@@ -17,6 +17,7 @@ from typing import Literal
 
 import numpy as np
 import scipy.interpolate
+import scipy.signal
 import tomlkit
 from numpy.typing import NDArray
 
@@ -27,12 +28,12 @@ from acoustic_fem.batch.topology import Topology
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import noise_density, response
-from acoustic_fem.quantities.checks import in_range
+from acoustic_fem.quantities.checks import in_range, one_of
+from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
 from acoustic_fem.quantities.local_air import design_air, standard_pressure
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.sound.sound_file import write_wav
-from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import write_design
+from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
@@ -147,10 +148,10 @@ class Rig:
     """Virtual rig: a made sensor whose parameters are hidden.
 
     Args:
-        design: the nominal array.
+        design: the nominal array: a design, the path of its file, or the name of a prototype.
         seed: of the hidden parameters; recordings use children of it.
         scatter: how far they lie from nominal.
-        fidelity: ``lumped``, or ``navier-stokes`` for what 3-D cells change.
+        fidelity: of the transfer functions of the nominal design, see :func:`acoustic_fem.solve`.
 
     Raises:
         Refusal: a negative seed, or a design that the lumped batch does not take.
@@ -158,14 +159,15 @@ class Rig:
 
     def __init__(
         self,
-        design: ArrayDesign,
+        design: DesignLike,
         seed: int,
         scatter: HiddenScatter | None = None,
-        fidelity: Literal["lumped", "navier-stokes"] = "lumped",
+        fidelity: str = ONE_DESIGN,
     ) -> None:
         if seed < 0:
             raise Refusal(f"seed = {seed} must be 0 or above")
-        self.design, self.seed, self.fidelity = design, seed, fidelity
+        design = resolve_design(design)
+        self.design, self.seed, self.fidelity = design, seed, one_of("fidelity", fidelity, FIDELITIES)
         self.scatter = scatter or HiddenScatter()
         shared = Topology.of(design)
         self.topology = shared.individual()
@@ -367,7 +369,5 @@ def _excitation(recorder: Recorder, total: int, random: np.random.Generator) -> 
     """Spectrum of what is played, before it is scaled and cut to its band."""
     if recorder.excitation == "noise":
         return np.asarray(np.fft.rfft(random.standard_normal(total)))
-    import scipy.signal
-
     time = np.arange(total) / recorder.rate
     return np.asarray(np.fft.rfft(scipy.signal.chirp(time % 20.0, BAND[0], 20.0, BAND[1], method="logarithmic")))

@@ -37,7 +37,7 @@ def nominal() -> Library:
 @cache
 def truth(seed: int = 6, modulus: float = 0.85) -> localize.ArrayResponse:
     """A made sensor, on which the nominal library names half of the touches right."""
-    h = Rig(DESIGN, seed, HiddenScatter(batch=0.0, modulus=modulus)).transfer_function(GRID)
+    h = Rig(DESIGN, seed, HiddenScatter(batch=0.0, modulus=modulus), fidelity="lumped").transfer_function(GRID)
     return replace(response_of(nominal()), transfer_function=h)
 
 

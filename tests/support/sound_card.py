@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable
 from typing import Any
 
-from studies.panels.live import hear_live
+from studies.panels.live_panel import listen_live
 
 
 def cards() -> list[dict[str, Any]]:
@@ -16,7 +16,7 @@ def cards() -> list[dict[str, Any]]:
 
 def hear(design: Any, device: int | None, full_scale: float, replay: None, tell: Callable[[str], None]) -> Any:
     """What the card hears, in real time."""
-    return hear_live(design, None, full_scale, os.environ["STUDIO_TAPS"], tell)
+    return listen_live(design, None, full_scale, os.environ["STUDIO_TAPS"], tell)
 
 
 def main() -> None:
@@ -24,5 +24,5 @@ def main() -> None:
     from studies.cli.app import main as command_line
     from studies.studio import workplace
 
-    workplace.hear_live, workplace.sound_cards = hear, cards
+    workplace.listen_live, workplace.sound_cards = hear, cards
     command_line()

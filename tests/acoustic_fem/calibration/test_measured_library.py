@@ -47,7 +47,7 @@ def measured(path: Path, model: Library) -> Calibration:
 def test_the_stated_band_holds_the_truth_as_often_as_it_says(excitation: str, model: Library, tmp_path: Path) -> None:
     inside = []
     for seed in range(4):
-        rig = Rig(DESIGN, seed)
+        rig = Rig(DESIGN, seed, fidelity="lumped")
         path = rig.record(tmp_path / str(seed), POINTS, replace(Recorder(), excitation=excitation))
         found = measured(path, model)
         truth = rig.transfer_function(GRID)
@@ -105,7 +105,7 @@ def test_an_estimate_that_cannot_be_made_is_refused(change: dict[str, object], m
 
 # -- files ----------------------------------------------------------------------------------------------------------
 def test_files_of_every_kind_and_one_file_per_channel_say_the_same(model: Library, tmp_path: Path) -> None:
-    rig = Rig(DESIGN, 7)
+    rig = Rig(DESIGN, 7, fidelity="lumped")
     path = rig.record(tmp_path, [2], replace(SHORT, separate=True, bits=32))
     expected = measured(path, model).estimates[2]
     names = ("reference", "A", "B")
@@ -128,7 +128,7 @@ def test_files_of_every_kind_and_one_file_per_channel_say_the_same(model: Librar
 
 
 def test_other_rates_and_a_known_delay_change_nothing(model: Library, tmp_path: Path) -> None:
-    rig = Rig(DESIGN, 3)
+    rig = Rig(DESIGN, 3, fidelity="lumped")
     truth = rig.transfer_function(GRID)[0]
     for rate, late in ((500, 0.0), (1000, 0.05), (4410, -0.02)):
         path = rig.record(tmp_path / str(rate), [1], replace(SHORT, rate=rate, late=late))
@@ -137,7 +137,7 @@ def test_other_rates_and_a_known_delay_change_nothing(model: Library, tmp_path: 
 
 
 def test_a_recorder_that_started_seconds_late_is_brought_in_line(model: Library, tmp_path: Path) -> None:
-    rig = Rig(DESIGN, 3)
+    rig = Rig(DESIGN, 3, fidelity="lumped")
     path = rig.record(tmp_path, [1], Recorder(seconds=30.0, late=0.0))
     rate, whole = wavfile.read(tmp_path / "point-1.wav")
     late = round(5.25 * rate)
@@ -162,7 +162,7 @@ def test_a_recorder_that_started_seconds_late_is_brought_in_line(model: Library,
 
 
 def test_an_unknown_delay_is_noted_with_its_size(model: Library, tmp_path: Path) -> None:
-    path = Rig(DESIGN, 3).record(tmp_path, [1], replace(SHORT, late=0.03))
+    path = Rig(DESIGN, 3, fidelity="lumped").record(tmp_path, [1], replace(SHORT, late=0.03))
     manifest = tomlkit.parse(path.read_text(encoding="utf-8"))
     del manifest["started_late"]
     path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
@@ -172,7 +172,7 @@ def test_an_unknown_delay_is_noted_with_its_size(model: Library, tmp_path: Path)
 
 # -- the library ----------------------------------------------------------------------------------------------------
 def test_a_measured_library_is_a_library_with_its_uncertainty(model: Library, tmp_path: Path) -> None:
-    rig = Rig(DESIGN, 5)
+    rig = Rig(DESIGN, 5, fidelity="lumped")
     found = measured(rig.record(tmp_path, [1, 3], SHORT), model)
     spread = np.full(model.transfer_function.shape, 0.25)
     library = found.library(model, spread)
@@ -194,7 +194,7 @@ def test_a_measured_library_is_a_library_with_its_uncertainty(model: Library, tm
 
 
 def test_a_decoder_of_the_measured_library_knows_the_made_sensor(model: Library, tmp_path: Path) -> None:
-    rig = Rig(DESIGN, 2, HiddenScatter(batch=0.0, modulus=0.7))
+    rig = Rig(DESIGN, 2, HiddenScatter(batch=0.0, modulus=0.7), fidelity="lumped")
     library = measured(rig.record(tmp_path, POINTS, SHORT), model).library(model)
     touched = replace(localize.signals.response_of(model), transfer_function=rig.transfer_function(GRID))
     found = [
@@ -208,7 +208,7 @@ def test_a_library_from_some_points_is_the_fitted_sensor_at_all_of_them(tmp_path
     """Measured values among fitted ones would draw the touches of other points to them."""
     design = geometry.prototype("array-2x6")
     nominal = acoustic_fem.solve(design, GRID, "lumped")
-    rig = Rig(design, 7402)
+    rig = Rig(design, 7402, fidelity="lumped")
     found = measured(rig.record(tmp_path, [2, 6, 11], Recorder(seconds=30.0, late=0.0)), nominal)
     fit = update(UpdatedModel(nominal), found.estimates)
     library = found.library(nominal, fit=fit)

@@ -71,7 +71,7 @@ def test_three_points_bring_all_points_of_a_foreign_sensor_near(model: UpdatedMo
     """The rig's sensors have lengths, cavities, losses and air that the family lacks."""
     before, after = [], []
     for seed in range(4):
-        truth = Rig(DESIGN, seed, HiddenScatter(batch=0.0, modulus=modulus)).transfer_function(GRID)
+        truth = Rig(DESIGN, seed, HiddenScatter(batch=0.0, modulus=modulus), fidelity="lumped").transfer_function(GRID)
         found = update(model, measured(truth, (2, 6, 11), seed))
         assert found.objection is None
         before.append(decibels(model.library.transfer_function.values, truth))
@@ -117,7 +117,7 @@ def test_parts_of_foreign_sensors_lie_within_the_posterior(library: Library) -> 
     model = UpdatedModel(library, fit_priors(DESIGN, rig_tolerances(HiddenScatter())))
     inside: dict[str, list[bool]] = defaultdict(list)
     for seed in range(10):
-        rig = Rig(DESIGN, seed, HiddenScatter())
+        rig = Rig(DESIGN, seed, HiddenScatter(), fidelity="lumped")
         found = update(model, measured(rig.transfer_function(GRID), (2, 6, 11), seed))
         assert found.objection is None
         for part, is_inside in within_95(rig, found):
@@ -127,7 +127,7 @@ def test_parts_of_foreign_sensors_lie_within_the_posterior(library: Library) -> 
 
 
 def test_what_one_point_cannot_tell_is_named(model: UpdatedModel) -> None:
-    truth = Rig(DESIGN, 1).transfer_function(GRID)
+    truth = Rig(DESIGN, 1, fidelity="lumped").transfer_function(GRID)
     one, all_points = (update(model, measured(truth, points)) for points in ((6,), range(1, 13)))
     assert len(one.undetermined) > len(all_points.undetermined)
     assert len(one.undetermined) == model.count - (one.eigenvalues >= 1).sum()
@@ -185,7 +185,7 @@ def test_priors_and_spread_follow_the_tolerances() -> None:
 
 @pytest.mark.parametrize("delay", [5e-4, -2e-3])
 def test_a_delay_of_the_reference_is_found_and_spoils_nothing(model: UpdatedModel, delay: float) -> None:
-    truth = Rig(DESIGN, 201).transfer_function(GRID)
+    truth = Rig(DESIGN, 201, fidelity="lumped").transfer_function(GRID)
     late = truth * np.exp(-2j * np.pi * GRID * delay)
     found = update(model, measured(late, (2, 6, 11)))
     assert found.objection is None
@@ -205,7 +205,7 @@ def test_measurements_without_noise_are_believed_to_a_limit(model: UpdatedModel,
 
 
 def test_the_point_that_disagrees_is_named(model: UpdatedModel) -> None:
-    truth = Rig(DESIGN, 202).transfer_function(GRID)
+    truth = Rig(DESIGN, 202, fidelity="lumped").transfer_function(GRID)
     truth[5, 0] = truth[5, 1]  # one recording given for two channels
     found = update(model, measured(truth, (2, 6, 9, 11)))
     assert "point 6 is farthest from the fit" in assert_refused(found)

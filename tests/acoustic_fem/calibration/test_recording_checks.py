@@ -38,7 +38,7 @@ def model() -> Library:
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("recorded")
-    Rig(DESIGN, 11).record(folder, [GOOD, BAD], Recorder(seconds=44.0))
+    Rig(DESIGN, 11, fidelity="lumped").record(folder, [GOOD, BAD], Recorder(seconds=44.0))
     return folder
 
 
@@ -140,7 +140,7 @@ def test_a_fault_in_the_signals_is_named_and_the_good_point_survives(
 def test_losses_and_changes_are_found_wherever_they_are_and_good_recordings_have_none(seconds: float) -> None:
     recorder = Recorder(seconds=seconds, hum=2e-2, drift=5e-2)
     for seed, point in ((1, 1), (2, 7)):
-        good = Rig(DESIGN, seed).signals(point, recorder)
+        good = Rig(DESIGN, seed, fidelity="lumped").signals(point, recorder)
         levels, delays = largest_changes(good, RATE, GRID)
         assert levels.max() < 0.2
         assert delays.max() < 2.5e-4
@@ -212,7 +212,7 @@ def test_one_file_of_one_channel_given_for_two_is_named(recorded: Path, model: L
 
 def test_the_recording_of_another_point_is_named(recorded: Path, model: Library, tmp_path: Path) -> None:
     shutil.copytree(recorded, tmp_path, dirs_exist_ok=True)
-    other = Rig(DESIGN, 11).record(tmp_path / "other", [10], Recorder(seconds=24.0))
+    other = Rig(DESIGN, 11, fidelity="lumped").record(tmp_path / "other", [10], Recorder(seconds=24.0))
     shutil.copy(other.parent / "point-10.wav", tmp_path / f"point-{BAD}.wav")
     _, text = judged(tmp_path / "calibration.toml", model)
     assert "would explain it" in text

@@ -1,6 +1,5 @@
 """3-D cells against the reference cell, exact ducts, limits and symmetries."""
 
-import dataclasses
 import errno
 import os
 
@@ -22,7 +21,6 @@ from geometry.air.cells import Cell
 from geometry.air.mesh import MeshError
 from geometry.air.mirror_symmetry import mirror_half
 from geometry.ground.refusal import Refusal
-from geometry.schema.cavity_shapes import Box, Dome
 from geometry.schema.ports import CellPort
 
 STRAIGHT = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)
@@ -238,12 +236,6 @@ def test_only_what_the_kernel_or_the_memory_refuses_is_a_cell_without_solution(m
         monkeypatch.setattr("geometry.air.volume.air_volume", fails)
         with pytest.raises(CellError if error in raised else type(error)):
             solve_task(task, lambda fraction: None)
-
-
-@pytest.mark.parametrize("shape", [None, Box(4.0, 3.0, 0.5, 0.5), Dome(0.8)], ids=["cylinder", "box", "dome"])
-def test_a_task_comes_back_from_the_text_that_another_process_is_given(shape):
-    task = CellTask(dataclasses.replace(STRAIGHT, shape=shape), AIR, (1.0, 100.0), "navier-stokes")
-    assert CellTask.from_json(task.as_json()) == task
 
 
 @pytest.mark.slow

@@ -48,6 +48,19 @@ def test_port_admittance_agrees_with_the_reference():
     np.testing.assert_allclose(admittance[:, 0, 1], column("duct_two_port", "Y12"), rtol=1e-9)
 
 
+@pytest.mark.parametrize("count", [3, 2000])
+def test_each_radius_length_grid_and_gas_has_its_own_duct(count):
+    for _ in range(2):
+        for medium in (AIR, Medium.at(30, 0.5)):
+            for radius, length in ((2e-4, 0.01), (2e-4, 0.02), (3e-4, 0.01)):
+                for grid in (np.linspace(1, 100, count), np.linspace(1, 101, count)):
+                    duct = plane_wave.port_admittance(radius, length, grid, medium)
+                    series = plane_wave.series_impedance(radius, grid, medium)
+                    shunt = plane_wave.shunt_admittance(radius, grid, medium)
+                    np.testing.assert_array_equal(duct, plane_wave.two_port(series, shunt, length))
+                    duct[:] = 0  # what is kept is another array
+
+
 @given(radii)
 def test_series_impedance_tends_to_poiseuille_flow_and_four_thirds_of_the_mass(radius):
     frequency = 1e-3

@@ -14,7 +14,6 @@ from rings import triangle
 
 import acoustic_fem
 from acoustic_fem.library import sealed_netcdf
-from acoustic_fem.library.netcdf_file import dataset_of, library_of
 from acoustic_fem.membrane.disc import design_disc, design_rubber
 from geometry.design.design_file import prototype, write_design
 
@@ -68,15 +67,6 @@ def test_progress_runs_from_start_to_one():
     fractions = [fraction for _, fraction in seen]
     assert fractions == sorted(fractions)
     assert fractions[-1] == 1
-
-
-def test_a_library_states_the_law_of_its_membranes_and_one_that_does_not_is_of_constant_loss(library):
-    dataset = dataset_of(library)
-    name = DESIGN.membrane.material
-    assert library_of(dataset).design.material(name).law == "spring-pot"
-    older = dataset.assign_attrs(design_toml=write_design(DESIGN))
-    del older.attrs["checksums"]
-    assert library_of(older).design.material(name).law == "constant"
 
 
 def test_a_saved_library_comes_back_number_for_number(library, tmp_path):

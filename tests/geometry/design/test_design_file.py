@@ -19,7 +19,7 @@ import geometry
 from acoustic_fem.duct.coil_bore import CoilBore
 from geometry.design.array_design import ArrayDesign
 from geometry.design.changes import changed
-from geometry.design.design_file import prototype_text, read_design, read_stored_design, write_design
+from geometry.design.design_file import prototype_text, read_completed, read_design, write_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.declared_fields import fields_of
 from geometry.schema.field_errors import DesignError, UnknownField
@@ -504,17 +504,6 @@ def test_every_field_is_described_and_every_length_has_its_unit() -> None:
             assert field.allowed, field.name
 
 
-def test_a_stored_design_without_a_law_was_computed_with_constant_loss() -> None:
-    design = geometry.prototype("array-2x6")
-    name = design.membrane.material
-    stated = write_design(design.completed())
-    assert read_stored_design(stated, "a library").material(name).law == "spring-pot"
-    older = [line for line in stated.splitlines() if not line.startswith(("law =", "modulus_frequency ="))]
-    for text in ("\n".join(older), write_design(design)):
-        found = read_stored_design(text, "a library").material(name)
-        assert found == design.material(name).model_copy(update={"law": "constant"})
-
-
 RELAXATIONS = {"relaxation_times": [1.0], "relaxation_moduli": [1.0]}
 LAWS: list[tuple[dict[str, Any], Kind, str]] = [
     ({}, Kind.MISSING, "loss_factor"),
@@ -564,14 +553,13 @@ def test_a_blend_lies_between_its_parts_and_hardness_out_of_range_is_refused() -
 
 
 # -- bores ------------------------------------------------------------------------------------------
-def test_a_stored_design_that_states_no_bore_had_smooth_ones() -> None:
+def test_a_completed_design_comes_back_without_built_in_materials_and_an_older_one_is_refused() -> None:
     design = rectangle().with_values({"tube_kinds": {"own": geometry.prototype("line-2").tube}})
-    stated = write_design(design.completed())
-    assert read_stored_design(stated, "a library") == design
-    older = "\n".join(line for line in stated.splitlines() if not line.startswith("bore ="))
-    found = read_stored_design(older, "a library")
-    tubes = [found.tube, found.microphone_tube, found.tube_kinds["own"], *(found.tube_of(line) for line in found.lines)]
-    assert {tube.bore for tube in tubes} == {"smooth"}
+    text = write_design(design.completed())
+    assert read_completed(text, "a library") == design
+    older = "\n".join(line for line in text.splitlines() if not line.startswith("bore ="))
+    with pytest.raises(DesignError, match=r"a library: tube\.bore is missing"):
+        read_completed(older, "a library")
 
 
 @pytest.mark.parametrize("wire", [0.02, 0.08, 0.15, 0.21])

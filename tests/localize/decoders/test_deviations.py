@@ -12,15 +12,16 @@ from scipy.special import logsumexp
 import acoustic_fem
 import geometry
 import localize
-from localize.decoders import likelihood
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import DEVIATING, SAMPLES, joint_whitening, touch_covariances
 from localize.decoders.hypotheses import Hypotheses
+from localize.decoders.likelihood import assumed_noise, vertex
+from localize.decoders.options import TolerantOptions
 from localize.signals.array_response import ArrayResponse, response_of
 
 GRID = np.arange(1.0, 201.0)
 NOISE = 1e-3
-WARMTH = 3.0
+OPTIONS = TolerantOptions(relative_temperature=3.0)
 AMPLITUDES = np.linspace(-5, 5, 201)
 pytestmark = [pytest.mark.physics, pytest.mark.filterwarnings("ignore:.*its library ends at 200 Hz")]
 
@@ -46,11 +47,11 @@ def deviating(response: ArrayResponse, amplitude: float) -> ArrayResponse:
 
 
 def tables(response: ArrayResponse) -> tuple[DeviatingTables, np.ndarray]:
-    whiten = joint_whitening(response, likelihood.share_of(NOISE), None)
+    whiten = joint_whitening(response, assumed_noise(NOISE, OPTIONS), None)
     shapes = np.broadcast_to(shape(DEVIATING), (1, 1, 4, 2, len(DEVIATING))).astype(np.complex64)
     hypotheses = Hypotheses((response,), shapes, np.zeros((4, 1)))
     decoder = localize.BayesDecoder(response, NOISE)
-    return DeviatingTables(decoder.tables[0], hypotheses, whiten, WARMTH), whiten
+    return DeviatingTables(decoder.tables[0], hypotheses, whiten, OPTIONS), whiten
 
 
 @pytest.mark.parametrize("true", [-1.5, 0.0, 1.0])
@@ -59,15 +60,15 @@ def test_the_gain_is_that_of_the_integral_over_the_deviation(response: ArrayResp
     touch = localize.TouchGenerator(deviating(response, true), 0, "evaluation", NOISE).samples(0, 4)
     point = int(touch.point[0])
     x = touch.signals[0, :, -250:].numpy().reshape(1, -1) @ deviations.tables.reduce
-    temperature = WARMTH * likelihood.TEMPERATURE
+    temperature = OPTIONS.relative_temperature * OPTIONS.temperature
     size = 2 * SAMPLES
     each = []
     for amplitude in AMPLITUDES:
         touched = touch_covariances(deviating(response, float(amplitude)), np.eye(SAMPLES))[point]
         values, vectors = np.linalg.eigh(whiten @ touched @ whiten.T)
-        gain = np.clip(values, 0, None)[:, None] * likelihood.POWERS
+        gain = np.clip(values, 0, None)[:, None] * OPTIONS.tried_powers
         fit = -0.5 * ((x @ vectors) ** 2 @ (1 / (1 + gain)) + np.log1p(gain).sum(0))
-        each.append(likelihood.vertex(fit)[0] / temperature - amplitude**2 / 2)
+        each.append(vertex(fit)[0] / temperature - amplitude**2 / 2)
     log_integral = logsumexp(each) + np.log(trapezoid(np.ones(201), AMPLITUDES) / 200) - np.log(2 * np.pi) / 2
     # The tables leave out what is common to all points: the power of the frame.
     found = deviations.scores(x.reshape(1, 1, size), np.array([point]))[0, 0] - (x**2).sum() / 2 / temperature

@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 from rc_line import rc_line
+from refusals import refused
 
 import localize
+from geometry import Kind
 from localize.signals.finger_stimuli import taps
 
 
@@ -45,13 +47,13 @@ def test_probabilities_agree_with_how_often_the_decoder_is_right(array, noise):
 def test_true_touches_are_refused_as_rarely_as_stated(array, decoder, residuals, samples, stimuli):
     signals, _ = frames_of(array, 1e-3, 1200, stimuli)
     for rate in (0.1, 0.01):
-        refused = ~localize.judge(decoder, residuals, signals[..., :samples], false_alarm=rate).explained
-        assert refused.mean() < 1.5 * rate + 0.012
+        rejected = ~localize.judge(decoder, residuals, signals[..., :samples], false_alarm=rate).explained
+        assert rejected.mean() < 1.5 * rate + 0.012
 
 
 def test_noise_alone_has_uniform_p_values(array, residuals):
     noise = 1e-3 * np.random.default_rng(0).standard_normal((4000, 2, 250))
-    p_value = residuals.p_value(noise, np.arange(4000) % 12)
+    p_value = residuals.p_value(noise, np.arange(4000) % 12 + 1)
     assert np.mean(p_value) == pytest.approx(0.5, abs=0.02)
     assert np.mean(p_value < 0.05) == pytest.approx(0.05, abs=0.012)
 
@@ -71,7 +73,7 @@ def test_points_probabilities_and_margins_belong_together(array, residuals):
     signals, _ = frames_of(array, 0.1, 24)
     judged = localize.judge(decoder, residuals, signals[..., :250], top=12)
     probability = decoder.locate(signals[..., :250])
-    assert np.take_along_axis(probability, judged.points, 1) == pytest.approx(judged.probability, abs=1e-9)
+    assert np.take_along_axis(probability, judged.points - 1, 1) == pytest.approx(judged.probability, abs=1e-9)
     assert (np.diff(judged.probability, axis=1) <= 0).all()
     assert (judged.margin >= 0).all()
     assert np.isfinite(judged.margin).all()
@@ -83,13 +85,13 @@ def test_points_probabilities_and_margins_belong_together(array, residuals):
 
 def test_bad_arguments_are_refused(array, decoder, residuals):
     signals = np.random.default_rng(0).standard_normal((2, 2, 250))
-    with pytest.raises(ValueError, match="top = 13 must be between 1 and 12"):
+    with refused(Kind.OUT_OF_RANGE, "top", 13):
         localize.judge(decoder, residuals, signals, top=13)
-    with pytest.raises(ValueError, match="false_alarm = 0"):
+    with refused(Kind.OUT_OF_RANGE, "false_alarm", 0):
         localize.judge(decoder, residuals, signals, false_alarm=0)
-    with pytest.raises(ValueError, match="point must hold 2 values from 0 to 11"):
+    with refused(Kind.OUT_OF_RANGE, "point", [0, 12]):
         residuals.p_value(signals, [0, 12])
-    with pytest.raises(ValueError, match="loudest = 0"):
-        localize.ResidualTest(array, loudest=0)
-    with pytest.raises(ValueError, match="stands too far above microphone_noise"):
-        localize.ResidualTest(array, 1e-9, loudest=1e3)
+    with refused(Kind.OUT_OF_RANGE, "loudest_touch_pa", 0):
+        localize.ResidualTest(array, 1e-3, loudest_touch_pa=0)
+    with refused(Kind.CONFLICT, "loudest_touch_pa", 1e3):
+        localize.ResidualTest(array, 1e-9, loudest_touch_pa=1e3)

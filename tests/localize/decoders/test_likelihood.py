@@ -9,8 +9,8 @@ import acoustic_fem
 import geometry
 import localize
 from benchmarks.plain_decoding import PlainBayes, PlainTolerant
-from localize.decoders import bayes, likelihood
 from localize.decoders.likelihood import Bounds, Screen
+from localize.decoders.options import DecoderOptions
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import taps
 
@@ -40,20 +40,19 @@ def frames(library: acoustic_fem.Library) -> np.ndarray:
 
 
 @pytest.fixture
-def bounded(library: acoustic_fem.Library, monkeypatch: pytest.MonkeyPatch) -> localize.BayesDecoder:
+def bounded(library: acoustic_fem.Library) -> localize.BayesDecoder:
     """A decoder that scores no more points than it must, as those of large arrays."""
-    monkeypatch.setattr(likelihood, "FEW_NUMBERS", 0.0)
-    return localize.BayesDecoder(library, NOISE)
+    return localize.BayesDecoder(library, NOISE, options=DecoderOptions(exact_numbers=0.0))
 
 
 def test_no_score_is_above_its_bound(bounded: localize.BayesDecoder, frames: np.ndarray) -> None:
     (tables,) = bounded.tables
     x = frames.reshape(len(frames), -1) @ tables.reduce
-    exact = Screen(tables, False).all_exact(x)
+    exact = tables.scores(x)
     bound = Bounds(tables)(x)
     assert (bound >= exact).all()
     loud = slice(48, 72)  # of these it tells something
-    assert (bound[loud] < exact[loud].max(1, keepdims=True) - likelihood.FAR).mean() > 0.5
+    assert (bound[loud] < exact[loud].max(1, keepdims=True) - DecoderOptions.far_lead).mean() > 0.5
 
 
 def test_points_that_are_not_scored_leave_no_trace(
@@ -69,7 +68,7 @@ def test_points_that_are_not_scored_leave_no_trace(
     for found in (alone, bounded.locate(frames)):
         assert found == pytest.approx(expected, abs=1e-9)
         # The first three are in their order however far behind they are.
-        best = np.argsort(-expected, axis=1)[:, : bayes.LEADING]
+        best = np.argsort(-expected, axis=1)[:, : DecoderOptions.leading_points]
         assert (np.diff(np.take_along_axis(found, best, 1)) <= 0).all()
 
 

@@ -49,7 +49,7 @@ def heard(response: ArrayResponse, noise: float = NOISE) -> np.ndarray:
 def test_a_sensor_within_its_tolerances_is_not_doubted(decoder: localize.TolerantDecoder, made: ArrayResponse) -> None:
     fit = sensor_fit(decoder, heard(made))
     assert fit is not None
-    assert (fit.doubt, fit.off_level) == (None, None)
+    assert (fit.warning, fit.off_level) == (None, None)
     assert 0.5 < fit.misfit < fit.expected
 
 
@@ -57,8 +57,8 @@ def test_touches_of_another_array_are_told(decoder: localize.TolerantDecoder) ->
     other = acoustic_fem.solve(geometry.prototype("line-2").with_values({"lines.0.points": 12}), GRID, "lumped")
     fit = sensor_fit(decoder, heard(response_of(other)))
     assert fit is not None
-    assert fit.doubt is not None
-    assert "the library may be one of another array" in fit.doubt
+    assert fit.warning is not None
+    assert "the library may be one of another array" in fit.warning
 
 
 @pytest.mark.parametrize(("microphone", "level"), [(0, -12.0), (1, 9.0)])
@@ -73,8 +73,8 @@ def test_a_microphone_far_off_its_level_is_told_and_by_how_much(
     name, found = fit.off_level
     # of two microphones only the difference is known
     assert found if name == decoder.microphones[microphone] else -found == pytest.approx(level, abs=1.5)
-    assert fit.doubt is not None
-    assert f"{abs(found):.0f} dB" in fit.doubt
+    assert fit.warning is not None
+    assert f"{abs(found):.0f} dB" in fit.warning
 
 
 def test_noise_that_is_louder_than_told_is_no_misfit_once_it_is_measured(
@@ -85,7 +85,7 @@ def test_noise_that_is_louder_than_told_is_no_misfit_once_it_is_measured(
     told, measured = sensor_fit(decoder, frames), sensor_fit(decoder, frames, [loud, loud])
     assert told is not None
     assert measured is not None
-    assert measured.doubt is None
+    assert measured.warning is None
     assert told.misfit > 2 * measured.misfit
     other = acoustic_fem.solve(geometry.prototype("line-2").with_values({"lines.0.points": 12}), GRID, "lumped")
     elsewhere = sensor_fit(decoder, heard(response_of(other), loud), [loud, loud])
@@ -110,11 +110,11 @@ def test_a_calibrated_sensor_fits_its_library_and_a_softer_one_does_not(
     known = localize.BayesDecoder(measured, NOISE)
     fit = sensor_fit(known, heard(made))
     assert fit is not None
-    assert fit.doubt is None
+    assert fit.warning is None
     assert 0.8 < fit.misfit < fit.expected
     changed = sensor_fit(known, heard(response_of(library)))
     assert changed is not None
-    assert changed.doubt is not None
+    assert changed.warning is not None
 
 
 def test_the_loudest_frames_are_kept_and_none_overlap() -> None:

@@ -16,7 +16,7 @@ from clocks import ticking
 from rc_line import rc_line
 
 import localize
-from localize.graphs.description import sealed
+from geometry.ground.record import sealed
 from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError
 
@@ -82,7 +82,7 @@ import sys
 import time
 sys.path.insert(0, "tests/support")
 import localize
-from localize.graphs.description import sealed
+from geometry.ground.record import sealed
 from localize.learned import epochs
 from rc_line import rc_line
 epochs.SAVE_EVERY = 0.0

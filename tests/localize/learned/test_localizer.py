@@ -14,7 +14,7 @@ from rc_line import rc_line
 from safetensors.torch import save_file
 
 import localize
-from localize.graphs.description import sealed
+from geometry.ground.record import sealed
 from localize.learned import epochs
 from localize.learned.classifier import NetworkShape, TouchClassifier
 from localize.learned.features import map_count

@@ -12,7 +12,7 @@ import torch
 import acoustic_fem
 import geometry
 import localize
-from localize.decoders.bayes import ROOM
+from localize.decoders.surroundings import ROOM
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import STIMULI
 

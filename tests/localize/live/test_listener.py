@@ -12,12 +12,14 @@ import pytest
 from fake_audio import FakeAudio, Run
 from hypothesis import given, settings, strategies as st
 from rc_line import rc_line
+from refusals import refused
 
 import localize
 from acoustic_fem.sound.sound_file import read_wav
+from geometry import Kind
 from localize import Decision, Fault, TouchStream
-from localize.live import listener
 from localize.live.listener import Latencies, LiveListener, Notice
+from localize.live.options import ListenerOptions
 from localize.live.recorder import LiveRecorder
 from localize.live.sound_device import DeviceSource, input_devices
 from localize.live.sources import Block, BlockQueue, SourceError
@@ -188,9 +190,9 @@ def test_clipping_is_seen_before_the_filter_hides_it(decoder, signals) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("end", ["stop", "stall"])
-def test_a_device_that_is_unplugged_is_waited_for(decoder, signals, tmp_path, monkeypatch, end) -> None:
+def test_a_device_that_is_unplugged_is_waited_for(decoder, signals, tmp_path, end) -> None:
     # Longer than a thread waits for its turn on a busy machine.
-    monkeypatch.setattr(listener, "STALL", 5.0 if end == "stall" else 600.0)
+    options = ListenerOptions(stall=5.0 if end == "stall" else 600.0)
     board = (stretched(signals[:, :1000], 8) / 2).T.astype(np.float32)
     audio = FakeAudio(
         [Run(board, end), Run(board, "stall")],
@@ -203,7 +205,9 @@ def test_a_device_that_is_unplugged_is_waited_for(decoder, signals, tmp_path, mo
     waits: list[float] = []
     recorder = LiveRecorder(tmp_path / "live.wav", 8000.0, 2, 2.0)
     source = DeviceSource(("left", "right"), 1, 2.0, None, audio)
-    listening = LiveListener(source, TouchStream(decoder), recorder, lambda s: (waits.append(s), time.sleep(0.02)))
+    listening = LiveListener(
+        source, TouchStream(decoder), recorder, lambda s: (waits.append(s), time.sleep(0.02)), options=options
+    )
     events = []
     for heard in (run := listening.listen()):
         events.append(heard.event)
@@ -241,20 +245,17 @@ def test_devices_are_chosen_by_number_or_part_of_a_name() -> None:
     names = ("A", "B")
     for device in (None, 1, "usb", "USB array"):
         assert DeviceSource(names, device, sounddevice=audio).name.startswith("USB array")
-    for device, message in ((7, "device = 7 is not there: 1 'USB array'"), ("x", "device = x is not there")):
-        with pytest.raises(SourceError, match=message):
+    for device in (7, "x"):
+        with refused(Kind.UNKNOWN, "device", device, error=SourceError):
             DeviceSource(names, device, sounddevice=audio)
-    for channels, message in (
-        ({"A": 1, "B": 9}, "USB array: has 4 channels; channel 9 of microphone B is not there"),
-        ({"A": 1}, "channels = A=1 must give A, B a number each, all different"),
-        ({"A": 1, "B": 1}, "channels = A=1,B=1 must give A, B a number each, all different"),
-        ({"A": 1, "C": 2}, "channels = A=1,C=2 must give A, B"),
-    ):
-        with pytest.raises(SourceError, match=message):
+    for channels in ({"A": 1}, {"A": 1, "B": 1}, {"A": 1, "C": 2}):
+        with refused(Kind.OUT_OF_RANGE, "channels", error=SourceError):
             DeviceSource(names, None, channels=channels, sounddevice=audio)
-    with pytest.raises(SourceError, match="sample rate = 50 Hz must be between 250 and 1e"):
+    with refused(Kind.MISSING, "channels", 9, error=SourceError):
+        DeviceSource(names, None, channels={"A": 1, "B": 9}, sounddevice=audio)
+    with refused(Kind.OUT_OF_RANGE, "sample rate", 50.0, error=SourceError):
         DeviceSource(names, None, sounddevice=FakeAudio([], rate=50.0))
-    with pytest.raises(SourceError, match="no device that can record is there; plug one in"):
+    with refused(Kind.MISSING, error=SourceError):
         DeviceSource(names, None, sounddevice=FakeAudio([], channels=0))
 
 

@@ -155,7 +155,7 @@ def test_the_next_touch_is_found_half_a_second_later_and_few_frames_name_a_wrong
     assert "fading" in {event.state for event in events}
     wrong = [e for e in events if e.state == "touch" and e.point != points[e.time > 2.04]]
     assert len(wrong) <= 4
-    before = TouchStream(decoder, listening=AS_IT_COMES).push(samples)
+    before = TouchStream(decoder, options=AS_IT_COMES).push(samples)
     assert "fading" not in {event.state for event in before}
 
 
@@ -169,4 +169,4 @@ def test_noise_and_hum_that_nobody_told_of_are_no_touches(kind) -> None:
     else:
         samples += 2.8e-3 * np.sin(2 * np.pi * 50.03 * time + np.array([[0.3], [2.0]]))
     assert {event.state for event in TouchStream(decoder).push(samples)} == {"no touch"}
-    assert "touch" in {event.state for event in TouchStream(decoder, listening=AS_IT_COMES).push(samples)}
+    assert "touch" in {event.state for event in TouchStream(decoder, options=AS_IT_COMES).push(samples)}

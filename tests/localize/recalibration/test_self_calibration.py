@@ -15,7 +15,7 @@ import geometry
 import localize
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library
-from localize.decoders.likelihood import NOISE_SHARE
+from localize.decoders.options import DecoderOptions
 from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, passed
 from localize.recalibration.parameter_search import value_and_slope
 from localize.recalibration.rejections import gaps, likeliest_order, numbers
@@ -73,7 +73,7 @@ def test_spectra_that_fall_and_a_high_pass_explain_what_fingers_do() -> None:
 
 def test_the_likelihood_ranks_points_as_the_decoder_does() -> None:
     frames, points = touches(truth(), 120)
-    likelihood = MarginalLikelihood(GRID, frames, NOISE_SHARE * NOISE)
+    likelihood = MarginalLikelihood(GRID, frames, DecoderOptions.noise_fraction * NOISE)
     share = likelihood.evidence(truth().transfer_function).share
     assert np.allclose(share.sum(1), 1)
     decoder = localize.BayesDecoder(truth(), NOISE)
@@ -212,7 +212,7 @@ def test_the_likeliest_order_of_channels_is_that_they_were_recorded_in() -> None
 def test_three_channels_in_turn_are_put_back() -> None:
     design = geometry.prototype("glove")
     library = acoustic_fem.solve(design, GRID, "lumped")
-    h = Rig(design, 3).transfer_function(GRID)
+    h = Rig(design, 3, fidelity="lumped").transfer_function(GRID)
     response = replace(response_of(library), transfer_function=h)
     frames, _ = touches(response, 60)
     order = likeliest_order(MarginalLikelihood(GRID, frames[:, [2, 0, 1]], 0.01), h, response.microphones)
@@ -275,7 +275,7 @@ def test_a_third_of_a_line_is_refused() -> None:
          "microphone_tube.inner_diameter": 0.6, "microphone_tube.outer_diameter": 1.1}
     )  # fmt: skip
     library = acoustic_fem.solve(design, GRID, "lumped")
-    h = Rig(design, 11, HiddenScatter(batch=0.0, modulus=0.85)).transfer_function(GRID)
+    h = Rig(design, 11, HiddenScatter(batch=0.0, modulus=0.85), fidelity="lumped").transfer_function(GRID)
     response = replace(response_of(library), transfer_function=h)
     frames, points = touches(response, 360)
     found = self_calibrate(library, frames[points < 12], NOISE)

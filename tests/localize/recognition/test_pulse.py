@@ -54,7 +54,7 @@ def test_a_reader_names_point_and_rate() -> None:
     random = np.random.default_rng(0)
     signals = heard(ARRAY, 1, 0.2 * contact.force / contact.force.max(), 1e-3, random)
     reading = localize.PulseReader(ARRAY, 1e-3).read(signals)
-    assert reading.point == 1
+    assert reading.point == 2
     rate = 60 / np.diff(truth[(truth > 0.5) & (truth < 5.5)]).mean()
     assert abs(reading.rate - rate) < 3 * reading.rate_deviation + 1.0
     assert reading.waveform.shape == (6001,)

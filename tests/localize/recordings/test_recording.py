@@ -221,11 +221,11 @@ def test_one_of_three_channels_may_be_clipped_for_what_goes_on_with_the_others(t
     with pytest.raises(RecordingError, match=r"channel right is clipped at 0\.4 Pa, first at"):
         read_recording(tmp_path / "one.npz", names)
     with pytest.raises(RecordingError, match="channel right is clipped"), pytest.warns(RecordingWarning):
-        read_recording(tmp_path / "two.npz", names, spare=True)
+        read_recording(tmp_path / "two.npz", names, fallback=True)
     with pytest.warns(
         RecordingWarning, match=r"channel right is clipped at 0\.4 Pa, first at .*: it is left out where"
     ):
-        heard = read_recording(tmp_path / "one.npz", names, spare=True)
+        heard = read_recording(tmp_path / "one.npz", names, fallback=True)
     assert heard.limit is not None
     reached = np.abs(heard.signals) >= heard.limit
     assert not reached[[0, 2]].any()
@@ -234,7 +234,7 @@ def test_one_of_three_channels_may_be_clipped_for_what_goes_on_with_the_others(t
     expected[np.flatnonzero(over) * 1000 // rate] = True
     assert np.array_equal(reached[1], expected)
     np.savez(tmp_path / "whole.npz", signals=whole, sample_rate=rate)
-    assert read_recording(tmp_path / "whole.npz", names, spare=True).limit is None
+    assert read_recording(tmp_path / "whole.npz", names, fallback=True).limit is None
 
 
 @pytest.mark.parametrize("what", ["begins 3 s after", "ends 3 s before"])
@@ -253,14 +253,14 @@ def test_one_channel_may_be_silent_for_what_goes_on_with_the_others(tmp_path):
     signals[1, 4000:] = 0.0
     np.savez(tmp_path / "dies.npz", signals=signals)
     with pytest.warns(RecordingWarning, match="channel b ends 4 s before channel a"):
-        read_recording(tmp_path / "dies.npz", ("a", "b", "c"), spare=True)
+        read_recording(tmp_path / "dies.npz", ("a", "b", "c"), fallback=True)
     signals[1] = 0.0
     np.savez(tmp_path / "dead.npz", signals=signals)
-    assert (read_recording(tmp_path / "dead.npz", ("a", "b", "c"), spare=True).signals[1] == 0).all()
+    assert (read_recording(tmp_path / "dead.npz", ("a", "b", "c"), fallback=True).signals[1] == 0).all()
     signals[2] = 0.0
     np.savez(tmp_path / "both.npz", signals=signals)
     with pytest.raises(RecordingError, match="channel c is silent"):
-        read_recording(tmp_path / "both.npz", ("a", "b", "c"), spare=True)
+        read_recording(tmp_path / "both.npz", ("a", "b", "c"), fallback=True)
 
 
 @pytest.mark.parametrize(("late", "told"), [(300, 0), (700, 1)])

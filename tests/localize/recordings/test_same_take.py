@@ -30,7 +30,7 @@ MANIPULATED = {
 
 @pytest.fixture(scope="module")
 def rig():
-    return Rig(small_design(), 4, HiddenScatter(batch=0.0, modulus=0.8))
+    return Rig(small_design(), 4, HiddenScatter(batch=0.0, modulus=0.8), fidelity="lumped")
 
 
 @pytest.fixture(scope="module")

@@ -94,7 +94,7 @@ def test_frames_are_those_that_a_stream_hears_of_the_recordings_of_their_side(ar
     sides = {False: {}, True: {}}
     for each, held in zip(found.recordings, frames.held_out, strict=True):
         heard = localize.read_recording(each.path, array.microphones, 4.0).signals
-        for event in localize.TouchStream(decoder, listening=AS_IT_COMES).push(heard):
+        for event in localize.TouchStream(decoder, options=AS_IT_COMES).push(heard):
             if event.state == "touch":
                 end = round(event.time * 1000)
                 key = heard[:, end - 250 : end].astype(np.float32).tobytes()

@@ -65,7 +65,7 @@ def test_a_path_is_the_same_however_the_stream_is_cut() -> None:
     signals, _ = moved(array().position[:2], 60.0)
     tracker = PathTracker(array(), microphone_noise=1e-3)
     decoder = localize.BayesDecoder(array(), microphone_noise=1e-3)
-    stream = localize.TouchStream(decoder, listening=localize.Listening(frames=True))
+    stream = localize.TouchStream(decoder, options=localize.StreamOptions(frames=True))
     told = []
     for first in range(0, signals.shape[1], 37):
         for event in stream.push(signals[:, first : first + 37]):
@@ -88,7 +88,7 @@ def test_a_gesture_is_told_once_its_path_has_ended_and_at_the_end_of_the_stream(
     decoder = localize.BayesDecoder(array(), microphone_noise=1e-3)
     for heard, at_the_end in ((np.concatenate([signals, noise], axis=1), False), (signals[:, :1400], True)):
         tracker = GestureTracker(PathTracker(array(), microphone_noise=1e-3))
-        stream = localize.TouchStream(decoder, listening=localize.Listening(frames=True))
+        stream = localize.TouchStream(decoder, options=localize.StreamOptions(frames=True))
         during = [told for event in stream.push(heard) for told in tracker.take(event)]
         after = tracker.finish()
         (gesture,) = [each for each in (*during, *after) if isinstance(each, TrackedGesture)]
@@ -109,7 +109,7 @@ def test_frames_are_kept_only_where_they_are_asked_for() -> None:
     signals, _ = moved(array().position[:2], 60.0)
     decoder = localize.BayesDecoder(array(), microphone_noise=1e-3)
     plain = [each for each in localize.TouchStream(decoder).push(signals) if isinstance(each, Decision)]
-    kept = localize.TouchStream(decoder, listening=localize.Listening(frames=True)).push(signals)
+    kept = localize.TouchStream(decoder, options=localize.StreamOptions(frames=True)).push(signals)
     assert all(each.frame is None for each in plain)
     frames = [each.frame for each in kept if isinstance(each, Decision) and each.state == "touch"]
     assert frames

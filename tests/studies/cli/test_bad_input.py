@@ -98,7 +98,7 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         ("locate <localizer> <text.wav> --noise 1e-3", "--noise = 0.001 is for a library"),
         ("locate <localizer> <text.wav> --library <glove.nc>", "its microphones are A, B, C, must be A, B"),
         ("locate <localizer> <text.wav> --ambient 60", "--ambient needs the library of the array"),
-        ("locate <library.nc> <text.wav> --refuse 2", "acoustic-fem: --refuse = 2.0 must be between 0 and 1"),
+        ("locate <library.nc> <text.wav> --reject 2", "acoustic-fem: --reject = 2.0 must be between 0 and 1"),
         (
             "locate <localizer> <text.wav> --library <glove.nc> --ambient 60",
             "its microphones are A, B, C, must be A, B",

@@ -32,10 +32,12 @@ SHORT = Recorder(seconds=40.0)
 
 
 def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path: Path) -> None:
-    Rig(DESIGN, 6).record(tmp_path, [1, 2], SHORT)
+    Rig(DESIGN, 6, fidelity="lumped").record(tmp_path, [1, 2], SHORT)
     (tmp_path / "point-2.wav").write_bytes((tmp_path / "point-2.wav").read_bytes()[:5000])
     out = tmp_path / "made.nc"
-    result = CliRunner().invoke(app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:16"])
+    result = CliRunner().invoke(
+        app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:16", "--fidelity", "lumped"]
+    )
     assert result.exit_code == 0, result.output
     assert "left out" in result.output
     assert "cut short" in result.output
@@ -78,11 +80,13 @@ def test_the_verb_overwrites_nothing_and_says_so_before_any_work(
 
 def test_a_sensor_that_no_fit_takes_is_calibrated_from_recordings_of_all_points(tmp_path: Path) -> None:
     """The batch refuses stretched membranes with loss; measured at every point, nothing has to be computed for it."""
-    Rig(DESIGN, 8).record(tmp_path, POINTS, SHORT)
+    Rig(DESIGN, 8, fidelity="lumped").record(tmp_path, POINTS, SHORT)
     shaped = DESIGN.with_values({"membrane.stretch": 1.2})
     (tmp_path / "design.toml").write_text(write_design(shaped), encoding="utf-8")
     out = tmp_path / "made.nc"
-    result = CliRunner().invoke(app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:8"])
+    result = CliRunner().invoke(
+        app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:8", "--fidelity", "lumped"]
+    )
     assert result.exit_code == 0, result.output
     assert "4 of 4 points measured\n" in result.output
     assert acoustic_fem.load(out).design == shaped

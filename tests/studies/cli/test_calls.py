@@ -21,18 +21,18 @@ import acoustic_fem
 import geometry
 import localize
 import studies
+from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import counted
 from localize.signals.array_response import response_of
-from studies.cli import app
 from studies.cli.options import in_options
-from studies.output.frequencies import stated_frequencies
+from studies.cli.verbs import VERBS, verb_named
 
 ROOT = Path(__file__).parents[3]
 #: Verb -> what it calls, where it finds it.
 CALLS = {
     "studio": "studies.studio.serving.serve_studio",
-    "new": "studies.cli.designs.new_design",
+    "new": "studies.cli.new_designs.new_design",
     "check": "studies.run.check.check_design",
     "wiring": "studies.run.wiring.wiring_table",
     "solve": "studies.cli.designs.solve_library",
@@ -57,7 +57,7 @@ CALLS = {
     "optimize": "studies.findings.searching.optimize",
     "report": "studies.findings.reporting.sweep_report",
     "best": "studies.cli.sweeps.best_designs",
-    "prototypes": "studies.run.prototypes.copy_prototype",
+    "prototypes": "studies.cli.new_designs.copy_prototype",
 }
 #: Verb -> the words that it needs.
 WORDS = {
@@ -139,8 +139,8 @@ def text(*parts: str) -> str:
 def verbs() -> dict[str, ast.FunctionDef]:
     """The source of every verb."""
     found = {}
-    for name in app.VERBS:
-        (tree,) = ast.parse(inspect.getsource(app.verb_named(name))).body
+    for name in VERBS:
+        (tree,) = ast.parse(inspect.getsource(verb_named(name))).body
         assert isinstance(tree, ast.FunctionDef)
         found[tree.name] = tree
     return found
@@ -213,7 +213,7 @@ def test_a_verb_without_options_has_the_defaults_of_its_call(
         if parameter.name == "out" and default is None:
             continue  # which a verb may need
         if parameter.name == "frequency" and verb != "run":
-            assert np.array_equal(value, stated_frequencies(default))
+            assert np.array_equal(value, frequency_grid(default))
         else:
             assert (default if value is None else value) == default or list(value) == list(default), parameter.name
 

@@ -86,7 +86,7 @@ def test_every_verb_reads_what_convert_writes(
     for arguments in (
         ("evaluate", localizer, path, "--touches", "1"),
         ("locate", path, recording),
-        ("locate", localizer, recording, "--library", path, "--refuse", "1e-6"),
+        ("locate", localizer, recording, "--library", path, "--reject", "1e-6"),
     ):
         result = CliRunner().invoke(app, [str(argument) for argument in arguments])
         assert result.exit_code == 0, (arguments, result.output, result.exception)

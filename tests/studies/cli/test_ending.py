@@ -21,7 +21,7 @@ import geometry
 from acoustic_fem.numerics.processors import cores
 from localize.live.listener import Latencies
 from studies.cli import app
-from studies.listening.live import LiveSummary
+from studies.inference.live import LiveSummary
 
 ROOT = Path(__file__).parents[3]
 STUDY = """
@@ -82,9 +82,9 @@ def test_a_sweep_on_a_full_disk_names_its_store_and_goes_on_later(
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     with monkeypatch.context() as patch:
-        patch.setattr("studies.sweep.store.Seals.write", full)
+        patch.setattr("studies.sweep.records.Records.write", full)
         told = command("sweep", study, "--out", out, "--workers", 1)
-    said = f"acoustic-fem: {out}: cannot be written: No space left on device"
+    said = f"acoustic-fem: {out}: No space left on device ({out}); what is done is kept, run again to continue"
     assert (told.code, told.err.splitlines()[-1]) == (1, said)
     assert command("sweep", study, "--out", out, "--workers", 1).code == 0
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import itertools
 import subprocess
 import sys
@@ -12,7 +13,7 @@ from command import Command
 from typer.testing import CliRunner
 
 import acoustic_fem
-from studies.cli.app import VERBS as VERBS_OF_THE_APP, app
+from studies.cli import app, verbs
 
 ROOT = Path(__file__).parents[3]
 VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "onnx", "locate", "live", "run")
@@ -26,9 +27,9 @@ def test_the_help_of_every_verb_has_an_example_and_out(command: Command, verb: s
     assert "--out" in told.out
 
 
-@pytest.mark.parametrize("verb", VERBS_OF_THE_APP)
+@pytest.mark.parametrize("verb", verbs.VERBS)
 def test_help_fills_the_lines_of_a_terminal(verb: str) -> None:
-    told = CliRunner().invoke(app, [verb, "--help"], env={"COLUMNS": "80"})
+    told = CliRunner().invoke(app.app, [verb, "--help"], env={"COLUMNS": "80"})
     lines = [line.rstrip() for line in told.output.splitlines()]
     assert max(map(len, lines)) <= 80
     words = lines[: next(k for k, line in enumerate(lines) if line.startswith("╭"))]
@@ -40,6 +41,12 @@ def test_the_help_lists_every_verb_in_the_order_of_work(command: Command) -> Non
     told = command("--help")
     assert [told.out.index(f"│ {verb} ") for verb in VERBS] == sorted(told.out.index(f"│ {verb} ") for verb in VERBS)
     assert command("--version").out.startswith("acoustic-fem")
+
+
+@pytest.mark.parametrize("verb", verbs.VERBS)
+def test_the_line_of_a_verb_is_the_first_of_its_docstring(verb: str) -> None:
+    doc = inspect.getdoc(verbs.verb_named(verb)) or ""
+    assert verbs.VERBS[verb].help == " ".join(doc.partition("\n\n")[0].split())
 
 
 def test_help_of_a_search_names_its_section(command: Command) -> None:

@@ -122,7 +122,7 @@ def of_no_touch(tmp_path: Path) -> Path:
 def test_a_library_tells_sound_and_what_no_point_explains_from_touches(command: Command, of_no_touch: Path) -> None:
     library = small_run().folder / "library.nc"
     assert " 0 touches" in command("locate", library, of_no_touch / "sound.wav").out  # it knows sound by itself
-    told = command("locate", library, of_no_touch / "two.wav", "--refuse", 1e-6)
+    told = command("locate", library, of_no_touch / "two.wav", "--reject", 1e-6)
     assert (told.code, "0 touches in 1.0 s, no single touch for 0.8 s" in told.out) == (0, True), told
 
 

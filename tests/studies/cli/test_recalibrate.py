@@ -11,7 +11,7 @@ from foreign_touches import DESIGN, GRID, NOISE, Array, heard, nominal, touches,
 
 import acoustic_fem
 import localize
-from localize.live.front_end import HIGH_PASS
+from localize.live.options import HIGH_PASS
 from studies.cli.app import main
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
@@ -36,7 +36,7 @@ def test_the_command_makes_the_library_of_the_sensor_from_recordings_of_touches(
 ) -> None:
     """Slow pressure, wander and hum of the rig are in them; what is read passes the high-pass of the streams."""
     acoustic_fem.save(nominal(), tmp_path / "last.nc")
-    rig = Rig(DESIGN, 6, HiddenScatter(batch=0.0, modulus=0.85))
+    rig = Rig(DESIGN, 6, HiddenScatter(batch=0.0, modulus=0.85), fidelity="lumped")
     session = TouchSession(takes=1, seconds=4.0, parts=("random-1-100",))
     record_touches(rig, tmp_path / "touches", range(1, 13), session, Recorder(hum=2e-4, drift=1e-3))
     files = sorted((tmp_path / "touches").glob("*.wav"))

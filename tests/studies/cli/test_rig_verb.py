@@ -20,11 +20,22 @@ def test_the_verb_writes_what_the_call_writes(
         monkeypatch.setattr(f"{module}.{name}", value)
     geometry.save_design(small_design(), tmp_path / "row.toml")
     told = command(
-        "rig", tmp_path / "row.toml", "--out", tmp_path / "verb", "--seed", 5, "--altitude", 900, "--modulus", 0.9
+        "rig",
+        tmp_path / "row.toml",
+        "--out",
+        tmp_path / "verb",
+        "--seed",
+        5,
+        "--altitude",
+        900,
+        "--modulus",
+        0.9,
+        "--fidelity",
+        "lumped",
     )
     assert told.code == 0, told.err
     scatter = studies.HiddenScatter(altitude=900.0, modulus=0.9)
-    studies.record_rig(small_design(), tmp_path / "call", seed=5, scatter=scatter)
+    studies.record_rig(small_design(), tmp_path / "call", seed=5, scatter=scatter, fidelity="lumped")
     for name in ("calibration/point-2.wav", "touches/point-02-taps-1.wav", "touches/touches.toml"):
         assert (tmp_path / "verb" / name).read_bytes() == (tmp_path / "call" / name).read_bytes()
     assert [Path(line).name for line in told.out.splitlines()[:4]] == [

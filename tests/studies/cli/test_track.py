@@ -49,7 +49,7 @@ def test_track_writes_a_table_and_a_picture_and_names_the_gesture(command: Comma
     assert picture.read_bytes().startswith(b"\x89PNG")
     with out.open(newline="") as file:
         rows = list(csv.DictReader(file))
-    assert list(rows[0]) == list(studies.listening.tracked.COLUMNS)
+    assert list(rows[0]) == list(studies.inference.tracked.COLUMNS)
     assert {row["path"] for row in rows} == {"1"}
     assert all(bool(row["force_N"]) == (row["heard"] == "1") for row in rows)
     called = studies.track_recording(

@@ -121,7 +121,9 @@ def test_it_ranks_designs_as_touches_on_made_sensors_do() -> None:
         decoder = localize.BayesDecoder(response, 1e-3)
         shares = []
         for seed in range(8):
-            made = replace(response, transfer_function=Rig(design, seed, parts).transfer_function(grid))
+            made = replace(
+                response, transfer_function=Rig(design, seed, parts, fidelity="lumped").transfer_function(grid)
+            )
             shares.append(localize.evaluate(decoder, made, 4, 1e-3).top1)
         right.append(np.mean(shares))
     assert np.ptp(right) > 0.1

@@ -7,8 +7,9 @@ from zipfile import ZipFile
 
 import numpy as np
 import pytest
+from refusals import refused
 
-from geometry import Refusal, load_design, prototype
+from geometry import Kind, Refusal, load_design, prototype
 from studies.findings.reporting import best_designs
 from studies.findings.result_table import effect, table_of_sweep
 from studies.panels.exploring import (
@@ -67,25 +68,26 @@ def test_a_search_wants_the_best_of_its_figures(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("ranges", "metrics", "designs", "line"),
+    ("ranges", "metrics", "designs", "field"),
     [
-        ({}, FIGURES, 8, "the study: parameters is missing"),
+        ({}, FIGURES, 8, "parameters"),
         ({"tube.width": [1, 2]}, FIGURES, 8, "tube.width"),
-        ({"tube.length": [1, 5000]}, FIGURES, 8, "tube.length = 5000 mm must be between"),
-        ({"tube.length": [20, 10]}, FIGURES, 8, "from = 20 must be below to = 10"),
-        ({"tube.length": [20]}, FIGURES, 8, "must have a beginning and an end"),
+        ({"tube.length": [1, 5000]}, FIGURES, 8, "tube.length"),
+        ({"tube.length": [20, 10]}, FIGURES, 8, "tube.length"),
+        ({"tube.length": [20]}, FIGURES, 8, "a range"),
         ({"tube.length": ["long"]}, FIGURES, 8, "tube.length"),
         (RANGES, ["beauty"], 8, "beauty"),
-        (RANGES, [], 8, "metrics = \\[\\] must be 1 to 4"),
-        (RANGES, FIGURES, 0, "designs = 0 must be between 1 and 4096"),
+        (RANGES, [], 8, "metrics"),
+        (RANGES, FIGURES, 0, "designs"),
     ],
 )
 def test_what_is_no_study_is_refused_in_one_line(
-    ranges: dict[str, list[float]], metrics: list[str], designs: int, line: str
+    ranges: dict[str, list[float]], metrics: list[str], designs: int, field: str
 ) -> None:
-    with pytest.raises(Refusal, match=line) as refused:
+    with pytest.raises(Refusal) as found:
         study_file(ARRAY, ranges, metrics, designs=designs)
-    assert "\n" not in str(refused.value)
+    assert field in str(found.value)
+    assert "\n" not in str(found.value)
 
 
 @pytest.mark.slow
@@ -122,7 +124,7 @@ def test_a_sweep_that_was_stopped_goes_on_and_its_figures_are_those_of_its_store
     design = found.design(int(table.number[best.rows[0]]))
     assert design.tube.length == table.values(best.rows[0])["tube.length"]
     assert isinstance(design.lines[0].points, int)
-    with pytest.raises(Refusal, match="design = 99 must be one of the 32"):
+    with refused(Kind.UNKNOWN, "design", value=99):
         found.design(99)
 
 

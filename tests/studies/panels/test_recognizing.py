@@ -8,22 +8,23 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from refusals import refused
 
 import localize
 from acoustic_fem.sound.sound_file import write_wav
-from geometry import Refusal, prototype
+from geometry import Kind, prototype
 from localize.recognition import LETTERS
 from studies import recognize_recording, solve_library
 from studies.panels.curves import quick_library
-from studies.panels.recognizing import keep_recognizer, recognized, wrote
-from studies.panels.touching import touched
+from studies.panels.recognizing import store_recognizer, with_kinds, write_letter
+from studies.panels.touching import simulate_touch
 
 ARRAY = prototype("fingertip-3x4")
 
 
 def test_what_cannot_be_written_is_refused() -> None:
-    with pytest.raises(Refusal, match="letter = 'l' must be one of: A, B"):
-        wrote(ARRAY, "l", 0)
+    with refused(Kind.UNKNOWN, "letter", value="l"):
+        write_letter(ARRAY, "l", 0)
 
 
 @pytest.mark.slow
@@ -33,10 +34,10 @@ def test_kinds_are_those_of_recognize_and_a_letter_leaves_a_line(tmp_path: Path)
     localize.train_recognizer(library, "letters", plan).save(tmp_path / "made")
     files = {path.name: base64.b64encode(path.read_bytes()).decode() for path in (tmp_path / "made").iterdir()}
     (tmp_path / "kept").mkdir()
-    said = keep_recognizer(json.dumps(files).encode(), str(tmp_path / "kept"))
+    said = store_recognizer(json.dumps(files).encode(), str(tmp_path / "kept"))
     assert (said["subject"], said["labels"], said["design"]) == ("letters", list(LETTERS), ARRAY.name)
 
-    found = recognized(wrote, ARRAY, ("L", 1), said["folder"])
+    found = with_kinds(write_letter, ARRAY, ("L", 1), said["folder"])
     line = np.array(found["line"])
     assert line[:, 0].min() >= 0
     assert line[:, 0].max() <= found["samples"] / 1000
@@ -51,7 +52,5 @@ def test_kinds_are_those_of_recognize_and_a_letter_leaves_a_line(tmp_path: Path)
     assert [each[:4] for each in found["kinds"]] == [[each.start, each.end, each.point, each.kind] for each in told]
     assert len(told) == 1
 
-    with pytest.raises(
-        Refusal, match=r"the recognizer is of fingertip-3x4 with the microphones A, B, .*not of array-2x6"
-    ):
-        recognized(touched, prototype("array-2x6"), (1, "tap", 0), said["folder"])
+    with refused(Kind.MISMATCH):
+        with_kinds(simulate_touch, prototype("array-2x6"), (1, "tap", 0), said["folder"])

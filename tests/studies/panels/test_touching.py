@@ -8,16 +8,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 from fake_audio import FakeAudio
+from refusals import refused
 
 from acoustic_fem.sound.sound_file import write_wav
-from geometry import Refusal, prototype
+from geometry import Kind, Refusal, prototype
 from localize import Decision
 from localize.contacts.contact import surface_of
 from localize.live import sound_device
 from studies import locate_recording, solve_library
-from studies.listening.tracked import track_recording
-from studies.panels.live import hear_live, sound_cards
-from studies.panels.touching import TOUCHES, replayed, slid, surface, touched
+from studies.inference.tracked import track_recording
+from studies.panels.live_panel import listen_live, sound_cards
+from studies.panels.touching import TOUCHES, membranes, replay_recording, simulate_slide, simulate_touch
 
 ARRAY = prototype("array-2x6")
 FULL_SCALE = 200.0
@@ -27,32 +28,32 @@ def test_the_membranes_lie_where_contacts_find_them() -> None:
     import acoustic_fem
 
     place, radius = surface_of(acoustic_fem.solve(ARRAY, np.linspace(1, 100, 8), fidelity="lumped"))
-    found = np.array(surface(ARRAY)["points"])
+    found = np.array(membranes(ARRAY)["points"])
     np.testing.assert_array_equal(found[:, :2], place)
     np.testing.assert_array_equal(found[:, 2], np.broadcast_to(radius, 12))
 
 
 @pytest.mark.parametrize(
-    ("point", "kind", "message"),
-    [(0, "tap", "point = 0 must be between 1 and 12"), (13, "tap", "point = 13"), (1, "hit", "kind = 'hit' must be")],
+    ("point", "kind", "why", "field"),
+    [(0, "tap", Kind.OUT_OF_RANGE, "point"), (13, "tap", Kind.OUT_OF_RANGE, "point"), (1, "hit", Kind.UNKNOWN, "kind")],
 )
-def test_what_cannot_be_touched_is_refused(point: int, kind: str, message: str) -> None:
-    with pytest.raises(Refusal, match=message):
-        touched(ARRAY, point, kind, 0)
+def test_what_cannot_be_touched_is_refused(point: int, kind: str, why: Kind, field: str) -> None:
+    with refused(why, field, value={"point": point, "kind": kind}[field]):
+        simulate_touch(ARRAY, point, kind, 0)
 
 
 @pytest.mark.slow
 def test_a_touch_is_decoded_as_locate_decodes_its_recording(tmp_path: Path) -> None:
-    found = touched(ARRAY, 5, TOUCHES[0], 1)
-    again = touched(ARRAY, 5, TOUCHES[0], 1)
-    other = touched(ARRAY, 5, TOUCHES[0], 2)
+    found = simulate_touch(ARRAY, 5, TOUCHES[0], 1)
+    again = simulate_touch(ARRAY, 5, TOUCHES[0], 1)
+    other = simulate_touch(ARRAY, 5, TOUCHES[0], 2)
     assert found["signals"] == again["signals"] != other["signals"]
     assert [touch[2] for touch in found["touches"]] == [5]
 
     signals = np.frombuffer(found["signals"], "<f4").reshape(2, found["samples"])
     write_wav(tmp_path / "take.wav", signals / FULL_SCALE, 1000, bits=32)
     content = (tmp_path / "take.wav").read_bytes()
-    shown = replayed(ARRAY, content, "take.wav", FULL_SCALE)
+    shown = replay_recording(ARRAY, content, "take.wav", FULL_SCALE)
     solve_library(ARRAY, tmp_path / "library.nc", fidelity="atlas")
     located = locate_recording(tmp_path / "library.nc", tmp_path / "take.wav", full_scale=FULL_SCALE)
     expected = [[each.start, each.end, each.point, each.probability, each.level] for each in located.touches]
@@ -62,17 +63,17 @@ def test_a_touch_is_decoded_as_locate_decodes_its_recording(tmp_path: Path) -> N
     assert shown["decisions"] == [[each.time, each.state, each.point, each.probability] for each in decisions]
 
     with pytest.raises(Refusal, match=r"^broken\.wav"):
-        replayed(ARRAY, b"RIFF" + content[8:60], "../../broken.wav", FULL_SCALE)
+        replay_recording(ARRAY, b"RIFF" + content[8:60], "../../broken.wav", FULL_SCALE)
     with pytest.raises(Refusal, match=r"^take\.wav.*3"):
-        replayed(prototype("glove"), content, "take.wav", FULL_SCALE)
+        replay_recording(prototype("glove"), content, "take.wav", FULL_SCALE)
 
 
 @pytest.mark.slow
 def test_the_path_of_a_slide_is_that_of_track_and_live_hears_what_was_recorded(tmp_path: Path) -> None:
     design = prototype("fingertip-3x4")
-    points = surface(design)["points"]
+    points = membranes(design)["points"]
     start, end = points[0][:2], points[3][:2]
-    found = slid(design, start, end, 1)
+    found = simulate_slide(design, start, end, 1)
     signals = np.frombuffer(found["signals"], "<f4").reshape(-1, found["samples"])
     write_wav(tmp_path / "slide.wav", signals / FULL_SCALE, 1000, bits=32)
     solve_library(design, tmp_path / "library.nc", fidelity="lumped")
@@ -81,12 +82,12 @@ def test_the_path_of_a_slide_is_that_of_track_and_live_hears_what_was_recorded(t
     for shown, track in zip(found["paths"], tracked.tracks, strict=True):
         expected = np.column_stack([track.time, track.place, track.deviation])
         np.testing.assert_allclose(np.array(shown["places"])[1:-1], expected[1:-1], rtol=0.05, atol=0.05)
-    replay = replayed(design, (tmp_path / "slide.wav").read_bytes(), "slide.wav", FULL_SCALE)
+    replay = replay_recording(design, (tmp_path / "slide.wav").read_bytes(), "slide.wav", FULL_SCALE)
     gestures = [f"{each.kind} {each.direction}".strip() for each in tracked.gestures]
     assert [each["gesture"] for each in replay["paths"]] == gestures == ["swipe right"]
 
     lines: list[str] = []
-    told = hear_live(design, None, FULL_SCALE, tmp_path / "slide.wav", lines.append)
+    told = listen_live(design, None, FULL_SCALE, tmp_path / "slide.wav", lines.append)
     events = [json.loads(line) for line in lines]
     samples = np.concatenate([event["samples"] for event in events if "samples" in event], axis=1)
     assert told["samples_lost"] == 0
@@ -96,10 +97,10 @@ def test_the_path_of_a_slide_is_that_of_track_and_live_hears_what_was_recorded(t
     assert named
 
 
-@pytest.mark.parametrize(("end", "length"), [([0.0, 0.0], "0 mm"), ([5000.0, 0.0], "5e\\+03 mm")])
-def test_a_slide_has_a_length(end: list[float], length: str) -> None:
-    with pytest.raises(Refusal, match=f"the slide is {length} long; it must be between 1 and 600 mm"):
-        slid(ARRAY, [0.0, 0.0], end, 1)
+@pytest.mark.parametrize(("end", "length"), [([0.0, 0.0], 0.0), ([5000.0, 0.0], 5000.0)])
+def test_a_slide_has_a_length(end: list[float], length: float) -> None:
+    with refused(Kind.OUT_OF_RANGE, "length of the slide", value=length):
+        simulate_slide(ARRAY, [0.0, 0.0], end, 1)
 
 
 def test_sound_cards_are_those_that_can_record(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -24,7 +24,8 @@ from studies.output.display import Display
 from studies.output.folders import MARK, claim_folder
 from studies.run import pipeline as run_module
 from studies.run.findings import membrane_compliances
-from studies.run.pipeline import cell_lines, run_design, training_plan
+from studies.run.library_files import cell_lines
+from studies.run.pipeline import run_design, training_plan
 from studies.run.run_result import RunResult
 
 ROOT = Path(__file__).parents[3]

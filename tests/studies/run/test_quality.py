@@ -11,6 +11,7 @@ from matplotlib.image import imread
 from small_run import small_design
 
 import studies
+from acoustic_fem.quantities.checks import frequency_grid
 from geometry import prototype
 from studies.run import quality
 from studies.run.quality import design_quality, draw_quality
@@ -20,7 +21,7 @@ from studies.scatter.effects import scattered_accuracy
 def test_the_figures_are_those_of_the_metrics(tmp_path):
     design = small_design()
     found = design_quality(design)
-    grid = studies.output.stated_frequencies(studies.output.FREQUENCIES)
+    grid = frequency_grid(studies.output.FREQUENCIES)
     library = studies.solve_library(design, tmp_path / "library.nc", fidelity="atlas", frequency="1:100:64")
     metrics = studies.study.METRICS
     assert found.named == pytest.approx(metrics["predicted_top1"].of_library(library))

@@ -14,6 +14,7 @@ import pytest
 import sofar
 from browser import PAINTED, ROOT, Studio, downloaded, field, give, lit, opened, until, until_lit
 from scipy.io import wavfile
+from studies.panels.making import check_figures, model_of_array
 
 import acoustic_fem
 from geometry import prototype, save_design
@@ -22,7 +23,6 @@ from geometry.layout.size import array_size
 from studies.panels.comparing import comparison
 from studies.panels.curves import CURVES, curves_of, quick_library
 from studies.panels.exploring import run_study, study_figures
-from studies.panels.making import check_figures, model_of_array
 from studies.panels.points import figure_words, mis_made_figures, point_figures
 from studies.panels.touching import touched
 from studies.study import METRICS, load_study

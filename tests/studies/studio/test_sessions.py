@@ -14,13 +14,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from geometry import Refusal, prototype
+from geometry import Kind, Refusal, prototype
+from geometry.ground.process_messages import Stopped
 from studies.panels.curves import curves_of, quick_library
 from studies.studio.session import MOST_FILES, Session
 from studies.studio.sessions import MOST_SESSIONS, Sessions
 from studies.studio.stage import Job, Stage
 from studies.studio.workplace import Workplace
-from studies.studio.workshop import Stopped
 
 ARRAY = prototype("array-2x6")
 
@@ -194,7 +194,7 @@ class Busy:
         self.begun, self.go_on = threading.Event(), threading.Event()
         self.done: list[str] = []
 
-    def run(self, work: Any, arguments: Any, tell: Any = None, task: Any = None) -> str:
+    def run(self, work: Any, arguments: Any, notify: Any = None, task: Any = None) -> str:
         self.begun.set()
         assert self.go_on.wait(60)
         self.done.append(arguments[1])
@@ -210,11 +210,11 @@ def busy(workplace: Workplace, monkeypatch: pytest.MonkeyPatch) -> Iterator[Busy
 
     @contextmanager
     def process(name: str, title: str) -> Iterator[Any]:
-        workplace._apart[name] = found  # type: ignore[assignment]
+        workplace._processes[name] = found  # type: ignore[assignment]
         yield found
-        del workplace._apart[name]
+        del workplace._processes[name]
 
-    monkeypatch.setattr(workplace, "_workshop", process)
+    monkeypatch.setattr(workplace, "_process", process)
     yield found
     found.go_on.set()
 
@@ -266,7 +266,7 @@ def test_a_sound_card_is_given_back_before_another_is_taken(
 ) -> None:
     taken: list[str] = []
 
-    async def live(job: Job, tell: Callable[[str], None]) -> dict[str, Any]:
+    async def live(job: Job, notify: Callable[[str], None]) -> dict[str, Any]:
         taken.append(f"take {job.options[0]}")
         while job not in stopped:
             await asyncio.sleep(0.005)
@@ -350,9 +350,9 @@ def test_what_a_sound_card_hears_is_told_until_it_is_stopped(
 ) -> None:
     stopped: list[str] = []
 
-    async def live(job: Job, tell: Callable[[str], None]) -> dict[str, Any]:
+    async def live(job: Job, notify: Callable[[str], None]) -> dict[str, Any]:
         assert job.options == (2, 20.0)
-        tell(json.dumps({"time": 0.25, "state": "touch", "point": 3, "samples": [[0.1], [0.2]]}))
+        notify(json.dumps({"time": 0.25, "state": "touch", "point": 3, "samples": [[0.1], [0.2]]}))
         while not stopped:
             await asyncio.sleep(0.005)
         raise Stopped("stopped")
@@ -376,12 +376,12 @@ def test_a_cad_process_that_crashes_and_a_full_disk_are_told_and_the_design_is_k
     workplace: Workplace, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def crash(*arguments: Any, **options: Any) -> None:
-        raise Refusal("the CAD process ended without an answer; it is started again, the design is kept")
+        raise Refusal("the CAD process ended without a result", kind=Kind.STOPPED)
 
     async def full(*arguments: Any) -> None:
         raise OSError(28, "No space left on device", "parts.zip")
 
-    monkeypatch.setattr(workplace.workshop, "run", crash)
+    monkeypatch.setattr(workplace.cad, "run", crash)
     monkeypatch.setattr(workplace, "export", full)
 
     async def play() -> None:
@@ -390,7 +390,7 @@ def test_a_cad_process_that_crashes_and_a_full_disk_are_told_and_the_design_is_k
         await session.take({"do": "set", "name": "tube.length", "value": 14.0})
         await session.take({"do": "want", "quantity": "level", "stages": ["model"]})
         told = await page.until("failed")
-        assert (told["stage"], told["message"][:39]) == ("model", "the CAD process ended without an answer")
+        assert (told["stage"], told["message"]) == ("model", "the CAD process ended without a result")
         page.texts.clear()
         await session.take({"do": "export", "name": "parts.zip", "fidelity": "lumped"})
         told = await page.until("failed")

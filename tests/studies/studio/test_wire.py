@@ -205,7 +205,7 @@ def children(process: int) -> list[int]:
     found = [
         int(each) for path in Path(f"/proc/{process}/task").glob("*/children") for each in path.read_text().split()
     ]
-    return [each for each in found if b"spawn_main" in Path(f"/proc/{each}/cmdline").read_bytes()]
+    return [each for each in found if b"geometry.ground.child" in Path(f"/proc/{each}/cmdline").read_bytes()]
 
 
 def test_a_cad_process_that_is_killed_is_told_and_started_again(running: Studio) -> None:
@@ -216,7 +216,7 @@ def test_a_cad_process_that_is_killed_is_told_and_started_again(running: Studio)
         for child in children(running.process.pid):
             os.kill(child, signal.SIGKILL)
         told = until(link, lambda told: told["type"] == "failed" and told["stage"] == "model")
-        assert told["message"].endswith("ended without an answer; it is started again, the design is kept")
+        assert told["message"].endswith("ended without a result; it is started again, and the design is kept")
         tell(link, do="set", name="tube.length", value=17)
         found = until(link, lambda told: told["type"] == "figures" and told["stage"] == "model")
         status, _, _ = asked(running, "HEAD", found["found"]["file"], Cookie=cookie(running))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from geometry.ground.refusal import Kind, Refusal
 from studies.study.cases import Cases, cases_of
 from studies.study.file import read_study
 from studies.study.study import StudyError
@@ -98,8 +99,9 @@ def test_a_constraint_may_leave_out_designs_that_are_not_valid() -> None:
 
 
 def test_constraints_that_leave_nothing_or_cannot_be_computed_are_refused() -> None:
-    with pytest.raises(ValueError, match="constraints leave none of 2 cases"):
+    with pytest.raises(Refusal, match="leave none of 2 cases") as refused:
         cases('constraints = ["tube.length > 100"]', '"tube.length" = [12, 14]\n')
+    assert (refused.value.kind, refused.value.field) == (Kind.CONFLICT, "constraints")
     with pytest.raises(ValueError, match="cannot be computed"):
         cases('constraints = ["1 / (tube.length - tube.length) > 1"]', '"tube.length" = [12, 14]\n')
     with pytest.raises(ValueError, match="cannot be computed"):

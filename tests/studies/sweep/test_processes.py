@@ -20,7 +20,7 @@ from stores import assert_same_store
 
 from geometry import ArrayDesign
 from geometry.ground.refusal import Refusal
-from studies.study.cases import Cases, cases_of
+from studies.study.cases import Cases
 from studies.study.file import load_study, read_study
 from studies.study.study import Study, StudyError
 from studies.sweep import survey
@@ -220,11 +220,10 @@ def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
     )
     run_sweep(study, tmp_path / "whole.zarr", workers=1)
 
-    def deadly(study: Study, look: Any = None) -> Cases:
-        cases = cases_of(study, look)
-        return DeadlyCases(cases.base, cases.names, cases.columns)
+    def deadly(study: Study, drawn: Cases, numbers: list[int]) -> Cases:
+        return DeadlyCases(drawn.base, drawn.names, drawn.columns)
 
-    monkeypatch.setattr(survey, "cases_of", deadly)
+    monkeypatch.setattr(survey, "kept_cases", deadly)
     summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
     assert summary.failures == {ENDED_WORKERS: [12]}
     whole, result = (open_sweep(tmp_path / f"{name}.zarr").dataset for name in ("whole", "r"))

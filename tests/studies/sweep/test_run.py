@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import gc
 import json
 import re
@@ -9,6 +10,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -24,20 +26,20 @@ from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimen
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
+from geometry.ground.refusal import Kind
 from studies.cli.app import app
 from studies.metrics.shared import SharedFigures
-from studies.study.cases import cases_of
-from studies.study.failure_reasons import by_kind
+from studies.study.cases import Cases, by_kind, cases_of
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
 from studies.study.study import Study, StudyError
-from studies.sweep import block, new_store, run
-from studies.sweep.new_store import block_size
+from studies.sweep import block, records, run
 from studies.sweep.one_design import design_metrics
 from studies.sweep.progress import Progress
-from studies.sweep.retries import ENDED_WORKERS
+from studies.sweep.records import BlockResult, Records, block_size
+from studies.sweep.retries import ENDED_WORKERS, solved_blocks
 from studies.sweep.run import Summary, run_sweep
-from studies.sweep.store import BlockResult, SweepStore, open_sweep
+from studies.sweep.store import open_sweep
 from studies.sweep.workers import Workers, open_workers
 
 METRICS_OF_STUDY = ("distance_smallest", "ipd_mean", "sensitivity_force", "volume")
@@ -110,7 +112,7 @@ def test_the_store_opens_in_xarray_with_units_and_carries_its_study(
         warnings.simplefilter("error")
         dataset = xr.open_zarr(finished[0])
     sizes = {"case": 40, "point": 12, "microphone": 2, "frequency": 12}
-    assert dict(dataset.drop_vars("seals").sizes) == sizes
+    assert dict(dataset.sizes) == sizes
     assert dataset["tube.length"].attrs["units"] == "mm"
     assert dataset["distance_smallest"].attrs == {
         "kind": "metric",
@@ -161,22 +163,25 @@ def test_a_sweep_that_was_cut_off_goes_on_to_the_same_store(
     after: int, study: Study, finished: tuple[Path, Summary], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = tmp_path / "results.zarr"
-    write = SweepStore.write
+    write, write_one = Records.write, Records._write
     written = 0
 
-    def write_some(self: SweepStore, result: BlockResult) -> None:
+    def write_some(self: Records, result: BlockResult) -> None:
         nonlocal written
-        if written == after:  # the block's metrics are there, its state is not
-            self._variables["volume"][result.first : result.first + len(result.state)] = -1.0
+        if written == after:  # the block's transfer functions are there, its metrics are not
+            write_one(self, result.first, "responses", b"other")
             raise _Killed
         written += 1
         write(self, result)
 
-    monkeypatch.setattr(SweepStore, "write", write_some)
+    monkeypatch.setattr(Records, "write", write_some)
     with pytest.raises(_Killed):
         run_sweep(study, out, workers=1)
-    (out / "volume" / "c" / "0.abc.partial").write_bytes(b"half")  # what zarr leaves of a file it was writing
-    monkeypatch.setattr(SweepStore, "write", write)
+    # files that were being written
+    (out / "volume" / "c").mkdir(exist_ok=True)
+    for half in (out / "volume" / "c" / "0.partial", out / "records" / ".000003.1.metrics"):
+        half.write_bytes(b"half")
+    monkeypatch.setattr(Records, "write", write)
     assert (open_sweep(out).dataset["state"].values == 0).sum() == 40 - after * block_size(study, cases_of(study))
     summary = run_sweep(study, out, workers=1)
     assert summary.computed == 40 - after * block_size(study, cases_of(study))
@@ -211,8 +216,9 @@ def test_the_store_of_another_study_is_refused_by_name(
 def test_nobody_elses_folder_is_touched(study: Study, tmp_path: Path) -> None:
     (tmp_path / "mine.zarr").mkdir()
     (tmp_path / "mine.zarr" / "letter.txt").write_text("dear")
-    with pytest.raises(StudyError, match="holds what no sweep made"):
+    with pytest.raises(StudyError) as refused:
         run_sweep(study, tmp_path / "mine.zarr", workers=1)
+    assert (refused.value.kind, refused.value.file) == (Kind.MISMATCH, str(tmp_path / "mine.zarr"))
     (tmp_path / "file").write_text("")
     with pytest.raises(ValueError, match="`out` must be a folder"):
         run_sweep(study, tmp_path / "file", workers=1)
@@ -261,11 +267,7 @@ def test_a_mistake_of_the_program_is_no_property_of_a_design(
             raise KeyError("six")
         return volume.compute(figures)
 
-    def tried(job: object, design: object) -> None:
-        """The first case is tried before any work, where a mistake is a traceback."""
-
     monkeypatch.setitem(METRICS, "volume", replace(volume, compute=mistaken))
-    monkeypatch.setattr("studies.sweep.survey.check_metrics", tried)
     (tmp_path / "study.toml").write_text(TEXT)
     out = tmp_path / "r.zarr"
     told = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
@@ -280,8 +282,66 @@ def test_a_mistake_of_the_program_is_no_property_of_a_design(
     assert isinstance(told.exception, run.SweepError)
     assert f"{wrong.sum()} cases (the first is {np.flatnonzero(wrong)[0]}) failed by a mistake" in str(told.exception)
     assert "x program error: metric volume: KeyError" in told.stdout
+    told_once = [event for event in events(out) if event["event"] == "mistake"]
+    assert 0 < len(told_once) <= 16  # blocks
+    for event in told_once:
+        assert event["traceback"].startswith("Traceback (most recent call last):\n")
+        assert f'{Path(__file__).name}", line ' in event["traceback"]
+        assert event["traceback"].endswith("KeyError: 'six'\n")
     with open_workers(1, None) as team, pytest.raises(RuntimeError, match="program error: metric volume: KeyError"):
         design_metrics([{"lines.0.points": 6}], read_study(TEXT), (METRICS["volume"],), team)
+
+
+def events(out: Path) -> list[dict[str, Any]]:
+    """What the log says."""
+    return [json.loads(line) for line in out.with_name(f"{out.name}.log").read_text().splitlines()]
+
+
+@pytest.mark.parametrize("workers", [1, pytest.param(2, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("lack", [OSError(errno.ENOSPC, "No space left on device"), MemoryError("Unable to allocate")])
+def test_a_machine_that_lacks_disk_or_memory_fails_no_case_and_ends_the_sweep_in_one_line(
+    lack: Exception, workers: int, study: Study, finished: tuple[Path, Summary], tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    out, full = tmp_path / "results.zarr", tmp_path / "full"
+    full.touch()
+    monkeypatch.setattr(run, "solved_blocks", partial(lacking, full, lack))
+    with pytest.raises(run.SweepError) as ended:
+        run_sweep(study, out, workers=workers)
+    assert (ended.value.kind, ended.value.file) == (Kind.STOPPED, str(out))
+    assert "No space left" in str(ended.value) or "memory does not suffice (Unable to allocate)" in str(ended.value)
+    assert str(ended.value).endswith("what is done is kept, run again to continue")
+    state = open_sweep(out).values["state"]
+    assert 0 < (state == 0).sum() < 40
+    assert not open_sweep(out).failed[(state != 0) & ~open_sweep(finished[0]).failed].any()
+    assert "Traceback" in next(event for event in events(out) if event["event"] == "stopped")["traceback"]
+    full.unlink()
+    assert run_sweep(study, out, workers=1).computed == (state == 0).sum()
+    assert_same_store(out, finished[0])
+
+
+def lacking(full: Path, lack: Exception, team: Workers, job: block.Job, cases: Cases, *rest: Any) -> Iterator[Any]:
+    """Blocks of a machine that lacks something from the tenth case on, for as long as a file is there."""
+    starved = Starved(cases.base, cases.names, cases.columns)
+    starved.full, starved.lack = full, lack
+    return solved_blocks(team, job, starved, *rest)
+
+
+class Starved(Cases):
+    """Cases whose designs are built where disk or memory does not suffice."""
+
+    full: Path
+    lack: Exception
+
+    def part(self, first: int, stop: int) -> Cases:
+        found = Starved(self.base, self.names, tuple(column[first:stop] for column in self.columns))
+        found.full, found.lack = self.full, self.lack
+        return found if first >= 10 else Cases(found.base, found.names, found.columns)
+
+    def design(self, number: int) -> Any:
+        if self.full.exists():
+            raise self.lack
+        return super().design(number)
 
 
 def test_metrics_that_the_frequencies_cannot_give_are_refused_before_any_work(tmp_path: Path) -> None:
@@ -455,7 +515,7 @@ def test_a_case_that_ends_workers_fails_alone(
 
     monkeypatch.setattr(run, "open_workers", fragile)
     monkeypatch.setattr(run, "disc_tables", lambda discs, solve: ())
-    monkeypatch.setattr(new_store, "block_size", lambda study, cases: 8)
+    monkeypatch.setattr(records, "block_size", lambda study, cases: 8)
     summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
     whole, result = open_sweep(finished[0]), open_sweep(tmp_path / "r.zarr")
     assert summary.failures[ENDED_WORKERS] == sorted(deadly)

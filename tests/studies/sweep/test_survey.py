@@ -10,7 +10,7 @@ import pytest
 from geometry import ArrayDesign
 from studies.study.cases import cases_of
 from studies.study.file import read_study
-from studies.sweep import block, survey
+from studies.sweep import block
 from studies.sweep.plan import plan_sweep
 from studies.sweep.run import run_sweep
 from studies.sweep.survey import surveyed
@@ -52,10 +52,7 @@ def test_a_sweep_builds_a_design_once_for_itself_and_once_where_it_is_computed(
     summary = run_sweep(study, tmp_path / "r.zarr", workers=1)
     assert summary.computed == cases
     assert not summary.failures
-    first = next(iter(sorted(built)))
-    # the first valid design is that on which the metrics are tried
-    assert all(count <= most + (length in (first, 13.0)) for length, count in built.items()), built
-    assert sum(built.values()) <= most * 6 + 1
+    assert set(built.values()) <= {1, most}
 
 
 def test_cells_membranes_and_constraints_are_read_from_one_design(
@@ -63,8 +60,8 @@ def test_cells_membranes_and_constraints_are_read_from_one_design(
 ) -> None:
     study = read_study(f'{HEAD}fidelity = "navier-stokes"\n{DERIVED}{LENGTHS}"membrane.thickness" = [0.5, 0.6]\n')
     laid_out: list[ArrayDesign] = []
-    own = block.lay_out
-    monkeypatch.setattr(block, "lay_out", lambda design: (laid_out.append(design), own(design))[1])
+    own = block.place_housings
+    monkeypatch.setattr(block, "place_housings", lambda design: (laid_out.append(design), own(design))[1])
     built.clear()
     found = surveyed(study, every=True)
     assert set(built.values()) == {2}  # two thicknesses of each length
@@ -72,7 +69,6 @@ def test_cells_membranes_and_constraints_are_read_from_one_design(
     assert len(found.cells_of(range(10))) == len(set(found.cells_of(range(10)))) == 3
     assert len(found.discs) == 2
     assert found.refused == {}
-    assert found.first == found.cases.design(0)
 
 
 def test_a_plan_builds_every_design_once_but_for_those_that_it_times(built: Counter[float]) -> None:
@@ -88,6 +84,4 @@ def test_a_design_that_is_refused_is_told_with_its_number() -> None:
     study = read_study(f'{HEAD}fidelity = "lumped"\n[parameters]\n"resonator.wall_thickness" = [1.0, 2.0, 2.5]\n')
     found = surveyed(study, every=True)
     assert list(found.refused) == [0]
-    assert found.first == found.cases.design(1)
-    assert survey.surveyed(study).first == found.first
-    assert len(cases_of(study)) == 3
+    assert len(found.cases) == len(cases_of(study)) == 3

@@ -20,7 +20,7 @@ EXAMPLES = Path(__file__).parents[3] / "docs" / "examples" / "recordings"
 
 @pytest.fixture(scope="module")
 def rig():
-    return Rig(small_design(), 4)
+    return Rig(small_design(), 4, fidelity="lumped")
 
 
 @pytest.fixture(scope="module")

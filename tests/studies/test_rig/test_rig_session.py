@@ -23,12 +23,12 @@ TOUCHES = studies.TouchSession(1, 4.0, ("random-1-100", "taps"))
 @pytest.fixture(name="made", scope="module")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> studies.RigSession:
     folder = tmp_path_factory.mktemp("rig") / "bench"
-    return record_rig(small_design(), folder, seed=3, recorder=RECORDER, session=TOUCHES)
+    return record_rig(small_design(), folder, seed=3, recorder=RECORDER, session=TOUCHES, fidelity="lumped")
 
 
 def test_a_calibration_from_it_finds_the_made_sensor_and_its_touches(made: studies.RigSession, tmp_path: Path) -> None:
     assert made.calibration.parent.parent == made.touches.parent.parent == made.folder
-    found = studies.calibrate_sensor(made.calibration.parent, tmp_path / "made.nc")
+    found = studies.calibrate_sensor(made.calibration.parent, tmp_path / "made.nc", fidelity="lumped")
     truth = acoustic_fem.load(made.library).transfer_function.values[..., :125]
     nominal = acoustic_fem.solve(small_design(), np.arange(1.0, 126.0), "lumped").transfer_function.values
     assert not found.calibration.missing
@@ -46,7 +46,7 @@ def test_a_calibration_from_it_finds_the_made_sensor_and_its_touches(made: studi
 
 def test_what_was_hidden_stands_beside(made: studies.RigSession) -> None:
     known = json.loads(made.truth.read_text(encoding="utf-8"))
-    again = studies.Rig(small_design(), known["seed"], studies.HiddenScatter(**known["scatter"]))
+    again = studies.Rig(small_design(), known["seed"], studies.HiddenScatter(**known["scatter"]), fidelity="lumped")
     assert known["parts"]["tube_radius"] == again.hidden.tube_radius[0].tolist()
     assert known["microphone_gain"] == {"A": pytest.approx(again.gain[0]), "B": pytest.approx(again.gain[1])}
     assert known["air"]["pressure"] == again.medium.pressure != 101325.0
@@ -61,10 +61,10 @@ def test_the_same_seed_gives_the_same_files_and_another_other_ones(made: studies
     def bytes_of(folder: Path) -> dict[str, bytes]:
         return {path.name: path.read_bytes() for path in sorted(folder.rglob("*.wav"))}
 
-    again = record_rig(small_design(), tmp_path, seed=3, recorder=RECORDER, session=TOUCHES)
+    again = record_rig(small_design(), tmp_path, seed=3, recorder=RECORDER, session=TOUCHES, fidelity="lumped")
     assert bytes_of(again.folder) == bytes_of(made.folder)
     (again.touches.parent / "point-09-taps-1.wav").write_bytes(b"of an earlier one")
-    other = record_rig(small_design(), tmp_path, seed=4, recorder=RECORDER, session=TOUCHES)
+    other = record_rig(small_design(), tmp_path, seed=4, recorder=RECORDER, session=TOUCHES, fidelity="lumped")
     assert bytes_of(other.folder).keys() == bytes_of(made.folder).keys()
     assert not any(bytes_of(other.folder)[name] == content for name, content in bytes_of(made.folder).items())
 
@@ -73,12 +73,12 @@ def test_what_cannot_be_made_is_refused_before_anything_is_written(tmp_path: Pat
     (tmp_path / "others").mkdir()
     (tmp_path / "others" / "thesis.tex").write_text("mine")
     with pytest.raises(geometry.Refusal, match="holds files that no rig of this program made"):
-        record_rig(small_design(), tmp_path / "others")
+        record_rig(small_design(), tmp_path / "others", fidelity="lumped")
     with pytest.raises(geometry.Refusal, match="seed = -1 must be 0 or above"):
-        record_rig(small_design(), tmp_path / "new", seed=-1)
+        record_rig(small_design(), tmp_path / "new", seed=-1, fidelity="lumped")
     box = small_design().with_values({"resonator.shape": "box"})
     with pytest.raises(geometry.Refusal, match=r"resonator\.shape = 'box' must be 'cylinder'"):
-        record_rig(box, tmp_path / "new")
+        record_rig(box, tmp_path / "new", fidelity="lumped")
     with pytest.raises(geometry.Refusal, match=r"scatter\.slope = 0\.5 must be between 0 and 0\.1"):
         studies.HiddenScatter(slope=0.5)
     with pytest.raises(geometry.Refusal, match=r"recorder\.seconds = 3 s must be between 4 and 86400 s"):

@@ -26,7 +26,7 @@ SESSION = TouchSession(takes=2, seconds=5.0)
 
 @pytest.fixture(scope="module")
 def rig():
-    return Rig(small_design(), 4, HiddenScatter(batch=0.0, modulus=0.8))
+    return Rig(small_design(), 4, HiddenScatter(batch=0.0, modulus=0.8), fidelity="lumped")
 
 
 @pytest.fixture(scope="module")
@@ -108,7 +108,7 @@ def test_training_on_recordings_from_the_command_line(library, manifest, tmp_pat
 def test_recordings_of_a_mis_made_sensor_add_what_its_design_does_not_tell(tmp_path):
     design = geometry.prototype("array-2x6")
     library = acoustic_fem.solve(design, np.arange(1.0, 201.0), "lumped")
-    rig = Rig(design, 1, HiddenScatter(batch=0.0, modulus=0.85))
+    rig = Rig(design, 1, HiddenScatter(batch=0.0, modulus=0.85), fidelity="lumped")
     manifest = record_touches(rig, tmp_path, range(1, 13), TouchSession(), RECORDER)
     frames = RecordedFrames(manifest, response_of(library), NOISE, 0)
     plan = localize.TrainingPlan(epochs=5, stimuli=("multi-sines", "taps", "friction"))

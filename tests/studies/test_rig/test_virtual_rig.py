@@ -22,7 +22,7 @@ RATE, COUNT = 1000, 20_000
 
 
 def modulus(scatter: HiddenScatter, *frequency: float) -> np.ndarray:
-    return membrane_modulus(Rig(small_design(), 1, scatter).hidden, np.array(frequency))[0, 0]
+    return membrane_modulus(Rig(small_design(), 1, scatter, fidelity="lumped").hidden, np.array(frequency))[0, 0]
 
 
 def contact(session: TouchSession, part: Part = "random-1-100", seed: int = 2) -> np.ndarray:
@@ -31,7 +31,7 @@ def contact(session: TouchSession, part: Part = "random-1-100", seed: int = 2) -
 
 
 def test_without_scatter_it_is_the_design() -> None:
-    rig, grid = Rig(small_design(), 1, STILL), np.array([1.0, 10.0, 100.0])
+    rig, grid = Rig(small_design(), 1, STILL, fidelity="lumped"), np.array([1.0, 10.0, 100.0])
     assert rig.medium.pressure == pytest.approx(101325.0)
     assert np.allclose(modulus(STILL, *grid), modulus(HiddenScatter(), *grid), rtol=0.1)
     assert rig.hidden.membrane_relaxation.shape[2] == 0
@@ -40,8 +40,11 @@ def test_without_scatter_it_is_the_design() -> None:
 def test_its_rubber_rises_more_steeply_and_stays_causal() -> None:
     grid = np.geomspace(2.5, 40.0, 21)
     before, after = (modulus(scatter, *grid) for scatter in (STILL, replace(STILL, slope=0.02)))
-    rig = Rig(small_design(), 1, replace(STILL, slope=0.02))
-    ratio = rig.hidden.membrane_compliance[0, 0] / Rig(small_design(), 1, STILL).hidden.membrane_compliance[0, 0]
+    rig = Rig(small_design(), 1, replace(STILL, slope=0.02), fidelity="lumped")
+    ratio = (
+        rig.hidden.membrane_compliance[0, 0]
+        / Rig(small_design(), 1, STILL, fidelity="lumped").hidden.membrane_compliance[0, 0]
+    )
     stiffness = after / ratio
     assert np.abs(stiffness[10]) == pytest.approx(np.abs(before[10]), rel=1e-9)
     further = np.polyfit(np.log(grid), np.log(np.abs(stiffness) / np.abs(before)), 1)[0]
@@ -51,15 +54,24 @@ def test_its_rubber_rises_more_steeply_and_stays_causal() -> None:
 
 
 def test_the_air_is_that_of_its_place() -> None:
-    low, high = (Rig(small_design(), 1, replace(STILL, altitude=each)).medium.pressure for each in (0.0, 2000.0))
+    low, high = (
+        Rig(small_design(), 1, replace(STILL, altitude=each), fidelity="lumped").medium.pressure
+        for each in (0.0, 2000.0)
+    )
     assert low == pytest.approx(101325.0)
     assert high == pytest.approx(79495.0, abs=1.0)
-    weather = [Rig(small_design(), seed, replace(STILL, pressure=1000.0)).medium.pressure for seed in range(40)]
+    weather = [
+        Rig(small_design(), seed, replace(STILL, pressure=1000.0), fidelity="lumped").medium.pressure
+        for seed in range(40)
+    ]
     assert np.std(weather) == pytest.approx(1000.0, rel=0.4)
 
 
 def test_what_it_has_beside_leaves_its_parts_as_they_were() -> None:
-    rigs = [Rig(small_design(), 1, scatter) for scatter in (HiddenScatter(), HiddenScatter(pressure=0.0, slope=0.0))]
+    rigs = [
+        Rig(small_design(), 1, scatter, fidelity="lumped")
+        for scatter in (HiddenScatter(), HiddenScatter(pressure=0.0, slope=0.0))
+    ]
     assert np.array_equal(rigs[0].hidden.tube_radius, rigs[1].hidden.tube_radius)
     assert np.array_equal(rigs[0].gain, rigs[1].gain)
 

@@ -89,7 +89,7 @@ def make(folder: Path, commands: Commands) -> None:
         assert ended.code == 0, (line, ended.err)
 
     _write_touches(folder)
-    rig = Rig(design, 1)
+    rig = Rig(design, 1, fidelity="lumped")
     rig.record(folder / "calibration", [1, 2, 3], Recorder(seconds=20))
     record_touches(rig, folder / "session", range(1, 4), TouchSession(takes=2, seconds=4.0, parts=("taps",)))
     _write_solids(folder)

@@ -75,7 +75,7 @@ _GRIDS = (
 def _options() -> Iterator[Words]:
     for grid in _GRIDS:
         yield (*_SOLVE, "--frequencies", grid)
-        yield ("calibrate", "calibration", "--out", "made.nc", "--frequencies", grid)
+        yield ("calibrate", "calibration", "--out", "made.nc", "--fidelity", "lumped", "--frequencies", grid)
     for fidelity in ("exact", "", "LUMPED ", "1"):
         yield (*_SOLVE[:4], "--fidelity", fidelity)
     for option, values in (
@@ -100,7 +100,7 @@ def _options() -> Iterator[Words]:
         ("--full-scale", ("0", "-1", "nan", "inf", "1e300")),
         ("--noise", ("-1", "nan", "inf", "1e300")),
         ("--ambient", ("-1", "nan", "500", "a")),
-        ("--refuse", ("-1", "2", "nan", "0")),
+        ("--reject", ("-1", "2", "nan", "0")),
         ("--library", ("nowhere.nc", "touches.wav", "design.toml", "localizer")),
     ):
         for value in values:
@@ -238,7 +238,7 @@ _OUTPUTS: tuple[tuple[Words, tuple[str, ...]], ...] = (
     (("onnx", "localizer"), ("localizer", "library.nc", "touches.wav", "localizer/localizer.json")),
     (("onnx", "library.nc"), ("library.nc", "new.txt", "design.toml")),
     (
-        ("calibrate", "calibration"),
+        ("calibrate", "calibration", "--fidelity", "lumped"),
         ("library.nc", "touches.wav", "calibration/calibration.toml", "calibration/point-1.wav", "calibration"),
     ),
     (("recalibrate", "library.nc", "touches.wav"), ("library.nc", "touches.wav", "./library.nc")),

@@ -1,0 +1,196 @@
+"""Numbers that tune the likelihoods of decoders, with their units, where they come from and what they do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from geometry.ground.typed import Array
+from localize.decoders.frame_covariance import SOURCE_RMS
+
+
+@dataclass(frozen=True)
+class DecoderOptions:
+    """Numbers that tune a decoder of points; shown by its ``repr`` and stored with what it decides."""
+
+    noise_fraction: float = 0.25
+    """Fraction of the given noise, in amplitude, that likelihoods assume: less noise names points better, and the
+    temperature keeps probabilities calibrated. On 216 points 1, 1/2, 0.3, 1/5 and 1/10 were tried, see
+    docs/decoder.md."""
+    powers: tuple[float, float, float] = (-80.0, 40.0, 4.0)
+    """Lowest, highest and step of the powers of a touch that are tried, dB over :data:`SOURCE_RMS`; a parabola through
+    the best one and its neighbours gives the maximum."""
+    weakest_direction: float = 1e-2
+    """Fraction of the assumed noise below which an eigenvector of a touch of 0 dB is left out: 1e-4 names the same
+    points, 40 dB louder ones as well."""
+    quiet_bonus: float = 30.0
+    """Advantage of quiet over sound, nats after the temperature: the likelihood assumes less noise than there is, and
+    would take the residual for sound. In quiet, sound was preferred by at most 35 nats on line-2 (1 of 100 by 27 or
+    more), at 60 dB SPL by at least 90."""
+    sure_lead: float = 20.0
+    """Lead of the best point, nats, beyond which the others are scored in single precision alone."""
+    far_lead: float = 30.0
+    """Lead of the best point, nats, beyond which another needs no score: its probability is below 1e-13."""
+    leading_points: int = 3
+    """Number of points whose scores are found in any case, however far they are behind the best."""
+    bound_directions: int = 16
+    """Number of directions that bound the score of a table. On 36 points in line 3 to 4 points of a loud frame need a
+    score."""
+    loud_directions: int = 64
+    """Number of directions in which touches are loudest, among which the directions of a bound are chosen."""
+    exact_numbers: float = 4e5
+    """Size of all eigenvectors together up to which every point is scored in double precision: up to 36 points in line
+    choosing takes longer than it saves."""
+    many_tables: float = 1 / 5
+    """Fraction of the tables from which on all are scored at once in single precision, sooner than one by one."""
+    single_error: float = 1e-3
+    """Error of a score in single precision, nats, up to which it stands for one in double precision where many are
+    needed: in most frames it is a tenth of this."""
+    frames_at_once: int = 64
+    """Number of frames that are decoded at once; bounds memory, changes no result."""
+    calibrated_misfit: float = 2.0
+    """Largest median misfit over loud touches that a calibrated sensor leaves, a ratio to the noise. On two rigs of
+    three designs 1.0 to 1.5 (1.9 and more after a change of stiffness of 20 %); by libraries of other arrays 2.7 or
+    more."""
+
+    @cached_property
+    def temperature(self) -> float:
+        """Divisor of log-likelihoods, which counts misfits by the given noise again."""
+        return self.noise_fraction**-2
+
+    @cached_property
+    def tried_powers(self) -> Array:
+        """Powers of a touch that are tried; (n_power,) float64."""
+        lowest, highest, step = self.powers
+        return np.asarray(10 ** (np.arange(lowest, highest + 0.1, step) / 10))
+
+    @cached_property
+    def screen_error(self) -> float:
+        """Error that a score in single precision may have, nats, per unit of a white frame's sum of squares."""
+        return 8 * float(np.finfo(np.float32).eps) / (2 * self.temperature)
+
+
+@dataclass(frozen=True)
+class HypothesisOptions:
+    """Numbers of the hypotheses that stand for all sensors that a design may come out as."""
+
+    draws: int = 600
+    """Number of sensors that are drawn with the tolerances."""
+    groups: int = 8
+    """Number of groups of the draws of a point. On 36 points in line 6 groups lose 1 to 2 % of the touches of as-built
+    sensors, 24 are no better."""
+    most_hypotheses: int = 640
+    """Largest number of hypotheses of all points together: larger arrays, whose lines are shorter, have fewer groups,
+    at least two."""
+    prior_as_designed: float = 0.2
+    """Prior probability of the sensor as it was designed."""
+    solved_frequencies: int = 40
+    """Number of frequencies at which drawn sensors are solved, evenly spread on a logarithmic scale."""
+    ratio_frequencies: int = 12
+    """Number of frequencies of the ratios that draws are grouped by."""
+    quiet_ratio: float = 1e-3 / SOURCE_RMS
+    """Level over that in the touched cavity below which a microphone tells little of a point."""
+    least_spread: float = 1e-6
+    """Spread of the ratios, nepers and radians, below which all draws are one."""
+    shapes: int = 6
+    """Number of shapes in which the draws of a group deviate from their mean. On 36 points in line 3 shapes lose 1 to
+    2 % of the touches, 8 are no better."""
+    weight_above_band: float = 0.02
+    """Weight, in the search for shapes, of frequencies above those of touches."""
+    seed: int = 20161
+    """Seed of the draws and of their groups."""
+
+
+@dataclass(frozen=True)
+class TolerantOptions(DecoderOptions):
+    """Numbers that tune a decoder that models manufacturing tolerances."""
+
+    frames_together: int = 256
+    """Number of frames that are decoded at once: a hypothesis is fitted in one go to all frames that may be its own."""
+    relative_temperature: float = 2.0
+    """Temperature over that of the decoder of a known sensor; 1 to 5 were tried."""
+    explained_misfit: float = 3.0
+    """Largest misfit of the best hypothesis, a ratio to the noise, at which log-likelihoods are believed as they are;
+    above it they are divided by the square of its excess. Sensors as designed leave 1.2 to 3.2: determinants count, and
+    so does what a frame's edges cut off."""
+    candidates: int = 10
+    """Number of hypotheses whose deviations are fitted to a frame; with 40 the accuracy on 36 points in line is 0.2 %
+    higher."""
+    extra_candidates: int = 6
+    """Number of hypotheses that are scored beyond the candidates: with them the best are mostly found in one go."""
+    source_steps: int = 2
+    """Number of times that the source of a touch is found again without what deviations explain."""
+    unexplained_fraction: float = 0.02
+    """Fraction of a frame's power that the source need not explain, against 1 for the noise: in directions in which a
+    touch is hardly heard, deviations are far more than the touch. From 0.005 to 0.05 results are alike."""
+    shape_numbers: float = 3e7
+    """Size of all shapes of all hypotheses together, which bounds memory: large arrays have fewer shapes."""
+    misfit_of_two: float = 4.0
+    """Largest median misfit over loud touches that a sensor of two microphones leaves. On virtual rigs of seeds 9110 to
+    9112 1.5 to 2.5 (2.8 at 2000 m with the air of the design), by libraries of other arrays 4.8 and more."""
+    misfit_of_more: float = 100.0
+    """The same of three or more microphones: three leave 0.8 to 4.1 (22 at 2000 m), 1600 or more by libraries of other
+    arrays; four leave 5 to 32 (52 at 2000 m)."""
+    hypotheses: HypothesisOptions = HypothesisOptions()
+    """Options of the hypotheses."""
+
+
+@dataclass(frozen=True)
+class DriftOptions(DecoderOptions):
+    """Numbers that tune a decoder that follows the stiffness of its sensor."""
+
+    states: int = 11
+    """Number of stiffnesses, that of the calibration in the middle; 7.5 % apart, 15 that are 5 % apart do no better."""
+    farthest: float = 0.375
+    """Largest distance of a stiffness from that of the calibration, in its logarithm: at 2000 m it seems 30 % lower."""
+    usual_deviation: float = 0.15
+    """Standard deviation of the logarithm of the stiffness before the first touch."""
+    move_probability: float = 1e-3
+    """Probability with which the state moves to a neighbour from one touch to the next; 1e-4 to 1e-2 do alike."""
+    least_log_likelihood: float = -4.0
+    """Least log-likelihood that one touch gives a state against the best, nats: no single touch, which may be none,
+    excludes a state."""
+
+
+@dataclass(frozen=True)
+class TwoTouchOptions(DecoderOptions):
+    """Numbers that tune the decoder of two touches at once."""
+
+    noise_fraction: float = 1.0
+    """Fraction of the given noise that likelihoods assume: all of it, because pairs are compared with points."""
+    weakest_direction: float = 1e-4
+    """Fraction of the noise below which an eigenvector of a touch of 0 dB is left out."""
+    level_differences: tuple[float, ...] = (-20.0, -10.0, 0.0, 10.0, 20.0)
+    """Powers of the second touch over that of the first that are tried, dB."""
+    threshold: float = 5.0
+    """Gain of the best pair over the best point, nats, from which there are two touches."""
+    tolerant_threshold: float = 35.0
+    """The same with manufacturing tolerances."""
+
+
+@dataclass(frozen=True)
+class ResidualOptions:
+    """Numbers that tune the test of whether a touch of a point can have made a signal."""
+
+    tail: float = 10.0
+    """Power of what a touch may hold beyond 100 Hz, over that of the stimuli's noise."""
+    leak: float = 1e-2
+    """Fraction of the noise's variance that the loudest touch may have in a direction that is left to the noise."""
+
+
+@dataclass(frozen=True)
+class SoundOptions:
+    """Numbers that tune the test that tells room sound from touches."""
+
+    false_alarm: float = 1e-6
+    """Fraction of frames of sound on the library's own sensor that are not recognised: at 62 a second one in four
+    hours."""
+    gain: float = 0.15
+    """Largest fraction by which a microphone's gain may differ from their mean: gains are fitted to each frame."""
+    mismatch: float = 0.06
+    """Fraction of a frame, in amplitude, that sound may leave beside its directions on an as-built sensor, gains apart;
+    see docs/evidence/decoder.md for how many sensors that holds of."""
+    leak: float = 1e-2
+    """Fraction of the noise's variance that the loudest sound may have in a direction that is left to the noise."""

@@ -1,0 +1,126 @@
+"""Numbers that tune streams and the touches that are found in them, with their units and what they do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from geometry.ground.refusal import Refusal
+
+HIGH_PASS = 3.0
+"""Corner of the high-pass of all microphones where none is given, Hz: the lowest at which the rest of a touch is soon
+below its noise."""
+
+
+@dataclass(frozen=True)
+class StreamOptions:
+    """Options of a stream: what is done with samples before anything is decided, and the thresholds of decisions."""
+
+    high_pass: float | None = HIGH_PASS
+    """Corner of the high-pass of all microphones, 0.5 to 20 Hz; None for none."""
+    follow: bool = True
+    """Whether the noise of each microphone and the hum of mains are measured; if not, noise is that of the locator."""
+    fade: bool = True
+    """Whether frames that hold only what is left of a touch are told from it."""
+    frames: bool = False
+    """Whether decisions carry the samples that were classified."""
+    fallback: bool = False
+    """Whether the other microphones go on where one is dead, clipped or hisses; if not, such frames are unreadable."""
+    rejected_fraction: float = 1e-6
+    """Fraction of the frames of true touches that the residual test may reject, above 0, below 1: at 62 a second one in
+    four hours."""
+
+    silence: float = 2.0
+    """Multiple of its noise above which a microphone hears something."""
+    least_silence: float = 1e-6
+    """Threshold of silence where no noise is given, Pa rms."""
+    dead_fraction: float = 0.02
+    """Fraction of a microphone's noise below whose level a channel is dead: its converter may still toggle."""
+    rough_fraction: float = 0.01
+    """Fraction of a frame's level below which a channel's noise is not called a hiss: a finger that slides for long is
+    as rough as that."""
+    restart: int = 1000
+    """Largest step back in the numbers of samples that repeats some, samples; a larger one is a device that was started
+    anew."""
+    fault_memory: int = 500
+    """Time within which a fault that returns still lasts, samples."""
+    faded: float = 0.3
+    """Fraction of the loudest frame of a touch below which a frame holds only what is left of it."""
+    fade_rate: float = 20.0
+    """Rate at which what may be left of a touch falls, dB/s."""
+    risen: float = 2.0
+    """Factor by which the level must rise while a touch fades for another one."""
+
+    harmonics: int = 5
+    """Number of multiples of 50 and of 60 Hz at which hum is looked for."""
+    hum_rate: float = 0.04
+    """Fraction of what a hop shows of a line that is learned: a time constant of 0.4 s."""
+    mains_drift: float = 0.3
+    """Largest distance of a mains frequency from its nominal value, Hz."""
+    weak: float = 20.0
+    """Multiple of the threshold of silence up to which energy on the lines of mains alone is hum, not a touch."""
+    noise_band: tuple[float, float] = (200.0, 450.0)
+    """Band in which noise is measured, Hz: touches hold next to nothing there."""
+    noise_subbands: int = 3
+    """Number of parts of that band, within each of which the path from one microphone to another is constant."""
+    noise_time: float = 4.0
+    """Length of the past over which noise is measured, s."""
+    noise_quantile: float = 0.3
+    """Quantile of the densities of that time that is the noise."""
+    hiss: float = 5.0
+    """Multiple of the expected noise, and of that of the quietest microphone, from which on one hisses."""
+    hiss_time: float = 0.5
+    """Time over which noise must have been measured before a microphone is called hissing or dead, s."""
+    missing_noise: float = 0.2
+    """Multiple of the expected noise, and of that of the quietest other microphone, below which one is dead."""
+
+    def __post_init__(self) -> None:
+        if self.high_pass is not None and not 0.5 <= self.high_pass <= 20.0:
+            allowed = "between 0.5 and 20 Hz, or None for none"
+            raise Refusal(field="high_pass", value=self.high_pass, unit="Hz", allowed=allowed)
+        if not 0 < self.rejected_fraction < 1:
+            allowed = "between 0 and 1, both excluded"
+            raise Refusal(field="rejected_fraction", value=self.rejected_fraction, allowed=allowed)
+
+
+AS_IT_COMES = StreamOptions(high_pass=None, follow=False, fade=False)
+"""Nothing is done with samples: every frame is classified as it is."""
+
+
+@dataclass(frozen=True)
+class TouchOptions:
+    """Options of how decisions join into touches."""
+
+    pause: float = 0.05
+    """Longest interruption after which a contact goes on, s."""
+    held: int = 6
+    """Number of frames, 16 ms apart, that a point must be named for: for fewer within a longer contact it is passed
+    over."""
+    likely: float = 0.5
+    """Probability that the point of a shorter contact must reach: sound that rises and falls within one touch makes
+    such pieces."""
+    stay: float = 0.97
+    """Probability of staying at a point from one frame to the next, 16 ms later."""
+    jump: float = 1e-3
+    """Probability of landing anywhere from one frame to the next."""
+    fallen: float = 0.4
+    """Fraction of a contact's loudest frame to which its level must fall before a new touch may begin."""
+    risen: float = 2.0
+    """Factor by which the level must rise from there for a new touch to begin."""
+    agree: int = 3
+    """Number of frames in a row that must name the same point before it is reported."""
+    longest: int = 3750
+    """Number of frames, a minute, after which a contact is taken for a new one."""
+
+
+@dataclass(frozen=True)
+class ListenerOptions:
+    """Options of live input: when a source is lost, and how it is opened again."""
+
+    poll: float = 0.1
+    """Time without a block after which a source is asked whether it is well, s."""
+    stall: float = 1.0
+    """Time without a sample after which a source is lost, whatever it reports, s."""
+    waits: tuple[float, ...] = (0.5, 1.0, 2.0, 5.0)
+    """Times before each attempt to open a lost source again, s; the last one repeats."""
+    recent: int = 1000
+    """Number of samples of 1 kHz that are kept to be looked at."""

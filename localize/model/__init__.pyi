@@ -1,0 +1,9 @@
+from .file_contents import FileContent as FileContent, file_content as file_content
+from .located_touches import LocatedTouches as LocatedTouches, RecordingResult as RecordingResult
+from .opened_model import (
+    Decoding as Decoding,
+    Model as Model,
+    ModelSource as ModelSource,
+    open_library as open_library,
+    open_model as open_model,
+)

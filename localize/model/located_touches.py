@@ -1,0 +1,62 @@
+"""Results of recordings: what all have in common, and the touches that were located in one."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from localize.live.events import HOP, Decision, Fault, State, TouchEvent
+from localize.live.touches import Touch
+from localize.signals.locator import ArrayFacts
+from localize.signals.stimulus import SAMPLE_RATE
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class RecordingResult:
+    """Result of a recording of an array's microphones."""
+
+    array: ArrayFacts
+    """Array whose points are named: that of the model, whatever was recorded."""
+    seconds: float
+    """Length of the recording, s."""
+    assumptions: str
+    """What the model assumes of the sensor or of touches, in words."""
+
+    @property
+    def design(self) -> str:
+        """Name of the design whose points are named."""
+        return self.array.design
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class LocatedTouches(RecordingResult):
+    """Touches in a recording."""
+
+    touches: tuple[Touch, ...]
+    """Touches in the order of time."""
+    events: tuple[Decision | Fault | TouchEvent, ...]
+    """Decisions, 16 ms apart, faults, and touches as they would have been reported while they happened."""
+    warning: str | None = None
+    """Reason to distrust the touches, in words: the sensor does not fit the library. None where there is none, or
+    nothing tells: for a trained localizer, or fewer than eight touches."""
+    rescaled_microphone: str | None = None
+    """Microphone whose level is far off, and was corrected before touches were located; None where none is."""
+    options: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    """Options of the decoder, the tests, the stream and the touches, by name."""
+
+    @property
+    def seconds_by_state(self) -> dict[State, float]:
+        """Time of the decisions in each state that occurred, s."""
+        states = Counter(event.state for event in self.events if isinstance(event, Decision))
+        return {state: count * HOP / SAMPLE_RATE for state, count in states.items()}
+
+    @property
+    def first_faults(self) -> tuple[Fault, ...]:
+        """Faults of the recording: the first of each kind at each microphone."""
+        first: dict[tuple[str, str | None], Fault] = {}
+        for event in self.events:
+            if isinstance(event, Fault):
+                first.setdefault((event.kind, event.channel), event)
+        return tuple(first.values())

@@ -1,0 +1,382 @@
+"""A model, opened: a library read once, the decoder that its sensor asks for, and all that listens with it."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+import acoustic_fem
+from acoustic_fem.library.transfer_functions import Library
+from acoustic_fem.quantities.checks import in_range
+from acoustic_fem.quantities.local_air import LocalAir
+from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.typed import Array
+from localize.contacts.contact import RADII
+from localize.decoders.bayes import BayesDecoder
+from localize.decoders.drift import DriftDecoder, check_drift
+from localize.decoders.judgement import ResidualTest
+from localize.decoders.library_decoder import LibraryDecoder
+from localize.decoders.reconstruct import Reconstructor
+from localize.decoders.sound_test import SoundTest
+from localize.decoders.surroundings import sound_levels
+from localize.decoders.tolerant import decoder_of, unknown_tolerances
+from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
+from localize.graphs.onnx_localizer import OnnxLocalizer
+from localize.live.events import HOP, Decision, Fault
+from localize.live.listener import LiveListener
+from localize.live.options import StreamOptions, TouchOptions
+from localize.live.recorder import LiveRecorder
+from localize.live.sources import Source
+from localize.live.stream import TouchStream
+from localize.live.touches import TouchTracker, touches_of
+from localize.model.file_contents import FileContent, file_content
+from localize.model.located_touches import LocatedTouches
+from localize.recordings.recording import Recording, read_recording
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import FRAME
+from localize.signals.locator import Locator
+from localize.signals.noise_model import NoiseChoice
+from localize.signals.same_array import check_same_design
+from localize.tracking.path import PathTracker
+from localize.tracking.path_gestures import GestureTracker
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+LEAST_NOISE = 1e-6
+"""White noise that waveforms are reconstructed with where a localizer knows none, Pa rms."""
+LEAST_SOUND_NOISE = 1e-5
+"""White noise that the test of sound assumes at least, Pa rms: below it, rounding is all there is."""
+PART = 60_000
+"""Number of samples of a recording that are decided at once: a minute."""
+
+LibrarySource: TypeAlias = str | os.PathLike[str] | Library
+"""A library, or the path of its file."""
+
+
+@dataclass(frozen=True)
+class Decoding:
+    """Choices of how a model is opened and what it reports beside the point; as of :func:`open_model`."""
+
+    noise: NoiseChoice = "design"
+    """For a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design"."""
+    library: LibrarySource | None = None
+    """Library of the array, for a network or graph; by default the model, where that is one."""
+    waveform: bool = False
+    """Whether the pressure in the touched cavity is reconstructed."""
+    ambient: float | None = None
+    """Level of sound in the room up to which touches are named in it, dB SPL; None for a quiet room."""
+    rejected_fraction: float | None = None
+    """Fraction of the frames of true touches that may be rejected with those that no single point explains; None to
+    name the likeliest point."""
+    air: LocalAir | None = None
+    """Air of the place, to which a library is brought; None for that of the library."""
+    follow_drift: bool = False
+    """Whether the stiffness of a calibrated sensor is followed over the touches."""
+    tolerances: bool = True
+    """Whether a computed library is decoded with manufacturing tolerances."""
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """Localizer with what it needs to listen; made by :func:`open_model`, and never changed by what it hears."""
+
+    locator: Locator
+    """Localizer: a network, a graph, or the decoder of a library."""
+    library: Library | None
+    """Library of the array, in the air of the place; None where none was given."""
+    response: ArrayResponse | None = field(repr=False)
+    """Transfer functions of the array, for tests and waveforms; None where nothing has them."""
+    decoding: Decoding
+    """Choices that it was opened with."""
+    assumptions: str
+    """What is assumed of the sensor or of touches, in words."""
+    warnings: tuple[str, ...]
+    """Reasons to trust the answers less, in words."""
+    files: tuple[Path, ...]
+    """Files and folders that it was read from."""
+
+    def locate(self, signals: ArrayLike | Tensor) -> Array:
+        """Probability of each point, (n_point,) or (n, n_point) float64; as of :meth:`localize.Locator.locate`."""
+        return self.locator.locate(signals)
+
+    def locate_file(self, path: str | os.PathLike[str], full_scale: float | None = None) -> LocatedTouches:
+        """Touches in a recording: where and when.
+
+        Args:
+            path: of the recording, see :func:`localize.read_recording`.
+            full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip,
+                by default recognised by flat tops.
+
+        Raises:
+            Refusal: a recording that cannot be read or used.
+        """
+        return self.locate_recording(self.read(path, full_scale))
+
+    def read(self, path: str | os.PathLike[str], full_scale: float | None = None) -> Recording:
+        """Recording of the microphones of the model; arguments as of :meth:`locate_file`."""
+        fallback = not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
+        return read_recording(path, self.locator.microphones, full_scale, fallback=fallback)
+
+    def locate_recording(self, recording: Recording) -> LocatedTouches:
+        """Touches in a recording that was read; a microphone whose level is far off is rescaled first."""
+        stream = self.stream(recording.limit, frames=True)
+        decided, fit = _decided(stream, recording.signals)
+        rescaled = None
+        if fit is not None and fit.off_level is not None:
+            rescaled, level = fit.off_level
+            signals = recording.signals.copy()
+            signals[fit.microphones.index(rescaled)] /= 10 ** (level / 20)
+            if recording.limit is not None:  # what was clipped stays so
+                signals = np.where(np.abs(recording.signals) >= recording.limit, recording.signals, signals)
+            decided = self.stream(recording.limit).push(signals)
+        array, touches = self.locator.array, TouchOptions()
+        tracker = TouchTracker(array, stream.delay, touches)
+        events = [each for event in decided for each in (event, *tracker.take(event))]
+        return LocatedTouches(
+            array=array,
+            seconds=recording.seconds,
+            assumptions=self.assumptions,
+            touches=tuple(touches_of(decided, array, touches)),
+            events=(*events, *tracker.finish()),
+            warning=None if fit is None else fit.warning,
+            rescaled_microphone=rescaled,
+            options={"decoder": self.locator.options, "stream": stream.options, "touches": touches},
+        )
+
+    def stream(self, limit: float | None = None, frames: bool = False) -> TouchStream:
+        """New stream that listens with the model, its test of sound, and what else it was opened for.
+
+        Args:
+            limit: Pa; a sample that reaches it is clipped. By default nothing is.
+            frames: whether decisions carry the samples that were classified.
+
+        Raises:
+            Refusal: a limit that is not finite and positive.
+        """
+        given, locator = self.decoding, self.locator
+        # A noise that is given is what there is: then nothing is measured.
+        options = StreamOptions(follow=given.noise == "design", frames=frames, fallback=True)
+        if given.rejected_fraction is not None:
+            options = replace(options, rejected_fraction=given.rejected_fraction)
+        if self.response is None:
+            return TouchStream(locator, limit=limit, options=options)
+        noise, wave, sound, residual = locator.microphone_noise, None, None, None
+        if given.waveform:
+            wave = Reconstructor(self.response, max(locator.noise_rms, LEAST_NOISE))
+        if given.ambient is not None:
+            sound = SoundTest(self.response, noise, given.ambient)
+        elif self.response.ambient_response is not None:
+            sound = SoundTest(self.response, noise if isinstance(noise, str) else max(noise, LEAST_SOUND_NOISE))
+        if given.rejected_fraction is not None:
+            residual = ResidualTest(self.response, noise, ambient=given.ambient)
+        return TouchStream(locator, None, limit, wave, sound, residual, options)
+
+    def tracker(self, radius: float) -> PathTracker:
+        """New tracker of the paths of contacts, for the decisions of a stream that carry their frames.
+
+        Args:
+            radius: of the contact, mm.
+
+        Raises:
+            Refusal: a model without a library, or a radius out of range.
+        """
+        if self.library is None:
+            problem = "is no library; paths need one, which says what is heard of a contact at any place"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="model")
+        in_range("radius", radius, *RADII, "mm")
+        return PathTracker(self.library, radius, self.decoding.noise, self.decoding.ambient)
+
+    def listen(self, source: Source, recorder: LiveRecorder | None = None, radius: float | None = None) -> LiveListener:
+        """Listener that reports touches while they happen; iterate over it for its events.
+
+        Args:
+            source: where samples come from, such as :class:`localize.live.ReplaySource`.
+            recorder: writes them as they come in.
+            radius: of a contact whose place and gestures are reported too, mm; by default neither is.
+
+        Raises:
+            Refusal: a radius out of range, or a model that has no library.
+        """
+        places = () if radius is None else (GestureTracker(self.tracker(radius)),)
+        stream = self.stream(source.limit, frames=True)
+        return LiveListener(source, stream, recorder, trackers=(TouchTracker(self.locator.array), *places))
+
+
+ModelSource: TypeAlias = str | os.PathLike[str] | Library | Locator | Model
+"""A model: its path (a library, the folder of a trained localizer, an ONNX file), or one in memory."""
+
+
+def open_model(
+    source: ModelSource,
+    *,
+    air: LocalAir | None = None,
+    noise: NoiseChoice = "design",
+    ambient: float | None = None,
+    library: LibrarySource | None = None,
+    waveform: bool = False,
+    rejected_fraction: float | None = None,
+    follow_drift: bool = False,
+    tolerances: bool = True,
+) -> Model:
+    """Model from a file, a folder, a library or a localizer in memory; a file is recognised by its content.
+
+    A computed library says what the sensor was designed to be, so it is decoded with manufacturing tolerances. A
+    calibrated one, and one of a design whose scatter is not known, is decoded as it is, or with its drift followed.
+
+    Args:
+        source: a library, the folder of a trained localizer or an ONNX file; or a library or a localizer in memory.
+        air: of the place, to which a library is brought; by default that of the library.
+        noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        ambient: level of sound in the room up to which touches are named in it, dB SPL; by default a quiet room. Sound
+            alone is told from touches in any case, up to 80 dB SPL or this level.
+        library: library of the array, for a network or graph that shall tell sound from touches and for the arguments
+            below; by default the source, where that is one.
+        waveform: whether the pressure in the touched cavity is reconstructed.
+        rejected_fraction: fraction of the frames of true touches that may be rejected with those that no single point
+            explains, above 0, below 1; by default the likeliest point is named.
+        follow_drift: whether the stiffness of a calibrated sensor is followed over the touches.
+        tolerances: whether a computed library is decoded with manufacturing tolerances.
+
+    Returns:
+        The model; a :class:`Model` is handed back as it is.
+
+    Raises:
+        Refusal: a file that cannot be read or holds no model; noise, air or a drift for what is no library; an argument
+            that needs the library of the array without one; a library of another design; a value out of range.
+    """
+    decoding = Decoding(noise, library, waveform, ambient, rejected_fraction, air, follow_drift, tolerances)
+    return opened(source, decoding)
+
+
+def opened(source: ModelSource, decoding: Decoding | None = None) -> Model:
+    """Model as of :func:`open_model`, with its arguments as one object; a model that is open takes none."""
+    given = decoding or Decoding()
+    if isinstance(source, Model):
+        if given not in (Decoding(), source.decoding):
+            problem = "must be given when the model is opened, to localize.open_model"
+            raise Refusal(problem, kind=Kind.CONFLICT, field="decoding")
+        return source
+    library = _library_in(source, given.air)
+    locator = _network(source, given) if library is None else _decoder(library, source, given)
+    beside = library if given.library is None else open_library(given.library, given.air)
+    response = locator.response if beside is None else response_of(beside)
+    if beside is not None and beside is not library:
+        check_same_design(locator.array, response_of(beside).array, _name(given.library))
+    if response is None:
+        _refuse_without_library(source, given)
+    reason = None if library is None else unknown_tolerances(library)
+    return Model(
+        locator,
+        beside,
+        response,
+        given,
+        locator.assumptions if reason is None else f"{locator.assumptions} ({reason})",
+        () if reason is None else (f"manufacturing tolerances are not modelled: {reason}",),
+        (*files_of(source), *files_of(given.library)),
+    )
+
+
+def opened_as_designed(source: ModelSource, decoding: Decoding | None = None) -> Model:
+    """Model as of :func:`opened`, but its library is decoded as it is, without manufacturing tolerances."""
+    if not isinstance(source, Model):
+        return opened(source, replace(decoding or Decoding(), tolerances=False))
+    model = opened(source, decoding)
+    if model.library is None or not model.decoding.tolerances:
+        return model
+    again = opened(model.library, replace(model.decoding, library=None, air=None, tolerances=False))
+    return replace(again, files=model.files)
+
+
+def open_library(source: ModelSource, air: LocalAir | None = None) -> Library:
+    """Library of a path, a library in memory, or that of an open model, brought to the air of the place.
+
+    Raises:
+        Refusal: a file that cannot be read, a model that has no library, or air out of range.
+    """
+    if isinstance(source, Model) and source.library is not None:
+        found = source.library
+    elif isinstance(source, Library):
+        found = source
+    elif isinstance(source, (Model, Locator)):
+        raise Refusal("is no library", kind=Kind.UNSUITABLE, field="library")
+    else:
+        found = acoustic_fem.load(source)
+    return found if air is None else found.in_air(air)
+
+
+def files_of(source: object) -> tuple[Path, ...]:
+    """Files and folders that a model or a library is read from; none for one in memory."""
+    if isinstance(source, Model):
+        return source.files
+    return (Path(source),) if isinstance(source, (str, os.PathLike)) else ()
+
+
+def _library_in(source: ModelSource, air: LocalAir | None) -> Library | None:
+    """Library that a source is; None where it is a network or a graph, or a localizer in memory."""
+    if isinstance(source, (str, os.PathLike)) and file_content(Path(source)) is not FileContent.LIBRARY:
+        return None
+    return None if isinstance(source, (Locator, Model)) else open_library(source, air)
+
+
+def _decoder(library: Library, source: ModelSource, given: Decoding) -> LibraryDecoder:
+    """Decoder of a library, for all of its microphones."""
+    levels = sound_levels(given.ambient)
+    if given.follow_drift:
+        try:
+            check_drift(library)
+        except Refusal as error:
+            raise Refusal.of(error, file=_name(source), field="") from None
+        return DriftDecoder(library, given.noise, levels, new=HOP / FRAME)
+    return decoder_of(library, given.noise, levels) if given.tolerances else BayesDecoder(library, given.noise, levels)
+
+
+def _network(source: ModelSource, given: Decoding) -> Locator:
+    """Localizer in memory, a graph, or a trained localizer: each keeps its own noise and air."""
+    if given.noise != "design":
+        problem = f"is for a library; {_name(source)} was made for a noise of its own"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="noise", value=given.noise, unit="Pa")
+    for name, value in ({} if given.air is None else asdict(given.air)).items():
+        if value is not None:
+            problem = f"is for a library; {_name(source)} was made in air of its own"
+            remedy = "make it again from a library in that air"
+            raise Refusal(problem, kind=Kind.CONFLICT, field=name, value=value, remedy=remedy)
+    if given.follow_drift:
+        problem = f"needs a calibrated library as model: {_name(source)} is none"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="follow_drift")
+    if isinstance(source, Locator):
+        return source
+    assert isinstance(source, (str, os.PathLike))
+    if file_content(Path(source)) is FileContent.GRAPH:
+        return OnnxLocalizer(source)
+    from localize.learned.localizer import load_localizer  # torch, which only networks need
+
+    return load_localizer(source)
+
+
+def _refuse_without_library(source: ModelSource, given: Decoding) -> None:
+    for name in ("waveform", "ambient", "rejected_fraction"):
+        if getattr(given, name) != getattr(Decoding, name):
+            problem = f"needs the library of the array: {_name(source)} is none"
+            raise Refusal(problem, kind=Kind.MISSING, field=name, remedy=("give it as ", Field("library")))
+
+
+def _name(source: object) -> str:
+    """Source of a model in words: its path, or its kind."""
+    return str(source) if isinstance(source, (str, os.PathLike)) else f"a {type(source).__name__} in memory"
+
+
+def _decided(stream: TouchStream, signals: Array) -> tuple[list[Decision | Fault], SensorFit | None]:
+    """Decisions of a stream on signals, (n_microphone, n) Pa, and whether they are of the localizer's sensor."""
+    loud, decided = LoudFrames(), []
+    for first in range(0, signals.shape[1], PART):
+        events = stream.push(signals[:, first : first + PART])
+        loud.take(events)
+        # The samples of all frames take sixteen times the memory of the recording.
+        decided += [replace(event, frame=None) if isinstance(event, Decision) else event for event in events]
+    return decided, sensor_fit(stream.locator, loud.frames, stream.noise)

@@ -1,0 +1,66 @@
+"""The decoder of a library as C files for a microcontroller."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from geometry.ground.whole_files import write_text
+from localize.embedded.budget import Budget
+from localize.embedded.c_export import EmbeddedDecoder, embed
+from localize.embedded.decoder_tables import Precision
+from localize.model.opened_model import ModelSource, files_of, open_library
+from localize.signals.array_response import response_of
+from localize.signals.noise_model import NoiseChoice
+from studies.output.folders import check_folder, replaced_files
+
+PRECISION: Precision = "float32"
+"""Precision of the large tables where a caller names none."""
+#: By this file a folder is known as one of an earlier call.
+_MARK = "touch_decoder.h"
+
+
+@dataclass(frozen=True, eq=False)
+class EmbeddedFiles:
+    """Decoder that was written as C."""
+
+    out: Path
+    """Folder of the files."""
+    decoder: EmbeddedDecoder
+    """Texts of the files, and what the decoder costs."""
+    assumptions: str
+    """What the decoder assumes of the sensor, in words."""
+
+
+def embed_decoder(
+    library: ModelSource,
+    out: str | os.PathLike[str],
+    *,
+    precision: Precision = PRECISION,
+    budget: str | None = None,
+    noise: NoiseChoice = "design",
+) -> EmbeddedFiles:
+    """Write the decoder of a library, which needs no training, as C99 for the microcontroller on the sensor.
+
+    Args:
+        library: of the array, a path, a library or an open model; its sensor is decoded as it is.
+        out: a folder, made if it does not exist. What it holds of an earlier call is replaced, and nothing else.
+        precision: of the large tables, ``float32`` or ``int16``.
+        budget: what the microcontroller has for it, such as ``flash=512k,ram=16k,instructions=2.5M``; by default all
+            that it takes.
+        noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+
+    Raises:
+        Refusal: over the budget, with the numbers; a file that cannot be read, a folder of others, or as
+            :func:`localize.embedded.embed`.
+    """
+    folder = Path(out)
+    check_folder(folder, "embed", _MARK, reads=files_of(library))
+    left = None if budget is None else Budget.stated(budget)
+    response = response_of(open_library(library))
+    decoder = embed(response, precision, noise, left)
+    with replaced_files(folder) as fresh:
+        for name, text in decoder.files.items():
+            write_text(fresh / name, text)
+    return EmbeddedFiles(folder, decoder, response.array.assumptions)

@@ -1,0 +1,235 @@
+"""Touches named while they happen, from a sound card or a recording played in real time."""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, closing, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import TypeAlias
+
+from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.typed import Array
+from geometry.ground.whole_files import whole_lines
+from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
+from localize.live.events import Decision, Fault, TouchEvent
+from localize.live.listener import Heard, Latencies, LiveListener, Notice
+from localize.live.recorder import LiveRecorder
+from localize.live.sound_device import DeviceSource
+from localize.live.sources import ReplaySource, Source
+from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
+from localize.signals.locator import ArrayFacts
+from localize.signals.resampling import check_full_scale
+from studies.output.folders import check_new_file
+
+
+@dataclass(frozen=True)
+class LiveInput:
+    """Where live samples come from."""
+
+    device: int | str | None = None
+    """Sound card: its number, or a part of its name; by default that of the system."""
+    replay: str | os.PathLike[str] | None = None
+    """WAV file to play in real time instead of listening."""
+    channels: Mapping[str, int] | None = None
+    """Channel of each microphone, from 1; by default the first ones, in the order of the design."""
+    full_scale: float = 1.0
+    """Pressure at full scale of the sound card or file, Pa."""
+
+    def __post_init__(self) -> None:
+        if self.device is not None and self.replay is not None:
+            problem = ("must not be given beside ", Field("replay"))
+            raise Refusal(problem, kind=Kind.CONFLICT, field="device")
+        check_full_scale(self.full_scale)
+
+    def open(self, microphones: tuple[str, ...]) -> Source:
+        """Source of the microphones of these names, not listened to yet."""
+        if self.replay is not None:
+            return ReplaySource(self.replay, microphones, self.full_scale, self.channels)
+        return DeviceSource(microphones, self.device, self.full_scale, self.channels)
+
+
+class LiveSession:
+    """Live session, for whoever shows it.
+
+    Args:
+        listener: joins the source to the stream.
+        model: names the points.
+    """
+
+    def __init__(self, listener: LiveListener, model: Model) -> None:
+        self._listener = listener
+        self.array: ArrayFacts = model.locator.array
+        """Array with the lines and places of its points, and the names of its microphones."""
+        self.assumptions = model.assumptions
+        """What the model assumes of the sensor, in words."""
+        self.latencies = Latencies()
+        """Latencies of the decisions so far."""
+
+    @property
+    def source(self) -> str:
+        """Name of what is listened to."""
+        return self._listener.source.name
+
+    @property
+    def recordings(self) -> tuple[Path, ...]:
+        """Files that were recorded so far."""
+        return self._listener.recordings
+
+    @property
+    def recent(self) -> Array:
+        """Newest samples at 1 kHz; (n_microphone, n) float64, Pa."""
+        return self._listener.recent
+
+
+Hear: TypeAlias = Callable[[LiveSession, Heard, str], bool | None]
+"""Takes the session, an event and its line of JSON; listening ends where it says False."""
+
+
+@dataclass(frozen=True, eq=False)
+class LiveSummary:
+    """Counts of a live session."""
+
+    seconds: float
+    """Time that was listened, s."""
+    states: Mapping[str, int]
+    """Number of decisions by what they say."""
+    touches: int
+    """Number of touches that came down."""
+    faults: Mapping[str, int]
+    """Number of faults and notices by kind."""
+    samples_lost: int
+    """Number of samples at 1 kHz that were lost."""
+    latencies: Latencies
+    """Latencies of the decisions, from the last sample of their frame to the end of what was done with them."""
+    recordings: tuple[Path, ...]
+    """Files that were recorded."""
+    assumptions: str
+    """What the model assumes of the sensor, in words."""
+    warning: str | None = None
+    """Reason to distrust the touches: the sensor does not fit the library; as of :class:`LocatedTouches`."""
+    unrecorded: str = ""
+    """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
+
+
+def listen(
+    model: ModelSource,
+    source: LiveInput | None = None,
+    out: str | os.PathLike[str] | None = None,
+    *,
+    record: str | os.PathLike[str] | None = None,
+    decoding: Decoding | None = None,
+    radius: float | None = None,
+    hear: Hear | None = None,
+) -> LiveSummary:
+    """Summary of touches that are named while they happen, until the source ends, ``hear`` says so, or Ctrl-C.
+
+    A sound card that is unplugged is waited for.
+
+    Args:
+        model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
+        source: where samples come from; by default the system's sound card.
+        out: a file for a line of JSON for every frame, 16 ms apart, written as it comes; an earlier one is replaced.
+        record: a new WAV file for what comes in, at the rate at which it does; readable even if the program is killed.
+        decoding: how the model is opened, and what is reported beside the point; by default as it is.
+        radius: of a contact whose place on the surface is reported beside its point, and its gesture when its path has
+            ended, mm; needs a library. By default neither is.
+        hear: called with every event.
+
+    Raises:
+        Refusal: a file that cannot be written or read, options that do not go together, or no such sound card.
+        OSError: a disk that is full: the lines cannot be written, or the recording cannot be begun.
+    """
+    lines, kept, heard_from = (
+        None if out is None else Path(out),
+        None if record is None else Path(record),
+        source or LiveInput(),
+    )
+    beside = None if decoding is None else decoding.library
+    check_new_file(lines, ".jsonl", reads=(*files_of(model), heard_from.replay, *files_of(beside)))
+    check_new_file(kept, ".wav", kept="a recording", option="record")
+    if lines is not None and kept is not None and lines.resolve() == kept.resolve():
+        problem = ("must be another file than ", Field("record"))
+        raise Refusal(problem, kind=Kind.CONFLICT, field="out", value=str(lines))
+    found = opened(model, decoding)
+    samples = heard_from.open(found.locator.microphones)
+    recorder = None
+    if kept is not None:
+        recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.full_scale)
+    listener = found.listen(samples, recorder, radius)
+    session = LiveSession(listener, found)
+    counts, loud = _Counts(), LoudFrames()
+    with ExitStack() as stack:
+        stack.enter_context(_nothing_freed())
+        # Lines are written as they come, and stand in the file whenever the program ends.
+        write = None if lines is None else stack.enter_context(whole_lines(lines))
+        try:
+            for heard in stack.enter_context(closing(listener.listen())):
+                available = heard.available
+                line = heard.json_line(None if available is None else perf_counter() - available)
+                if write is not None:
+                    write(line)
+                goes_on = hear is None or hear(session, heard, line) is not False
+                if available is not None:
+                    session.latencies.add(perf_counter() - available)
+                counts.take(heard)
+                loud.take([heard.event])
+                if not goes_on:
+                    break
+        except KeyboardInterrupt:
+            pass
+    fit = sensor_fit(found.locator, loud.frames, listener.stream.noise)
+    return counts.summary(session, fit, listener.stopped)
+
+
+@contextmanager
+def _nothing_freed() -> Iterator[None]:
+    """Memory as it is: looking through all that was imported for what can be freed takes longer than a frame."""
+    gc.collect()
+    gc.freeze()
+    try:
+        yield
+    finally:
+        gc.unfreeze()
+
+
+class _Counts:
+    """What was heard so far."""
+
+    def __init__(self) -> None:
+        self._states: Counter[str] = Counter()
+        self._faults: Counter[str] = Counter()
+        self._lost = self._touches = 0
+        self._began = perf_counter()
+
+    def take(self, heard: Heard) -> None:
+        """Count an event."""
+        event = heard.event
+        if isinstance(event, Decision):
+            self._states[event.state] += 1
+        elif isinstance(event, Fault):
+            self._faults[event.kind] += 1
+            self._lost += (event.samples or 0) if event.kind == "samples lost" else 0
+        elif isinstance(event, TouchEvent):
+            self._touches += event.kind == "down"
+        elif isinstance(event, Notice):
+            self._faults[event.kind] += 1
+
+    def summary(self, session: LiveSession, fit: SensorFit | None, unrecorded: str) -> LiveSummary:
+        """All of it."""
+        return LiveSummary(
+            perf_counter() - self._began,
+            dict(self._states),
+            self._touches,
+            dict(self._faults),
+            self._lost,
+            session.latencies,
+            session.recordings,
+            session.assumptions,
+            None if fit is None else fit.warning,
+            unrecorded,
+        )

@@ -1,0 +1,122 @@
+"""Touches in a recording of an array's microphones."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from acoustic_fem.sound.sound_file import check_sound_there
+from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.typed import Array
+from geometry.ground.whole_files import write_text
+from localize.live.events import Decision
+from localize.model.located_touches import LocatedTouches as LocatedTouches
+from localize.model.opened_model import Decoding as Decoding, ModelSource, files_of, opened
+from studies.output.figure_style import WIDTH, figure_in_style, save_figure
+from studies.output.folders import check_new_file
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+BINS = 2_000
+"""Number of places along the time axis of which the least and the largest value are drawn: more than pixels."""
+
+LABELLED = 40
+"""Number of touches up to which each is labelled; more labels would hide each other."""
+
+
+def locate_recording(
+    model: ModelSource,
+    recording: str | os.PathLike[str],
+    out: str | os.PathLike[str] | None = None,
+    *,
+    picture: str | os.PathLike[str] | None = None,
+    full_scale: float | None = None,
+    decoding: Decoding | None = None,
+) -> LocatedTouches:
+    """Touches of an array, where and when, from a recording of its microphones.
+
+    Args:
+        model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
+        recording: see :func:`localize.read_recording`.
+        out: a file for a line of JSON for every frame; an earlier one is replaced.
+        picture: of the signals and the touches, ``.png``; an earlier one is replaced.
+        full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip, by
+            default recognised by flat tops.
+        decoding: how the model is opened, and what is reported beside the point; by default as it is.
+
+    Raises:
+        Refusal: a file that cannot be written or read, or options that do not go together.
+    """
+    path, drawn = (None if each is None else Path(each) for each in (out, picture))
+    reads = (*files_of(model), recording, *files_of(None if decoding is None else decoding.library))
+    check_new_file(path, ".jsonl", reads=reads)
+    check_new_file(drawn, ".png", reads=reads, option="picture")
+    check_sound_there(recording)
+    found = opened(model, decoding)
+    if found.decoding.waveform and path is None:
+        problem = ("goes into the lines of ", Field("out"), "; give that too")
+        raise Refusal(problem, kind=Kind.MISSING, field="waveform")
+    heard = found.read(recording, full_scale)
+    located = found.locate_recording(heard)
+    if path is not None:
+        write_text(path, "".join(event.json_line() + "\n" for event in located.events))
+    if drawn is not None:
+        draw_touches(located, heard.signals, drawn)
+    return located
+
+
+def draw_touches(found: LocatedTouches, signals: Array, path: str | os.PathLike[str]) -> Path:
+    """Picture of a recording with the touches that were found in it.
+
+    Args:
+        found: the touches.
+        signals: of the microphones, (n_microphone, n) float64, Pa at 1 kHz.
+        path: file, PNG.
+
+    Returns:
+        The path.
+    """
+    microphones = found.array.microphones
+    count = len(microphones)
+    with figure_in_style((WIDTH, 1.1 * count + 3.0)) as figure:
+        panels = figure.subplots(count + 1, 1, sharex=True, height_ratios=[*[1.0] * count, 2.2])
+        for panel, name, heard in zip(panels, microphones, signals, strict=False):
+            _draw_signal(panel, heard)
+            panel.set_ylabel(f"{name}  (Pa)")
+        named = panels[-1]
+        frames = [(each.time, each.point, each.probability) for each in found.events
+                  if isinstance(each, Decision) and each.state == "touch"]  # fmt: skip
+        time, point, probability = np.array(frames, dtype=float).reshape(-1, 3).T
+        dots = named.scatter(time, point, c=100 * probability, s=7, vmin=0, vmax=100, cmap="viridis_r", zorder=3)
+        figure.colorbar(dots, ax=named, label="probability  (%)", pad=0.01)
+        for touch in found.touches:
+            for panel in panels:
+                panel.axvspan(touch.start, touch.end, color="#d9821f", alpha=0.18, linewidth=0)
+            if len(found.touches) <= LABELLED:
+                named.annotate(
+                    f"{touch.point}", ((touch.start + touch.end) / 2, touch.point), (0, 7),
+                    textcoords="offset points", ha="center", fontsize=9, weight="bold",
+                )  # fmt: skip
+        for fault in found.first_faults:
+            for panel in panels:
+                panel.axvline(fault.time, color="#b00020", linestyle=":", linewidth=1.0)
+        named.set(ylim=(0, len(found.array.line) + 1), xlim=(0, found.seconds))
+        named.yaxis.get_major_locator().set_params(integer=True)
+        named.set_ylabel("named point")
+        named.set_xlabel("time  (s): shaded, touches; dots, single frames of 250 ms at their ends")
+        return save_figure(figure, path)
+
+
+def _draw_signal(panel: Axes, heard: Array) -> None:
+    """Draw a signal, (n,) Pa at 1 kHz; a long one by its least and largest value in each bin."""
+    time = np.arange(len(heard)) / 1e3
+    if len(heard) <= 2 * BINS:
+        panel.plot(time, heard, color="#1f5a99", linewidth=0.8)
+        return
+    begins = np.linspace(0, len(heard), BINS, endpoint=False, dtype=int)
+    least, largest = np.minimum.reduceat(heard, begins), np.maximum.reduceat(heard, begins)
+    panel.fill_between(time[begins], least, largest, color="#1f5a99", linewidth=0.4, step="post")

@@ -1,0 +1,150 @@
+"""Paths of contacts in a recording of an array's microphones: a table, a picture, and gestures."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from acoustic_fem.library.transfer_functions import MEASURED
+from acoustic_fem.sound.sound_file import check_sound_there
+from geometry.ground.whole_files import write_text
+from localize.contacts.contact import MOVING
+from localize.model.located_touches import RecordingResult
+from localize.model.opened_model import Decoding, ModelSource, files_of, opened_as_designed
+from localize.recordings.recording import read_recording
+from localize.signals.array_response import ArrayResponse
+from localize.tracking.path import Track
+from localize.tracking.path_gestures import Gesture, gesture_of
+from localize.tracking.signal_track import tracks_of
+from studies.output.figure_style import figure_in_style, line_colours, save_figure
+from studies.output.folders import check_new_file, is_own_table
+
+#: Columns of the table.
+COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "heard")
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class TrackedRecording(RecordingResult):
+    """Paths of a recording."""
+
+    tracks: tuple[Track, ...]
+    """Paths in the order of time."""
+    gestures: tuple[Gesture, ...]
+    """Gesture of each path."""
+    force_is_known: bool
+    """Whether the membranes, which give the forces, are those of the library: a calibration does not measure them, and
+    takes them as designed."""
+
+
+def track_recording(
+    library: ModelSource,
+    recording: str | os.PathLike[str],
+    out: str | os.PathLike[str] | None = None,
+    *,
+    picture: str | os.PathLike[str] | None = None,
+    radius: float = MOVING,
+    full_scale: float | None = None,
+    decoding: Decoding | None = None,
+) -> TrackedRecording:
+    """Paths of contacts over the surface of an array, from a recording of its microphones.
+
+    Args:
+        library: of the array, with a design: a path, a library or an open model.
+        recording: see :func:`localize.read_recording`.
+        out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
+        picture: of the paths on the array, ``.png``; an earlier one is replaced.
+        radius: of the contact, mm, 0.05 to 100.
+        full_scale: as of :func:`studies.locate_recording`.
+        decoding: how signals are read.
+
+    Raises:
+        Refusal: a file that cannot be written or read, no library, or a radius out of range.
+    """
+    table, drawn = (None if each is None else Path(each) for each in (out, picture))
+    reads = (*files_of(library), recording)
+    kept = None if table is None or is_own_table(table, COLUMNS) else "a table that is none of paths"
+    check_new_file(table, ".csv", reads=reads, kept=kept)
+    check_new_file(drawn, ".png", reads=reads, option="picture")
+    check_sound_there(recording)
+    model = opened_as_designed(library, decoding)
+    tracker, array = model.tracker(radius), model.locator.array
+    heard = read_recording(Path(recording), array.microphones, full_scale)
+    tracks = tuple(tracks_of(model.stream(frames=True), tracker, heard.signals))
+    if table is not None:
+        write_text(table, _rows(tracks))
+    if drawn is not None:
+        draw_paths(tracks, tracker.response, drawn)
+    return TrackedRecording(
+        array=array,
+        seconds=heard.seconds,
+        assumptions=model.assumptions,
+        tracks=tracks,
+        gestures=tuple(map(gesture_of, tracks)),
+        force_is_known=array.provenance.get("fidelity") != MEASURED,
+    )
+
+
+def _rows(tracks: tuple[Track, ...]) -> str:
+    """The table as text."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for number, track in enumerate(tracks, 1):
+        for k in range(len(track.time)):
+            force = f"{track.force[k]:.4g}" if track.heard[k] else ""
+            x, y = track.place[k]
+            speed = f"{track.speed[k]:.2f}"
+            place = (f"{track.time[k]:.3f}", f"{x:.3f}", f"{y:.3f}", f"{track.deviation[k]:.3f}", speed)
+            writer.writerow((number, *place, force, int(track.heard[k])))
+    return text.getvalue()
+
+
+def draw_paths(tracks: tuple[Track, ...], response: ArrayResponse, path: str | os.PathLike[str]) -> Path:
+    """Picture of paths on the points of an array: where they are heard, and how sure they are.
+
+    Args:
+        tracks: the paths.
+        response: of the array, with its places.
+        path: file, PNG.
+
+    Returns:
+        The path.
+    """
+    from matplotlib.collections import EllipseCollection
+
+    assert response.position is not None
+    assert response.membrane_radius is not None
+    size = 2 * response.membrane_radius
+    drawn = np.concatenate([response.position, *(track.place for track in tracks)])
+    low, high = drawn.min(0) - size.max(), drawn.max(0) + size.max()
+    width, depth = high - low
+    with figure_in_style((6.4, float(np.clip(5.8 * depth / width, 1.2, 8.0)) + 0.9)) as figure:
+        axes = figure.add_subplot()
+        axes.add_collection(
+            EllipseCollection(
+                size, size, np.zeros(len(size)), units="xy", offsets=response.position, transOffset=axes.transData,
+                facecolor="#eeeeee", edgecolor="#999999",
+            )
+        )  # fmt: skip
+        for number, (track, colour) in enumerate(zip(tracks, line_colours(len(tracks)), strict=True), 1):
+            axes.plot(*track.place.T, color=colour, linewidth=1.0, label=f"path {number}, from {track.time[0]:.2f} s")
+            wide = 2 * track.deviation
+            axes.add_collection(
+                EllipseCollection(
+                    wide, wide, np.zeros(len(wide)), units="xy", offsets=track.place, transOffset=axes.transData,
+                    facecolor=colour, alpha=0.06,
+                )
+            )  # fmt: skip
+            axes.plot(*track.place[track.heard].T, ".", color=colour, markersize=3)
+            axes.plot(*track.place[0], "o", color=colour, markersize=6)
+        axes.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+        axes.set_xlabel("x  (mm)")
+        axes.set_ylabel("y  (mm)")
+        if 0 < len(tracks) <= 8:
+            axes.legend(loc="upper left", bbox_to_anchor=(0, -0.5 / figure.get_figheight()), ncols=2, fontsize=8)
+        return save_figure(figure, path)

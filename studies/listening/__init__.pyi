@@ -1,5 +1,0 @@
-from .embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder as embed_decoder
-from .exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
-from .live import LiveInput as LiveInput, LiveSession as LiveSession, LiveSummary as LiveSummary, listen as listen
-from .opening import Decoding as Decoding
-from .recorded import LocatedTouches as LocatedTouches, locate_recording as locate_recording

@@ -1,0 +1,93 @@
+"""The array in 3-D, its checks, and uploaded designs: work for a process of its own, because of the CAD kernel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from geometry.assembly.model import array_model
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import read_design
+from geometry.layout.overlaps import schematic_notes
+from geometry.layout.size import array_size
+from geometry.pictures.viewer import write_gltf
+from studies.output.display import Display
+from studies.panels.form import stated_values
+from studies.run.check import check_design
+
+
+def read_upload(text: str, name: str) -> dict[str, Any]:
+    """What a design file states that somebody handed in, by the reader of design files.
+
+    Args:
+        text: TOML.
+        name: of the file, for messages.
+
+    Returns:
+        As :func:`studies.panels.stated_values`.
+
+    Raises:
+        DesignError: not TOML, or not a valid design.
+    """
+    return stated_values(read_design(text, name))
+
+
+def model_of_array(design: ArrayDesign) -> dict[str, Any]:
+    """The array in three dimensions.
+
+    Returns:
+        ``glb``: binary glTF of :func:`geometry.pictures.viewer.write_gltf`, bytes; ``parts``: for each placed part its
+        ``label`` (that of its node, with ``_`` for blanks), ``part`` (the name under which the print report knows its
+        shape), ``kind`` and ``group`` (such as "point 3"); ``size``: extent along x, y and z, mm; ``notes``: on what is
+        drawn for the eye only.
+
+    Raises:
+        Refusal: a part cannot be built.
+    """
+    model = array_model(design)
+    with TemporaryDirectory() as folder:
+        content = write_gltf(model, Path(folder) / "array.glb").read_bytes()
+    return {
+        "glb": content,
+        "parts": [
+            {"label": part.label.replace(" ", "_"), "part": part.part, "kind": part.kind, "group": part.group}
+            for part in model.placed
+        ],
+        "size": list(array_size(design, model.layout)),
+        "notes": list(schematic_notes(design, model.layout)),
+    }
+
+
+def check_figures(design: ArrayDesign, notify: Callable[[str], None] = lambda line: None) -> dict[str, Any]:
+    """What ``acoustic-fem check`` finds: print findings, overlaps, assumptions of the models against their limits.
+
+    Args:
+        design: the array.
+        notify: called with what is being done.
+
+    Returns:
+        As :meth:`studies.run.check.DesignCheck.to_dict` without the quality, and its ``verdict``.
+
+    Raises:
+        Refusal: as :func:`studies.check_design`.
+    """
+    found = check_design(design, quality=False, display=CallbackDisplay(notify))  # the points' panel has it
+    return {**found.to_dict(), "verdict": found.verdict}
+
+
+class CallbackDisplay(Display):
+    """Display that hands every line to a function.
+
+    Args:
+        notify: called with each line.
+    """
+
+    def __init__(self, notify: Callable[[str], None]) -> None:
+        super().__init__()
+        self._notify = notify
+
+    def note(self, text: str) -> None:
+        """Hand on a line."""
+        self._notify(text)

@@ -1,0 +1,64 @@
+"""Models, findings and files that the page hands on are those that Python makes."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+import pytest
+from refusals import refused
+
+import acoustic_fem
+from geometry import Kind, Refusal, load_design, prototype, resolve_design
+from geometry.layout.size import array_size
+from studies.panels.cad_panel import check_figures, model_of_array, read_upload
+from studies.panels.export_files import EXPORTS, make_export
+from studies.panels.form import stated_values
+from studies.run.check import check_design
+
+ARRAY = prototype("array-2x6")
+SMALL = ARRAY.with_values({"lines": [{"between": ["A", "B"], "points": 2}], "layout.columns": 2})
+
+
+def test_a_design_that_is_handed_in_is_read_by_the_reader_of_design_files(tmp_path: Path) -> None:
+    path = Path(make_export(ARRAY, "design.toml", str(tmp_path), "lumped"))
+    assert load_design(path) == ARRAY
+    assert read_upload(path.read_text(encoding="utf-8"), "mine.toml") == stated_values(load_design(path))
+    with pytest.raises(Refusal, match=r"^mine\.toml: "):
+        read_upload("name = 3", "mine.toml")
+
+
+def test_a_library_is_the_one_that_solve_writes(tmp_path: Path) -> None:
+    path = make_export(SMALL, "library.nc", str(tmp_path), "lumped")
+    expected = acoustic_fem.solve(SMALL, np.arange(1.0, 501.0), fidelity="lumped")
+    assert acoustic_fem.load(path).transfer_function.equals(expected.transfer_function)
+
+
+def test_another_export_or_fidelity_is_refused(tmp_path: Path) -> None:
+    with refused(Kind.UNKNOWN, "export", value="a.exe"):
+        make_export(ARRAY, "a.exe", str(tmp_path), "lumped")
+    with refused(Kind.UNKNOWN, "fidelity", value="best"):
+        make_export(ARRAY, "library.nc", str(tmp_path), cast(Any, "best"))
+    assert list(EXPORTS) == ["design.toml", "library.nc", "library.sofa", "parts.zip", "report.html"]
+
+
+@pytest.mark.slow
+def test_the_model_is_the_projects_own_gltf_and_the_findings_are_those_of_check() -> None:
+    import trimesh
+
+    found = model_of_array(SMALL)
+    scene = trimesh.load(io.BytesIO(found["glb"]), file_type="glb")
+    labels = {part["label"] for part in found["parts"]}
+    assert labels <= set(scene.graph.nodes)
+    assert {part["group"] for part in found["parts"]} >= {"point 1", "point 2", "microphone A"}
+    assert found["size"] == list(array_size(SMALL))
+    assert max(found["size"]) == pytest.approx(1000 * max(scene.extents), rel=0.02)
+
+    told: list[str] = []
+    checked, expected = check_figures(SMALL, told.append), check_design(SMALL, quality=False)
+    assert checked == {**expected.to_dict(), "verdict": expected.verdict}
+    assert any("Print rules (5 of 5)" in line for line in told)
+    assert {finding["part"] for finding in checked["printing"]["findings"]} & {part["part"] for part in found["parts"]}
+    assert resolve_design("array-2x6") == ARRAY
