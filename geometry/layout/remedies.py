@@ -7,6 +7,7 @@ from typing import Any
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import value_of
+from geometry.ground.refusal import Text
 from geometry.layout.overlaps import OverlapError, refuse_overlaps
 from geometry.layout.placement import ArrayLayout
 from geometry.schema.field_errors import DesignError
@@ -18,7 +19,7 @@ _GROWTH, _STEPS = 1.1, 14
 _WALLS = (0.95, 0.8, 0.6, 0.4)
 
 
-def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: str = "") -> None:
+def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: Text = "") -> None:
     """Refuse a design that cannot be built as it is laid out, with a change that fixes it.
 
     Args:
@@ -32,7 +33,9 @@ def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, u
     try:
         refuse_overlaps(design, layout)
     except OverlapError as error:
-        remedy = "; ".join(filter(None, (fix_for(design), unless)))
+        fix = fix_for(design)
+        pieces = (unless,) if isinstance(unless, str) else unless
+        remedy = (fix, "; " if fix and unless else "", *pieces)
         raise OverlapError.of(error, others=error.others, remedy=remedy) from None
 
 

@@ -304,7 +304,7 @@ def test_a_fault_in_another_kind_of_file_is_named(fault: str, recorded: Path, mo
         ),
         ({"pascals": {"A": 1e300}}, "pascals.A = 1e+300"),
         ({"started_late": {"A": 1e9}}, "started_late.A = 1000000000 is refused"),
-        ({"estimator": "H7"}, "estimator = 'H7' must be one of 'H1', 'H2', 'Hv'"),
+        ({"estimator": "H7"}, "estimator = 'H7' must be one of: H1, H2, Hv"),
         ({"colour": "blue"}, "colour = 'blue' is not a field of a manifest; known: "),
         ({"design": 3}, "design = 3 must be a text"),
     ],

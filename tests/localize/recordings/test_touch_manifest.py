@@ -142,9 +142,9 @@ FOUR = "".join(entry(f"{k}.wav", k) for k in range(1, 5))
     ("text", "message"),
     [
         ("x", "touches.toml: is not TOML"),
-        ("", "touches.toml: recordings is missing: must be a list of at least 1 entries"),
+        ("", "touches.toml: recordings is missing; it must be a list of at least 1 entries"),
         ("recordings = []", "touches.toml: recordings = [] must be a list of at least 1 entries"),
-        (entry(part="knocks"), "recordings.0.part = 'knocks' must be one of 'random-1-100', 'random-1-10', 'friction'"),
+        (entry(part="knocks"), "recordings.0.part = 'knocks' must be one of: random-1-100, random-1-10, friction"),
         (entry() + entry("b.wav", 0), "recordings.1.point = 0 must be a whole number at least 1"),
         (FOUR + entry("5.wav", 5), "recordings.4.point = 5 must be from 1 to 4, the points of the array"),
         ("full_scale = 0.0\n" + FOUR, "full_scale = 0 must be between 1e-12 and 1e+12"),

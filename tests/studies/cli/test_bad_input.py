@@ -65,7 +65,7 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         ("check <bad.toml>", "is not TOML"),
         ("check <wide.toml>", "resonator.cavity_diameter = 99 mm must be between 0.8 and 50 mm"),
         ("check array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
-        ("prototypes array", "no prototype is named 'array'"),
+        ("prototypes array", "prototype = 'array' is not known"),
         ("solve array-2x6 --out <folder> --fidelity lumped", "is a folder; --out must be a file"),
         ("solve array-2x6 --out <text.wav>", "text.wav: --out must be a library, .nc"),
         ("solve array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),

@@ -61,7 +61,7 @@ def test_the_base_design_is_looked_for_beside_the_study(tmp_path: Path) -> None:
         ("cases = 3", "cases = 3 must not be given for sampling = 'grid'"),
         ('sampling = "sobol"', "cases is missing: sampling = 'sobol' needs the number of samples"),
         ('sampling = "random"\ncases = 0', "cases = 0 must be a whole number between 1 and 10000000"),
-        ('sampling = "grit"', "sampling = 'grit' must be one of 'grid', 'latin-hypercube', 'sobol', 'random'"),
+        ('sampling = "grit"', "sampling = 'grit' must be one of: grid, latin-hypercube, sobol, random"),
         ("seed = -1", "seed = -1 must be a whole number between 0"),
         ("basis = 3", "basis = 3 is not a field of a study; did you mean 'base'?"),
         ('frequencies = "1:100"', "frequencies = '1:100' must be FIRST:LAST:COUNT in Hz"),
