@@ -130,7 +130,7 @@ def _cell_admittances(
 
 
 def _about_atlas(cells: tuple[Cell, ...], frequency: NDArray[np.float64]) -> dict[str, Any]:
-    """What a library says of cells in the atlas; warns where its errors are not known."""
+    """Provenance of cells in the atlas; warns where its errors are not known."""
     from acoustic_fem.atlas.cell_in_atlas import least_angle
 
     atlas = cell_atlas()

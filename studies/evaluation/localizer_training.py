@@ -5,10 +5,9 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import localize
 from geometry.ground.refusal import Refusal
-from localize.evaluation.accuracy import Evaluation, evaluate
 from localize.learned.training_plan import TrainingPlan
 from localize.model.opened_model import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
@@ -16,9 +15,6 @@ from studies.evaluation.training_files import TOUCHES, write_recognizer_files, w
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.sole_writer import sole_writer_of
-
-if TYPE_CHECKING:
-    from localize import Localizer, RecognitionPlan, Recognizer
 
 #: Where the state of a training is kept until it is done.
 _CHECKPOINT = "checkpoint.safetensors"
@@ -30,9 +26,9 @@ class TrainedLocalizer:
 
     folder: Path
     """Folder of the localizer, its curves and its confusions."""
-    localizer: Localizer
+    localizer: localize.Localizer
     """Localizer as :func:`localize.load_localizer` reads it from there."""
-    judged: Evaluation
+    judged: localize.Evaluation
     """Evaluation on touches that it has not seen."""
 
 
@@ -63,14 +59,12 @@ def train_localizer(
     checkpoint = folder / _CHECKPOINT
     _check_unfinished(folder)
     check_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings))
-    from localize.learned.training import train  # torch
-
     plan = plan or TrainingPlan(microphone_noise="design")
     response = response_of(open_library(library))
     with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Localizer") as report:
         _check_unfinished(folder)  # by whoever wrote to it until now
         report("training", 0.0)
-        localizer = train(
+        localizer = localize.train(
             response,
             plan,
             lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs),
@@ -78,7 +72,7 @@ def train_localizer(
             recordings=None if recordings is None else Path(recordings),
         )
         localizer.save(folder)
-        judged = evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
+        judged = localize.evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
         write_training_files(folder, localizer, judged)
         checkpoint.unlink()
     return TrainedLocalizer(folder, localizer, judged)
@@ -89,10 +83,10 @@ def train_kinds(
     out: str | os.PathLike[str],
     kind: str,
     *,
-    plan: RecognitionPlan | None = None,
+    plan: localize.RecognitionPlan | None = None,
     recordings: str | os.PathLike[str] | None = None,
     display: Display | None = None,
-) -> Recognizer:
+) -> localize.Recognizer:
     """Recognizer of kinds of touch, as :func:`localize.load_recognizer` reads it from its folder.
 
     Killed and called again it goes on where it was, to the same weights.
@@ -112,13 +106,11 @@ def train_kinds(
     checkpoint = folder / _CHECKPOINT
     _check_unfinished(folder)
     check_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings))
-    from localize.recognition.learning import train_recognizer  # torch
-
     loaded = open_library(library)
     with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Recognizer") as report:
         _check_unfinished(folder)
         report("takes", 0.0)
-        recognizer = train_recognizer(
+        recognizer = localize.train_recognizer(
             loaded,
             kind,
             plan,
