@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 import localize
 from localize.live.front_end import HighPass
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.signals import finger_stimuli
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME

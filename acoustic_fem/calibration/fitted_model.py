@@ -1,4 +1,4 @@
-"""What a model fitted to measurements is: its priors, its fitted values and their posterior."""
+"""A model fitted to measurements: its priors, its fitted values and their posterior."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ class UpdatedModel:
         }
         #: Group of each parameter.
         self.groups = tuple(group for group, size in self.sizes.items() for _ in range(size))
-        #: What each parameter is of.
+        #: Part of the array that each parameter belongs to.
         self.names = (
             *(f"bore of {name}" for name in self.topology.tube_names),
             *(f"compliance of point {number + 1}" for number in range(points)),
@@ -116,7 +116,7 @@ class UpdatedModel:
             *(f"chamber of microphone {name}" for name in design.microphones),
             *(f"leak of point {number + 1}" for number in range(self.sizes["leak"])),
         )
-        #: What the leaks that are fitted are multiples of, (1, n_point or 1) float64, m^3/(Pa s).
+        #: Unit of the leaks that are fitted, (1, n_point or 1) float64, m^3/(Pa s).
         self._leak = self.nominal_parameters.leak_conductance
         if self.priors.leak:
             self._leak = self._leak + leak_conductance(*_LEAST_LEAK, nominal.medium)
@@ -194,7 +194,7 @@ class Posterior:
     covariance: Array
     """Covariance of the parameters after the measurement, (count, count) float64, in the same units."""
     eigenvalues: Array
-    """What the data say of a combination of parameters, by what the prior says, (count,) float64, ascending."""
+    """Information of the data on a combination of parameters, relative to the prior, (count,) float64, ascending."""
     directions: Array
     """Those combinations, (count, count) float64, in columns."""
 

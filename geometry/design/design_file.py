@@ -96,7 +96,7 @@ def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
 
 
 def value_of(design: ArrayDesign, name: str) -> Any:
-    """What a dotted name stands for: a field, a property of a section, or what a file may give in place of a field.
+    """Value of a dotted name: a field, a property of a section, or what a file may give in place of a field.
 
     Args:
         design: the design.

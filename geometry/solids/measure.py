@@ -1,4 +1,4 @@
-"""What can be measured on a CAD solid: its tessellation, genus, round holes, pins and inner voids. Lengths in mm."""
+"""Measures of a CAD solid: its tessellation, genus, round holes, pins and inner voids. Lengths in mm."""
 
 from __future__ import annotations
 
@@ -158,7 +158,7 @@ class Round:
     direction: tuple[float, float, float]
     """Unit vector, of length one, along the axis."""
     hollow: bool
-    """Whether the material is outside of it."""
+    """True where the material is outside of it."""
 
 
 def rounds(solid: cq.Shape) -> list[Round]:

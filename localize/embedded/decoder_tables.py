@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import (
     CUTOFF,
     SAMPLES,
@@ -31,10 +32,9 @@ from localize.decoders.frame_covariance import (
     whitening,
 )
 from localize.decoders.likelihood import assumed_noise
-from localize.decoders.options import DecoderOptions
 from localize.decoders.sound_test import SoundTest
 from localize.embedded.reflections import BLOCK, reflections
-from localize.live.options import HIGH_PASS, StreamOptions
+from localize.live.stream_options import HIGH_PASS, StreamOptions
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import SAMPLE_RATE

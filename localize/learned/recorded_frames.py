@@ -16,8 +16,8 @@ from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array
 from localize.learned.training_plan import TrainingPlan
 from localize.live.events import Decision
-from localize.live.options import AS_IT_COMES, StreamOptions
 from localize.live.stream import TouchStream
+from localize.live.stream_options import AS_IT_COMES, StreamOptions
 from localize.recordings.recording import read_recording
 from localize.recordings.touch_manifest import (
     PARTS,
@@ -28,9 +28,10 @@ from localize.recordings.touch_manifest import (
     refuse_same_take,
     split,
 )
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
-from localize.signals.locator import ArrayFacts, Locator
+from localize.signals.locator import Locator
 from localize.signals.random_streams import choice, random_words, uniform
 from localize.signals.stimulus import SAMPLE_RATE, Device
 

@@ -23,7 +23,7 @@ from acoustic_fem.quantities.checks import in_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
-from localize.live.options import StreamOptions
+from localize.live.stream_options import StreamOptions
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
 from localize.recalibration.parameter_search import ascend, distinct, search
 from localize.recalibration.recalibration_options import RecalibrationOptions

@@ -12,7 +12,7 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.live.front_end import HighPass
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.recognition.handwriting import WRITTEN, LineReader
 from localize.recognition.power_maps import WINDOW
 from localize.recognition.recognition_options import CutOptions

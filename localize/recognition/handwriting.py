@@ -22,7 +22,7 @@ from localize.decoders.bayes import BayesDecoder
 from localize.decoders.frame_covariance import INTEGRATION_STEP
 from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.live.front_end import HighPass
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.recognition.letter_classifier import LETTERS, Hand, written
 from localize.recognition.pen_path import PenTracker
 from localize.recognition.recognition_options import WritingOptions

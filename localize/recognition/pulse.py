@@ -20,10 +20,10 @@ from numpy.typing import ArrayLike
 from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import INTEGRATION_STEP, SAMPLES, SOURCE_RMS, touch_covariances, whitening
 from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import PointDecoder
-from localize.decoders.options import DecoderOptions
 from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.surroundings import Surroundings
 from localize.recognition.recognition_options import PulseOptions

@@ -22,7 +22,7 @@ from acoustic_fem.network.microphone import vent_ratio
 from geometry.design.design_file import write_design
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.arrangement import place_housings
-from localize.signals.locator import ArrayFacts
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 

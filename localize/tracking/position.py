@@ -16,10 +16,10 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import LibraryDecoder
-from localize.decoders.options import DecoderOptions
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from geometry.ground.typed import Array
 from localize.contacts.contact import hertz_fraction, surface_of
 from localize.live.front_end import HighPass
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE

@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import localize
+from acoustic_fem.library.transfer_functions import Library
 from geometry.ground.refusal import Kind, Refusal
-from localize.evaluation.accuracy import Evaluation, evaluate
 from localize.learned.training_plan import TrainingPlan
 from localize.model.opened_model import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
@@ -18,10 +18,6 @@ from studies.evaluation.training_files import TOUCHES, write_recognizer_files, w
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.sole_writer import sole_writer_of
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
-    from localize import Localizer, RecognitionPlan, Recognizer
 
 #: Where the state of a training is kept until it is done.
 _CHECKPOINT = "checkpoint.safetensors"
@@ -33,9 +29,9 @@ class TrainedLocalizer:
 
     folder: Path
     """Folder of the localizer, its curves and its confusions."""
-    localizer: Localizer
+    localizer: localize.Localizer
     """Localizer as :func:`localize.load_localizer` reads it from there."""
-    judged: Evaluation
+    judged: localize.Evaluation
     """Evaluation on touches that it has not seen."""
 
 
@@ -64,11 +60,9 @@ def train_localizer(
     """
     folder, plan = Path(out), plan or TrainingPlan()
     with _training(library, folder, "Localizer", recordings, display) as (loaded, report):
-        from localize.learned.training import train  # torch
-
         response = response_of(loaded)
         report("training", 0.0)
-        localizer = train(
+        localizer = localize.train(
             response,
             plan,
             lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs),
@@ -76,7 +70,7 @@ def train_localizer(
             recordings=recordings,
         )
         localizer.save(folder)
-        judged = evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
+        judged = localize.evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
         write_training_files(folder, localizer, judged)
     return TrainedLocalizer(folder, localizer, judged)
 
@@ -86,10 +80,10 @@ def train_kinds(
     out: str | os.PathLike[str],
     kind: str,
     *,
-    plan: RecognitionPlan | None = None,
+    plan: localize.RecognitionPlan | None = None,
     recordings: str | os.PathLike[str] | None = None,
     display: Display | None = None,
-) -> Recognizer:
+) -> localize.Recognizer:
     """Recognizer of kinds of touch, as :func:`localize.load_recognizer` reads it from its folder.
 
     Killed and called again it goes on where it was, to the same weights.
@@ -107,10 +101,8 @@ def train_kinds(
     """
     folder = Path(out)
     with _training(library, folder, "Recognizer", recordings, display) as (loaded, report):
-        from localize.recognition.learning import train_recognizer  # torch
-
         report("takes", 0.0)
-        recognizer = train_recognizer(
+        recognizer = localize.train_recognizer(
             loaded,
             kind,
             plan,

@@ -158,7 +158,7 @@ def read_optimization(
 
 
 def _checked(file: OptimizeFields, study: Study, text: str) -> Optimization:
-    objectives = []
+    objectives: list[Objective] = []
     for number, wanted in enumerate(file.objectives):
         metric = _metric(wanted.metric, f"optimize.objectives.{number}.metric")
         if metric.name in (each.metric.name for each in objectives):

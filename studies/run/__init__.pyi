@@ -2,7 +2,7 @@ from .check import DesignCheck as DesignCheck, check_design as check_design
 from .findings import verdict as verdict
 from .library_files import cell_lines as cell_lines, convert_library as convert_library, solve_library as solve_library
 from .part_folder import MadeParts as MadeParts, export_parts as export_parts
-from .pipeline import check_points as check_points, run_design as run_design
+from .pipeline import run_design as run_design
 from .quality import DesignQuality as DesignQuality, design_quality as design_quality, draw_quality as draw_quality
 from .starting import PLACES as PLACES, copy_prototype as copy_prototype, new_design as new_design
 from .wiring import draw_wirings as draw_wirings, wiring_table as wiring_table, wirings as wirings

@@ -36,7 +36,7 @@ from localize.decoders.tolerant import tolerant_decoder
 from localize.signals.array_response import response_of
 from localize.signals.locator import Locator
 from localize.signals.stimulus import BAND
-from studies.metrics.pairs import BAND, disagreement, worst_heard
+from studies.metrics.pairs import disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output import response_figures as draw
 from studies.output.display import Display, Report

@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 from hypothesis import given, settings, strategies as st
 from reference_data import rows
+from refusals import refused
 from scipy.special import i0, ive, j0, jn_zeros
 
 from acoustic_fem import solve
@@ -22,6 +21,7 @@ from geometry.air.cells import cell_catalogue
 from geometry.air.mesh import mesh_solid
 from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.design.design_file import prototype
+from geometry.ground.refusal import Kind
 from geometry.layout.arrangement import lay_out
 from geometry.solids.membrane import membrane_radius
 

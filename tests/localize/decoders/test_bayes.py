@@ -14,8 +14,8 @@ import geometry
 import localize
 from geometry import Kind, Refusal
 from localize.decoders import likelihood
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import HUM, INTEGRATION_STEP, SOURCE_RMS, frame_noise_covariance, low_pass
-from localize.decoders.options import DecoderOptions
 from localize.signals import stimulus, threads
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import taps

@@ -12,11 +12,11 @@ from scipy.special import logsumexp
 import acoustic_fem
 import geometry
 import localize
+from localize.decoders.decoder_options import TolerantOptions
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import DEVIATING, SAMPLES, joint_whitening, touch_covariances
 from localize.decoders.hypotheses import Hypotheses
 from localize.decoders.likelihood import assumed_noise, vertex
-from localize.decoders.options import TolerantOptions
 from localize.signals.array_response import ArrayResponse, response_of
 
 GRID = np.arange(1.0, 201.0)

@@ -13,7 +13,7 @@ from shared import solved
 import localize
 from acoustic_fem.library.transfer_functions import Library, measured_library
 from geometry import Kind
-from localize.decoders.options import DriftOptions
+from localize.decoders.decoder_options import DriftOptions
 from localize.learned.onnx import export_onnx
 from localize.signals.array_response import response_of
 from studies.test_rig.virtual_rig import HiddenScatter, Rig

@@ -18,7 +18,7 @@ from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.scatter import ScatteredDesign, Tolerance, scatter_factors
 from geometry import Kind
 from localize.decoders import tolerant_decoder
-from localize.decoders.options import TolerantOptions
+from localize.decoders.decoder_options import TolerantOptions
 from localize.signals.array_response import response_of
 
 GRID = np.arange(1.0, 201.0)

@@ -13,8 +13,8 @@ import localize
 from acoustic_fem.scatter import UNCALIBRATED, ScatteredDesign, Tolerance, scatter_factors
 from geometry import Kind
 from localize.decoders import frame_covariance as moments
+from localize.decoders.decoder_options import TwoTouchOptions
 from localize.decoders.hypotheses import as_built_covariances
-from localize.decoders.options import TwoTouchOptions
 from localize.signals.array_response import response_of
 
 

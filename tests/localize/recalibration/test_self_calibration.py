@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from foreign_touches import DESIGN, GRID, NOISE, Array, calibrated, heard, nominal, touches, truth
+from localize.decoders.options import DecoderOptions
 from numpy.typing import NDArray
 from refusals import refused
 
@@ -17,7 +18,7 @@ import localize
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library
 from geometry import Kind
-from localize.decoders.options import DecoderOptions
+from localize.decoders.decoder_options import DecoderOptions
 from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, high_pass_gain
 from localize.recalibration.parameter_search import value_and_slope
 from localize.recalibration.recalibration_options import RecalibrationOptions

@@ -96,7 +96,7 @@ def test_points_are_named_by_the_places_around_them(array: ArrayResponse, decode
 
 def test_a_contact_that_reaches_one_membrane_is_as_far_off_as_it_reaches(array: ArrayResponse) -> None:
     assert array.position is not None
-    narrow = localize.PositionDecoder(array, radius=0.5)
+    narrow = localize.PositionDecoder(array, 0.5, 1e-3)
     found = narrow.position(tapped(array, array.position[[4]], 0.5))
     assert found.point.tolist() == [5]
     assert np.linalg.norm(found.place[0] - array.position[4]) < 0.1

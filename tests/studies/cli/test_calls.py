@@ -31,17 +31,17 @@ from studies.cli.verbs import VERBS, verb_named
 ROOT = Path(__file__).parents[3]
 #: Verb -> what it calls, where it finds it.
 CALLS = {
-    "studio": "studies.studio.serving.serve_studio",
+    "studio": "studies.cli.designs.serve_studio",
     "new": "studies.cli.new_designs.new_design",
-    "check": "studies.run.check.check_design",
-    "wiring": "studies.run.wiring.wiring_table",
+    "check": "studies.cli.designs.check_design",
+    "wiring": "studies.cli.designs.wiring_table",
     "solve": "studies.cli.designs.solve_library",
-    "parts": "studies.run.part_folder.export_parts",
-    "run": "studies.run.pipeline.run_design",
+    "parts": "studies.cli.designs.export_parts",
+    "run": "studies.cli.designs.run_design",
     "rig": "studies.cli.calibrations.record_rig",
     "calibrate": "studies.cli.calibrations.calibrate_sensor",
     "recalibrate": "studies.cli.calibrations.recalibrate_sensor",
-    "convert": "studies.run.library_files.convert_library",
+    "convert": "studies.cli.calibrations.convert_library",
     "train": "studies.cli.localizers.train_localizer",
     "evaluate": "studies.cli.localizers.evaluate_localizer",
     "onnx": "studies.cli.locating.export_decoder",
@@ -54,8 +54,8 @@ CALLS = {
     "bend": "studies.cli.bending.bending_study",
     "sweep": "studies.sweep.run.run_sweep",
     "tolerance": "studies.cli.searches.tolerance_study",
-    "optimize": "studies.findings.searching.optimize",
-    "report": "studies.findings.reporting.sweep_report",
+    "optimize": "studies.cli.searches.search",
+    "report": "studies.cli.sweeps.sweep_report",
     "best": "studies.cli.sweeps.best_designs",
     "prototypes": "studies.cli.new_designs.copy_prototype",
 }
@@ -163,7 +163,8 @@ def test_every_verb_has_a_documented_call_that_can_be_imported() -> None:
         for call in calls:
             package, name = call.split(".")
             assert callable(getattr(sys.modules[package], name)), call
-        own = CALLS[verb].rpartition(".")[2].replace("recalibrate_sensor", "recalibrate")
+        own = CALLS[verb].rpartition(".")[2]
+        own = {"recalibrate_sensor": "recalibrate", "search": "optimize"}.get(own, own)
         assert f"studies.{own}" in calls
 
 

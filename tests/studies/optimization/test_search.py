@@ -15,11 +15,13 @@ from typing import Any
 import numpy as np
 import pytest
 from optuna.trial import FixedTrial
+from refusals import refused
 from small_run import small_design
 
 import acoustic_fem
 from geometry import prototype
 from geometry.design.design_file import load_design
+from geometry.ground.refusal import Kind
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from studies.findings.search_files import read_search, save_search
@@ -178,11 +180,9 @@ def test_a_damaged_search_is_refused_by_name_and_reading_writes_nothing(
         case "its end":
             (broken / JOURNAL).write_bytes(journal[:-200])
         case _:
-            (broken / "trials.json").write_text('{"bytes": "many"}')
+            (broken / "trials.seal").write_text("acoustic-fem search 2\nmany")
     before = {path: path.read_bytes() for path in broken.rglob("*") if path.is_file()}
-    with pytest.raises(
-        StudyError, match="trials.journal: is damaged" if damage != "the seal" else "trials.json: bytes"
-    ):
+    with refused(Kind.DAMAGED, file="trials.seal" if damage == "the seal" else JOURNAL, error=StudyError):
         read_search(broken)
     with pytest.raises(StudyError):
         search_designs(problem, broken)
@@ -209,7 +209,7 @@ def test_a_search_is_not_continued_with_another_table_of_the_atlas(
     problem, digest = read_optimization(few), acoustic_fem.atlas.cell_atlas().digest
     first = search_designs(problem, tmp_path)
     table = replace(acoustic_fem.atlas.cell_atlas(), digest="0123456789ab")
-    monkeypatch.setattr(acoustic_fem.atlas, "cell_atlas", lambda: table)
+    monkeypatch.setattr("studies.study.study.cell_atlas", lambda: table)
     with pytest.raises(StudyError) as error:
         search_designs(problem, tmp_path)
     assert str(error.value) == (

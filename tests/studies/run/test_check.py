@@ -59,7 +59,7 @@ def test_a_tube_that_cannot_be_drawn_is_a_misfit_not_the_end_of_the_check(monkey
     def refused(*_):
         raise Refusal("sheath 0.44x0.9-1: bends to a radius of 0.4 mm, below its own 0.45 mm")
 
-    monkeypatch.setattr("geometry.assembly.model.array_model", refused)
+    monkeypatch.setattr("studies.run.check.array_model", refused)
     assert check_design(prototype("line-2")).misfits == (
         "sheath 0.44x0.9-1: bends to a radius of 0.4 mm, below its own 0.45 mm",
     )
@@ -81,6 +81,6 @@ def test_parts_in_each_others_way_are_refused_before_anything_is_drawn_unless_th
     def draw(*_, **__):
         raise Drawn
 
-    monkeypatch.setattr("geometry.assembly.model.array_model", draw)
+    monkeypatch.setattr(f"{call.__module__}.array_model", draw)
     with pytest.raises(Drawn):
         call(narrow, out, allow_overlaps=True)
