@@ -65,4 +65,4 @@ def touched(
     signals = heard.signals[drawn].double().numpy()
     frames = np.stack([HighPass(signals.shape[1], HIGH_PASS).begin(one)[:, -FRAME:] for one in signals])
     loud = frames.std(2).max(1) > QUIET
-    return frames[loud], heard.point[drawn].numpy()[loud]
+    return frames[loud], heard.point[drawn].numpy() - 1[loud]

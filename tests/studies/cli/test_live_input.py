@@ -223,8 +223,14 @@ def test_lines_into_a_program_that_ends_are_no_error(folder):
         ((), "sounddevice is not installed; pip install 'acoustic-fem[live]'; on Linux PortAudio itself: apt install "),
         (("--list-devices",), "sounddevice is not installed"),
         (("--replay", "nowhere.wav"), "nowhere.wav: no such file"),
-        (("--replay", "{folder}/play.wav", "--channels", "left=1,right=3"), "--channels = 3 is not there"),
-        (("--replay", "{folder}/play.wav", "--channels", "left=1"), "--channels = 'left=1' must be a number each"),
+        (
+            ("--replay", "{folder}/play.wav", "--channels", "left=1,right=3"),
+            "--channels = 3 is not there for microphone",
+        ),
+        (
+            ("--replay", "{folder}/play.wav", "--channels", "left=1"),
+            "--channels = 'left=1' must be a number each for left",
+        ),
         (
             ("--replay", "{folder}/play.wav", "--full-scale", "0"),
             "--full-scale = 0 Pa must be between 1e-12 and 1e+12",
