@@ -38,23 +38,29 @@ _STEP = 1e-3  # of the central differences, in standard deviations
 
 
 @dataclass(frozen=True)
-class Priors:
-    """Standard deviations of the logarithms of the parameters before anything was measured."""
+class PartScatter:
+    """Relative standard deviations of parts that a sensor scatters by and a fit looks for."""
 
     bore: float = 0.05
-    """Deviation, of one, of the bore of each tube."""
+    """Relative deviation of the bore of each tube."""
+    gain: float = 0.05
+    """Relative deviation of the gain of each microphone against the reference."""
+    corner: float = 0.10
+    """Relative deviation of the high-pass corner of each microphone."""
+    chamber: float = 0.10
+    """Relative deviation of the volume of each microphone's chamber."""
+
+
+@dataclass(frozen=True)
+class Priors(PartScatter):
+    """Standard deviations of the logarithms of the parameters before anything was measured."""
+
     compliance: float = 0.12
     """Deviation, of one, of the compliance of each node: of its membrane, which stands for its cavity too."""
     modulus: float = 0.15
     """Deviation, of one, of the modulus of all membranes together."""
     loss: float = 0.3
     """Deviation of the loss factor of all membranes together; their modulus changes over frequency as it asks for."""
-    gain: float = 0.05
-    """Deviation, of one, of the gain of each microphone against the reference."""
-    corner: float = 0.10
-    """Deviation, of one, of the high-pass corner of each microphone."""
-    chamber: float = 0.10
-    """Deviation, of one, of the volume of each microphone's chamber."""
     leak: float = 0.0
     """Deviation of the leak of each cavity, 0 to 5, about the designed one and that of a bore of 20 um, 1 mm long; 0:
     leaks are as designed and not fitted. With 2 a bore of 50 um is 1.6 deviations off."""

@@ -1,4 +1,4 @@
-"""What a touch is: events, textures, the user's own kinds, the pulse, and letters that are written on an array.
+"""Kinds of touch: events, textures, the user's own kinds, the pulse, and letters that are written on an array.
 
 Stands on: contacts, decoders, graphs, learned, live, recordings, signals, tracking.
 """
