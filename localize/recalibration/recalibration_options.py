@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from localize.decoders.options import DecoderOptions
+from localize.decoders.decoder_options import DecoderOptions
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,6 @@ from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.learned.recorded_frames import touched_frames
-from localize.live.options import StreamOptions
 from localize.live.stream_options import StreamOptions
 from localize.recognition.handwriting import LineReader, letter_maps
 from localize.recognition.power_maps import MAPS, WINDOW, maps_of

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from foreign_touches import DESIGN, GRID, NOISE, Array, calibrated, heard, nominal, touches, truth
-from localize.decoders.options import DecoderOptions
 from numpy.typing import NDArray
 from refusals import refused
 
