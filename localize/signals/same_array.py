@@ -11,7 +11,6 @@ from geometry.design.design_file import read_completed
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import PathLike
 from localize.signals.array_facts import ArrayFacts
-from localize.signals.locator import ArrayFacts
 
 _NOT_OF_THE_ARRAY = ("name", "description", "air", "printing")
 """Fields that may differ: what an array is called, where it is, and how its parts are printed."""
