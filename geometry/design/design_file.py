@@ -66,7 +66,10 @@ def read_completed(text: str, source: str) -> ArrayDesign:
     data = parse_toml(text, source, DesignError)
     design = validated(data, source)
     if "bore" not in data["tube"]:
-        raise DesignError(f"{source}: tube.bore is missing: an older version wrote it; compute the result again")
+        remedy = "compute the result again"
+        raise DesignError(
+            "is missing: an older version wrote it", kind=Kind.MISSING, file=source, field="tube.bore", remedy=remedy
+        )
     own = {key: value for key, value in design.materials.items() if MATERIALS.get(key) != value}
     return design.model_copy(update={"materials": own})
 

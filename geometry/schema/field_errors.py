@@ -225,7 +225,7 @@ def _problem(detail: ErrorDetails, model: type[BaseModel], given: object, what: 
     value = _plain(detail["input"])
     if kind == "value_error":
         said = detail["ctx"]["error"]
-        found = said if isinstance(said, Refusal) else Refusal(str(said))
+        found = said if isinstance(said, Refusal) else Refusal(str(said), kind=Kind.UNSUITABLE)
         return Refusal.of(found, field=".".join(filter(None, (name, found.field))))
     if kind == "extra_forbidden":
         section = _find(model, loc[:-1])[1]
@@ -242,7 +242,8 @@ def _problem(detail: ErrorDetails, model: type[BaseModel], given: object, what: 
     info, section = _find(model, loc)
     field = declared_field(name, info) if info is not None else None
     if field is None and section is None:
-        return Refusal(f"is not allowed: {detail['msg'][0].lower()}{detail['msg'][1:]}", field=name, value=value)
+        said = f"{detail['msg'][0].lower()}{detail['msg'][1:]}"
+        return Refusal(f"is not allowed: {said}", kind=Kind.OUT_OF_RANGE, field=name, value=value)
     allowed, remedy = _allowed(field, section, detail)
     if kind == "missing":
         about = f" ({field.description})" if field is not None and field.description else ""

@@ -11,6 +11,7 @@ from typing import Any, Literal
 
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
+from geometry.schema.field_errors import model_of
 from geometry.schema.manufacture import Printing, PrintRules
 
 #: Verdict of a rule of a process on a part.
@@ -192,8 +193,6 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
     for key, value in words.items():
         if not isinstance(value, str) or not value:
             raise Refusal(kind=Kind.WRONG_TYPE, file=path, field=key, value=value, allowed="a text")
-    from geometry.schema.field_errors import model_of
-
     rules = model_of(PrintRules, given, str(path), "process", Refusal)
     source = words.pop("source", path.name)
     try:

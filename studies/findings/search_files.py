@@ -88,8 +88,8 @@ def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
         StudyError: the folder is not that of a finished search.
     """
     if not journal_exists(out) or not all((out / name).is_file() for name in (_STUDY, _BASE, _BEST)):
-        problem = "is neither the results of a sweep (a folder with records) nor the folder of a finished search"
-        raise StudyError(problem, kind=Kind.UNSUITABLE, file=out)
+        words = "is neither the results of a sweep (a folder with records) nor the folder of a finished search"
+        raise StudyError(words, kind=Kind.UNSUITABLE, file=out)
     text = read_text(out / _STUDY, "the study of a search", StudyError)
     wanted = read_optimization(text, str(out / _STUDY), out, load_design(out / _BASE))
     return wanted, found_so_far(wanted, out)

@@ -73,6 +73,6 @@ def optimize(
             seal(folder, failed)  # so that they stay out when the search is read later
             result = without(problem, result, failed)
         if not result.front:
-            problem_words = "has no design on its front whose drawn parts pass the print rules"
-            raise Refusal(problem_words, kind=Kind.NO_RESULT, file=problem.study.name)
+            words = "has no design on its front whose drawn parts pass the print rules"
+            raise Refusal(words, kind=Kind.NO_RESULT, file=problem.study.name)
         return Search(problem, result, tuple(save_search(problem, result, folder)))

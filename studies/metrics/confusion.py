@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import shape_error
@@ -311,9 +311,9 @@ def _true(values: NDArray[np.bool_]) -> NDArray[np.int64]:
 def _check(h: ComplexArray, grid: Array, touches: int) -> None:
     if h.ndim != 4 or h.shape[3] != len(grid) or not len(h):
         raise shape_error("transfer_function", h, f"(n_design, n_point, n_microphone, {len(grid)})")
-    for name, count in (("points", h.shape[1]), ("microphones", h.shape[2])):
+    for name, count in (("point", h.shape[1]), ("microphone", h.shape[2])):
         if count < 2:
-            problem = f"has {count} {name}; at least 2 are needed to predict confusions"
+            problem = f"has {counted(count, name)}; at least 2 are needed to predict confusions"
             raise Refusal(problem, kind=Kind.UNSUITABLE, field="transfer_function")
     check_grid(grid)
     if not np.all(np.isfinite(h)):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import Responses
@@ -50,12 +50,13 @@ def pair_distances(responses: Responses, band: tuple[float, float] = BAND) -> Pa
     inside = (responses.frequency >= band[0] - 1e-9) & (responses.frequency <= band[1] + 1e-9)
     _, points, microphones, _ = responses.transfer_function.shape
     for name, count in (
-        ("points", points),
-        ("microphones", microphones),
-        (f"frequencies between {band[0]:g} and {band[1]:g} Hz", int(inside.sum())),
+        ("point", points),
+        ("microphone", microphones),
+        ("frequency", int(inside.sum())),
     ):
         if count < 2:
-            problem = f"has {count} {name}; at least 2 are needed to compare points"
+            within = f" from {band[0]:g} to {band[1]:g} Hz" if name == "frequency" else ""
+            problem = f"has {counted(count, name)}{within}; at least 2 are needed to compare points"
             raise Refusal(problem, kind=Kind.UNSUITABLE, field="transfer_function")
     pairs = list(combinations(range(microphones), 2))
     weight = trapezoidal_weights(responses.frequency[inside]) / len(pairs)

@@ -321,8 +321,8 @@ def _base(problem: Optimization) -> Candidate:
     with open_workers(1, None) as team:
         table, (reason,) = design_metrics([{}], problem.study, problem.metrics, team)
     if reason:
-        problem_words = f"cannot be computed: {reason}"
-        raise StudyError(problem_words, kind=Kind.NO_RESULT, file=problem.study.base.name)
+        words = f"cannot be computed: {reason}"
+        raise StudyError(words, kind=Kind.NO_RESULT, file=problem.study.base.name)
     figures = {metric.name: float(value) for metric, value in zip(problem.metrics, table[0], strict=True)}
     return Candidate(-1, {}, figures, _keeps(problem, figures))
 

@@ -201,8 +201,8 @@ def _check_not_read(path: Path, reads: Files, option: str) -> None:
     """Refuse to write over what is read, whatever it is called: through links, and where case does not count."""
     for read in reads:
         if read is not None and path.exists() and Path(read).exists() and path.samefile(read):
-            same = "a file" if Path(read) == path else f"the same file as {read}"
-            problem = f"is {same}, which is read"
+            same = "a file that is read" if Path(read) == path else f"the same file as {read}, which is read"
+            problem = f"is {same}"
             raise Refusal(problem, kind=Kind.CONFLICT, file=path, field=option, remedy="name another file")
 
 

@@ -236,7 +236,7 @@ def _parameter(name: str, given: Any, place: str, in_grid: bool, base: ArrayDesi
         check_name(as_lists(base.model_dump()), name, base.name)
         now = value_of(base, name)
     except DesignError as error:
-        problem = f"names {error.field}, which {error.problem}"
+        problem = error.problem if error.field == name else f"names {error.field}, which {error.problem}"
         raise Refusal.of(error, file=None, field=place, problem=problem) from None
     field = field_named(ArrayDesign, name)
     kind = "a number" if field is None else field.kind

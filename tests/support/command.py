@@ -14,5 +14,15 @@ class Outcome:
     out: str
     err: str
 
+    def refusal(self, code: int = 1) -> str:
+        """The one line with which a command was refused, after what it had shown of its progress."""
+        assert self.code == code, self.err
+        assert "Traceback" not in self.err
+        *_, last = lines = self.err.splitlines()
+        assert [line for line in lines if line.startswith("acoustic-fem: ")] == [last]
+        assert len(last) < 2100
+        return last
+
 
 Command = Callable[..., Outcome]
+"""Runs ``acoustic-fem`` with arguments."""

@@ -24,4 +24,4 @@ def small_design() -> ArrayDesign:
 def small_run() -> RunResult:
     """One run for all tests, at fidelity lumped; nobody writes into its folder."""
     folder = shared_folder() / "row-3"
-    return shared("small-run", lambda: run_design(small_design(), folder, fidelity="lumped", training=PLAN))
+    return shared("small-run", lambda: run_design(small_design(), folder, fidelity="lumped", plan=PLAN))

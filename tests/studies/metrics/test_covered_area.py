@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from refusals import refused
 from scipy.spatial import ConvexHull, Delaunay
 
 import geometry
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind
 from geometry.layout.arrangement import lay_out
 from studies.metrics import coverage
 from studies.metrics.covered_area import _CORNER, _hull, _is_mirrored, _rim, _together
@@ -50,7 +51,7 @@ def test_kinds_of_one_width_and_single_points_are_covered_as_they_are():
 
 
 def test_a_radius_below_zero_is_refused():
-    with pytest.raises(Refusal, match="radius = -1 mm must be between 0 and 1000 mm"):
+    with refused(Kind.OUT_OF_RANGE, "radius", -1.0):
         coverage(geometry.prototype("array-2x6"), -1.0)
 
 

@@ -9,9 +9,20 @@ from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
+from refusals import check_messages, refused
 
+from geometry import Kind
 from studies.output import folders
-from studies.output.folders import MARK, check_folder, check_new_file, claim_folder, replaced_files, replaced_folder
+from studies.output.folders import (
+    FILES,
+    MARK,
+    check_folder,
+    check_new_file,
+    check_new_library,
+    claim_folder,
+    replaced_files,
+    replaced_folder,
+)
 
 
 def earlier_run(folder: Path, design: str) -> None:
@@ -112,15 +123,15 @@ def test_the_old_folder_stays_where_the_new_one_cannot_be_put_in_its_place(
 
 def test_places_that_cannot_be_written_are_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(ValueError, match="is a folder; `out` must be a file"):
-        check_new_file(tmp_path)
-    with pytest.raises(ValueError, match="must lie in a folder that exists"):
+    with refused(Kind.EXISTS, "record", file=tmp_path):
+        check_new_file(tmp_path, option="record")
+    with refused(Kind.MISSING, "out", file=tmp_path / "none" / "library.nc"):
         check_new_file(tmp_path / "none" / "library.nc")
     check_new_file(tmp_path / "file")  # replaced, where it is not kept
-    with pytest.raises(ValueError, match=r"file: exists, and a design is never overwritten; name another file, or rem"):
+    with refused(Kind.EXISTS, "out", file=tmp_path / "file"):
         check_new_file(tmp_path / "file", kept="a design")
     for place in (tmp_path / "file", tmp_path / "file" / "deeper"):
-        with pytest.raises(ValueError, match=r"must be a folder; .*file is a file"):
+        with refused(Kind.EXISTS, "out", file=place):
             check_folder(place)
     check_folder(tmp_path / "new" / "deeper")
     assert names(tmp_path) == {"file"}
@@ -129,7 +140,7 @@ def test_places_that_cannot_be_written_are_refused(tmp_path: Path) -> None:
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="needs a file system in which nothing can be made")
 def test_a_file_system_in_which_nothing_can_be_made_is_refused() -> None:
     for check, place in ((check_folder, Path("/proc/foo")), (check_new_file, Path("/proc/foo.nc"))):
-        with pytest.raises(ValueError, match=rf"{place}: `out` cannot be written: .*: /proc$"):
+        with refused(Kind.UNREADABLE, "out", file=place):
             check(place)
 
 
@@ -144,3 +155,31 @@ def test_a_file_that_cannot_be_written_is_called_as_it_would_be(
     with pytest.raises(OSError, match="No space left") as told:
         write()
     assert told.value.filename == str(tmp_path / "parts" / "shell.stl")
+
+
+def test_the_messages_of_outputs(tmp_path: Path) -> None:
+    file, folder, listed, run = (tmp_path / name for name in ("notes.txt", "others", "parts", "run"))
+    file.write_text("mine")
+    for place in (folder, listed):
+        place.mkdir()
+    (folder / "thesis.txt").write_text("mine")
+    (listed / FILES).write_text("../precious\n")
+    (tmp_path / "link").symlink_to(tmp_path / "gone")
+    claim_folder(run, "one")
+    (run / "design.toml").write_text("changed")
+
+    calls = {
+        "a folder in place of a file": lambda: check_new_file(folder),
+        "a design that is kept": lambda: check_new_file(file, kept="a design"),
+        "a file that is read": lambda: check_new_file(file, reads=(file,)),
+        "a file of another kind": lambda: check_new_file(file, ".nc"),
+        "no folder for it": lambda: check_new_file(tmp_path / "none" / "a.nc", option="record"),
+        "no library": lambda: check_new_library(file, (".nc", ".csv")),
+        "a file in place of a folder": lambda: check_folder(file),
+        "a link to nothing": lambda: check_folder(tmp_path / "link"),
+        "a folder that holds what is read": lambda: check_folder(folder, reads=(folder / "thesis.txt",)),
+        "a folder of others": lambda: check_folder(folder, "run", MARK),
+        "a design changed by hand": lambda: claim_folder(run, "two"),
+        "a list that names others": lambda: replaced_files(listed).__enter__(),
+    }
+    check_messages(Path(__file__).parent / "messages.txt", calls, {f"{tmp_path}{os.sep}": ""})

@@ -3,14 +3,15 @@
 from dataclasses import replace
 
 import pytest
+from refusals import refused
 
 from geometry import prototype
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.overlaps import OverlapError
 from geometry.pictures import mold_cut, viewer, views
 from studies.cli.terminal_tables import show_check
 from studies.run.check import check_design
-from studies.run.part_folder import ALL_THE_SAME, export_parts
+from studies.run.part_folder import export_parts
 from studies.run.pipeline import run_design
 from studies.study.file import read_study
 from studies.sweep.survey import surveyed
@@ -26,8 +27,10 @@ def test_parts_in_each_others_way_are_named_by_check(capsys):
     found = check_design(prototype("array-2x6").with_values(NARROW))
     assert any(line.startswith("shell 1 and shell 4 are in each other's way: they share ") for line in found.misfits)
     assert found.to_dict()["misfits"] == list(found.misfits)
-    assert found.objection.startswith("array-2x6: cannot be built: shell 1 overlaps shell 4 by ")
-    assert "; mend: layout.diameter of " in found.objection
+    assert (found.error.file, [str(problem) for problem in found.error.problems[1:]]) == (
+        "array-2x6", [f"array-2x6: {line}" for line in found.overlaps[1:]],
+    )  # fmt: skip
+    assert "layout.diameter" in found.error.remedy
     show_check(found)
     printed = capsys.readouterr().out
     assert printed.splitlines()[:2] == ["array-2x6: cannot be built", f"- {found.overlaps[0]}"]
@@ -40,26 +43,26 @@ def test_parts_in_each_others_way_are_named_by_check(capsys):
 @pytest.mark.slow
 def test_check_parts_run_and_sweep_count_the_same_problems(tmp_path):
     design = prototype("array-2x6").with_values(NARROW)
-    found, told = check_design(design), []
+    found = check_design(design)
     study = replace(read_study('base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["volume"]\n' + AXES), base=design)
     for call in (
         lambda: export_parts(design, tmp_path / "out"),
         lambda: run_design(design, tmp_path / "out"),
         lambda: surveyed(study),
     ):
-        with pytest.raises(OverlapError) as refused:
+        with refused(Kind.CONFLICT, error=OverlapError, file="array-2x6") as error:
             call()
-        told.append(str(refused.value).removesuffix(f"; {ALL_THE_SAME}"))
-        assert refused.value.problems[1:] == found.overlaps[1:]
-    assert told == 3 * [found.objection]
+        assert [problem.problem for problem in error.value.others] == list(found.overlaps[1:])
+        assert found.overlaps[0] in str(error.value)
+        assert found.mend in str(error.value)
 
 
 @pytest.mark.slow
 def test_a_tube_that_cannot_be_drawn_is_a_misfit_not_the_end_of_the_check(monkeypatch):
-    def refused(*_):
+    def bent(*_):
         raise Refusal("sheath 0.44x0.9-1: bends to a radius of 0.4 mm, below its own 0.45 mm")
 
-    monkeypatch.setattr("studies.run.check.array_model", refused)
+    monkeypatch.setattr("studies.run.check.array_model", bent)
     assert check_design(prototype("line-2")).misfits == (
         "sheath 0.44x0.9-1: bends to a radius of 0.4 mm, below its own 0.45 mm",
     )
@@ -71,8 +74,10 @@ def test_parts_in_each_others_way_are_refused_before_anything_is_drawn_unless_th
 ):
     narrow = prototype("array-2x6").with_values(NARROW)
     out = tmp_path / "out"
-    with pytest.raises(Refusal, match=r"shell 1 overlaps shell 4 .*; mend: .*; `allow_overlaps` draws it all the same"):
+    with refused(Kind.CONFLICT, file="array-2x6") as error:
         call(narrow, out)
+    assert "allow_overlaps" in error.value.remedy
+    assert error.value.sentence({"allow_overlaps": "--allow-overlaps"}).count("--allow-overlaps") == 1
     assert not out.exists()
 
     class Drawn(Exception):

@@ -13,11 +13,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from refusals import refused
 from small_run import PLAN, small_design, small_run
 
 import acoustic_fem
 import geometry
 from acoustic_fem.numerics.disk_cache import CacheWarning
+from geometry import Kind
 from localize import load_localizer
 from studies.metrics.separation import separability
 from studies.output.display import Display
@@ -139,7 +141,7 @@ def again(tmp_path_factory: pytest.TempPathFactory) -> tuple[RunResult, str]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(acoustic_fem, "solve", warned)
         folder = tmp_path_factory.mktemp("again")
-        result = run_design(small_design(), folder, display=Display(told), fidelity="lumped", training=PLAN)
+        result = run_design(small_design(), folder, display=Display(told), fidelity="lumped", plan=PLAN)
     return result, told.getvalue()
 
 
@@ -166,17 +168,18 @@ def test_warnings_reach_the_console_and_those_of_the_cache_are_no_limits_of_mode
 
 def test_a_design_of_one_point_is_refused_before_any_work(tmp_path: Path) -> None:
     one = small_design().with_values({"lines.0.points": 1})
-    with pytest.raises(
-        ValueError, match=r"row-3: lines\.0\.points = 1 must be at least 2: run needs at least 2 points"
-    ):
+    with refused(Kind.UNSUITABLE, "lines.0.points", 1, file="row-3"):
         run_design(one, tmp_path / "out")
+    geometry.save_design(one, tmp_path / "one.toml")
+    with refused(Kind.UNSUITABLE, "lines.0.points", 1, file=tmp_path / "one.toml"):
+        run_design(tmp_path / "one.toml", tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 
 # -- folders ------------------------------------------------------------------------------------------------
 def test_a_folder_of_somebody_else_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "thesis.txt").write_text("all my work")
-    with pytest.raises(ValueError, match=r"holds files that no run of this program made"):
+    with refused(Kind.EXISTS, "out", file=tmp_path):
         run_design(small_design(), tmp_path, fidelity="lumped")
     assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from refusals import refused
 
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Kind
 from studies.study.cases import Cases, cases_of
 from studies.study.file import read_study
 from studies.study.study import StudyError
@@ -99,17 +100,17 @@ def test_a_constraint_may_leave_out_designs_that_are_not_valid() -> None:
 
 
 def test_constraints_that_leave_nothing_or_cannot_be_computed_are_refused() -> None:
-    with pytest.raises(Refusal, match="leave none of 2 cases") as refused:
-        cases('constraints = ["tube.length > 100"]', '"tube.length" = [12, 14]\n')
-    assert (refused.value.kind, refused.value.field) == (Kind.CONFLICT, "constraints")
-    with pytest.raises(ValueError, match="cannot be computed"):
-        cases('constraints = ["1 / (tube.length - tube.length) > 1"]', '"tube.length" = [12, 14]\n')
-    with pytest.raises(ValueError, match="cannot be computed"):
-        cases('constraints = ["layout.pitch > 1"]', '"tube.length" = [12, 14]\n')
+    for constraint, kind in (
+        ("tube.length > 100", Kind.CONFLICT),
+        ("1 / (tube.length - tube.length) > 1", Kind.NO_RESULT),
+        ("layout.pitch > 1", Kind.NO_RESULT),
+    ):
+        with refused(kind, "constraints"):
+            cases(f'constraints = ["{constraint}"]', '"tube.length" = [12, 14]\n')
 
 
 def test_too_large_a_grid_is_refused() -> None:
-    with pytest.raises(StudyError, match="must have at most 10000000"):
+    with refused(Kind.OUT_OF_RANGE, "sampling", error=StudyError):
         cases(
             "",
             '"tube.length" = {from = 9, to = 40, count = 100000}\n'

@@ -7,11 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from refusals import refused
 from small_run import small_design
 
 import acoustic_fem
 import geometry
 import localize
+from geometry import Kind
 from localize.learned.recorded_frames import RecordedFrames
 from localize.recordings.touch_manifest import PARTS
 from localize.signals.array_response import response_of
@@ -47,7 +49,7 @@ def test_every_part_of_every_point_is_recorded_twice_and_again_the_same(rig, man
     again = record_touches(rig, tmp_path, (2,), TouchSession(2, 5.0, ("taps",)), RECORDER)
     for path in sorted(again.parent.glob("*.wav")):
         assert path.read_bytes() == (manifest.parent / path.name).read_bytes()
-    with pytest.raises(ValueError, match="points = 4 must be between 1 and 3"):
+    with refused(Kind.OUT_OF_RANGE, "points", 4.0):
         record_touches(rig, tmp_path, (4,), SESSION)
 
 
