@@ -48,7 +48,7 @@ def frames_of(response: ArrayResponse, noise: float, stimuli: StimulusSource) ->
         frames.append(
             signals[np.arange(len(signals))[:, None], :, start[:, None] + np.arange(FRAME)].transpose(0, 2, 1)
         )
-        point.append(part.point.numpy())
+        point.append(part.point.numpy() - 1)
     return np.concatenate(frames), np.concatenate(point)
 
 

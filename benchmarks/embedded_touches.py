@@ -15,7 +15,7 @@ import localize
 from acoustic_fem import Library
 from acoustic_fem.scatter import ScatteredDesign, scatter_factors
 from localize.live.events import Decision
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.finger_stimuli import STIMULI
 

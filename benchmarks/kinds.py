@@ -27,7 +27,7 @@ from localize.contacts import Contact, ContactRecorder, double_tap, press, tap
 from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import wilson_interval
 from localize.recognition import PROFILES, SPEED, SUBJECTS, TakeMaker, texture_force
-from localize.recognition.filter_bank import Ear
+from localize.recognition.filter_bank import FilterBank
 from localize.recognition.power_maps import maps_of
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.tracking import straight_slide
@@ -95,7 +95,7 @@ class Judge:
     def fingers(self, sensors: tuple[ArrayResponse, ...]) -> NDArray[np.bool_]:
         """Which taps, double taps and presses of fingers, of which no event was made, are told, their points known."""
         recorders = [ContactRecorder(each, microphone_noise="design", seed=SEED) for each in sensors]
-        ear, nobody = Ear(self.response, self.recognizer), localize.BayesDecoder(self.response, 1e-3)
+        ear, nobody = FilterBank(self.response, self.recognizer), localize.BayesDecoder(self.response, 1e-3)
         right = []
         for number in range(len(GESTURES) * TAKES):
             random = np.random.default_rng((SEED, number))
@@ -180,7 +180,7 @@ def told_slides(
 ) -> tuple[list[bool], list[float]]:
     """Which slides are told right by what is recorded of them alone, and errors of the speeds that are told."""
     recorders = [ContactRecorder(each, microphone_noise="design", seed=SEED) for each in sensors]
-    ear = Ear(judge.response, judge.recognizer)
+    ear = FilterBank(judge.response, judge.recognizer)
     right, off = [], []
     for number in range(SLIDES):
         random, kind = np.random.default_rng((SEED, number)), number % len(PROFILES)

@@ -137,7 +137,7 @@ def _memory(pid: int) -> float | None:
 
 def _signals(response: localize.ArrayResponse, seconds: int) -> np.ndarray:
     """(n_microphone, n) Pa: a second of noise, a second of touch with it, the points in turn."""
-    touches = localize.TouchGenerator(response, 0, "evaluation").samples(0, max(1, seconds // 2)).signals
+    touches = localize.TouchGenerator(response, 0, "evaluation", 0.0).samples(0, max(1, seconds // 2)).signals
     signals = NOISE * np.random.default_rng(0).standard_normal((len(response.microphones), 1000 * seconds))
     for turn, touch in enumerate(touches.double().numpy()):
         signals[:, 2000 * turn + 500 : 2000 * turn + 1500] += touch

@@ -31,7 +31,7 @@ from localize.signals.touch_generator import SHARD
 
 FREQUENCY = np.arange(1.0, 501.0)
 LATENCY_FRAMES = 300
-QUIET = localize.TrainingPlan(ambient=None, batch=128)
+QUIET = localize.TrainingPlan(microphone_noise=1e-3, ambient=None, batch=128)
 """Plan in silence, in large steps: what networks cost without what rooms add."""
 
 
@@ -70,7 +70,7 @@ def signal_rates(response: ArrayResponse) -> dict[str, float]:
     }
     rates = {}
     for name, choice in kinds.items():
-        touches = localize.TouchGenerator(response, 0, "evaluation", **choice)
+        touches = localize.TouchGenerator(response, 0, "evaluation", 0.0, **choice)
         rates[name] = rate(lambda touches=touches: len(touches.samples(0, SHARD).point))
     return rates
 
@@ -86,7 +86,7 @@ def step_rate(response: ArrayResponse, plan: localize.TrainingPlan) -> float:
 
     def steps() -> int:
         part = touches.samples(0, SHARD)
-        for frames, point in zip(*(each.split(plan.batch) for each in (part.signals, part.point)), strict=True):
+        for frames, point in zip(*(each.split(plan.batch) for each in (part.signals, part.point - 1)), strict=True):
             maps = classifier.maps(frames[..., -FRAME:])
             with torch.autocast("cpu", torch.bfloat16, enabled=plan.bfloat16):
                 logits = classifier.network(maps)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 import localize
 from localize.live.front_end import HighPass
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.signals import finger_stimuli
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
@@ -65,4 +65,4 @@ def touched(
     signals = heard.signals[drawn].double().numpy()
     frames = np.stack([HighPass(signals.shape[1], HIGH_PASS).begin(one)[:, -FRAME:] for one in signals])
     loud = frames.std(2).max(1) > QUIET
-    return frames[loud], heard.point[drawn].numpy()[loud]
+    return frames[loud], heard.point[drawn].numpy() - 1[loud]

@@ -72,7 +72,7 @@ def ratio(response: ArrayResponse, louder: float) -> str:
 
     def power(stimuli: object, sound: float | None) -> np.ndarray:
         levels = None if sound is None else (sound, sound)
-        made = TouchGenerator(response, JUDGED, "evaluation", stimuli=stimuli, ambient=levels).samples(0, 600)
+        made = TouchGenerator(response, JUDGED, "evaluation", 0.0, stimuli=stimuli, ambient=levels).samples(0, 600)
         return made.signals[..., -250:].square().mean((-2, -1)).numpy()
 
     touch = power(Louder(multi_sines, louder), None)

@@ -71,7 +71,7 @@ def frames(response: ArrayResponse, level: float | None, touched: bool, count: i
     sound = None if level is None else (level, level)
     stimuli = multi_sines if touched else nothing
     made = TouchGenerator(response, SEED, "evaluation", NOISE, ambient=sound, stimuli=stimuli).samples(0, count)
-    return made.signals[..., -250:], made.point.numpy()
+    return made.signals[..., -250:], made.point.numpy() - 1
 
 
 def rows(name: str) -> list[str]:

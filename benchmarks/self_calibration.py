@@ -20,7 +20,7 @@ import geometry
 import localize
 from acoustic_fem.library.transfer_functions import Library
 from geometry.ground.whole_files import replace_section
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.recalibration.self_calibration import SelfCalibration, self_calibrate
 from localize.signals.array_response import ArrayResponse, response_of
 from studies.test_rig.virtual_rig import HiddenScatter, Rig

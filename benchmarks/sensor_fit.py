@@ -20,7 +20,7 @@ import geometry
 from geometry.ground.whole_files import replace_section
 from localize import Locator, TolerantDecoder, TouchStream, read_recording
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
-from localize.live.options import StreamOptions
+from localize.live.stream_options import StreamOptions
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 

@@ -126,7 +126,7 @@ def openwind_ladder() -> str:
 
 def signals(response: ArrayResponse) -> float:
     """A touch of one second at the microphones, sums of sines, ms."""
-    touches = localize.TouchGenerator(response, 0, "evaluation")
+    touches = localize.TouchGenerator(response, 0, "evaluation", 0.0)
     return 1e3 / rate(lambda: len(touches.samples(0, SHARD).point))
 
 
@@ -222,7 +222,7 @@ def by_points(name: str) -> dict[str, float]:
         "tables, not calibrated": least(lambda run: localize.TolerantDecoder(library, microphone_noise=NOISE), 1),
         **frames,
         "signals of a touch": signals(response),
-        "training, a touch": 1e3 / step_rate(response, localize.TrainingPlan()),
+        "training, a touch": 1e3 / step_rate(response, localize.TrainingPlan(microphone_noise=1e-3)),
         "training in silence, steps of 128": 1e3 / step_rate(response, QUIET),
         **figures,
     }

@@ -159,6 +159,7 @@ def write_taps(design: str, path: Path, count: int = 7) -> list[float]:
     from acoustic_fem.sound.sound_file import write_wav
     from geometry import prototype
     from localize.contacts.contact_shapes import QUIET
+    from studies.panels.touching import simulate_touch
 
     array = prototype(design)
     takes = [simulate_touch(array, 1 + 2 * sample % array.point_count, "tap", sample) for sample in range(1, count + 1)]

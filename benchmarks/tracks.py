@@ -160,7 +160,7 @@ def places() -> list[str]:
         found = decoder.position(np.stack(frames))
         error = np.linalg.norm(found.place - true, axis=1)
         alone = 100 * (points.locate(np.stack(frames)).argmax(1) == nearest).mean()
-        row = f"| {radius:g} mm | {alone:.0f} % | {100 * (found.point == nearest).mean():.0f} % | "
+        row = f"| {radius:g} mm | {alone:.0f} % | {100 * (found.point == nearest + 1).mean():.0f} % | "
         row += f"{np.median(error) / pitch:.2f} pitch | {np.sqrt((error**2).mean()) / pitch:.2f} pitch | "
         lines.append(row + f"{100 * (error < 2.45 * found.deviation).mean():.0f} % |")
         print(lines[-1], flush=True)

@@ -48,7 +48,7 @@ class Touches:
         stimuli = multi_sines(seed, "evaluation", 0, count, (float(FREQUENCY[0]), float(FREQUENCY[-1])))
         source = time_signal(stimuli.spectrum).double().numpy()[:, -FRAME:]
         self.rms = np.sqrt((source**2).mean(1))
-        made = TouchGenerator(response, seed, "evaluation").samples(0, count)
+        made = TouchGenerator(response, seed, "evaluation", 0.0).samples(0, count)
         self.signals = made.signals[..., -FRAME:].double().numpy()
 
 

@@ -1,4 +1,4 @@
-"""What the sensor is: designs, their layout, CAD parts, air volumes and meshes. Lengths in millimetres.
+"""Designs of the sensor, their layout, CAD parts, air volumes and meshes. Lengths in millimetres.
 
 Names are loaded when first used, so that importing the package loads neither the CAD kernel nor gmsh.
 """

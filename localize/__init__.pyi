@@ -16,10 +16,7 @@ from . import (
 )
 from .contacts.contact import Contact as Contact
 from .decoders.bayes import BayesDecoder as BayesDecoder
-from .decoders.drift import DriftDecoder as DriftDecoder
-from .decoders.family import FamilyDecoder as FamilyDecoder
-from .decoders.judgement import Judgement as Judgement, ResidualTest as ResidualTest, judge as judge
-from .decoders.options import (
+from .decoders.decoder_options import (
     DecoderOptions as DecoderOptions,
     DriftOptions as DriftOptions,
     HypothesisOptions as HypothesisOptions,
@@ -28,6 +25,9 @@ from .decoders.options import (
     TolerantOptions as TolerantOptions,
     TwoTouchOptions as TwoTouchOptions,
 )
+from .decoders.drift import DriftDecoder as DriftDecoder
+from .decoders.family import FamilyDecoder as FamilyDecoder
+from .decoders.judgement import Judgement as Judgement, ResidualTest as ResidualTest, judge as judge
 from .decoders.reconstruct import (
     Reconstructor as Reconstructor,
     Waveform as Waveform,
@@ -49,8 +49,8 @@ from .learned.onnx import export_onnx as export_onnx
 from .learned.training import train as train
 from .learned.training_plan import TrainingPlan as TrainingPlan
 from .live.events import Decision as Decision, Fault as Fault, TouchEvent as TouchEvent
-from .live.options import StreamOptions as StreamOptions, TouchOptions as TouchOptions
 from .live.stream import TouchStream as TouchStream
+from .live.stream_options import StreamOptions as StreamOptions, TouchOptions as TouchOptions
 from .live.touch_filter import TouchFilter as TouchFilter
 from .live.touches import Touch as Touch, TouchTracker as TouchTracker, touches_of as touches_of
 from .model.located_touches import LocatedTouches as LocatedTouches
@@ -73,8 +73,9 @@ from .recordings.recording import (
     RecordingError as RecordingError,
     read_recording as read_recording,
 )
+from .signals.array_facts import ArrayFacts as ArrayFacts
 from .signals.array_response import ArrayResponse as ArrayResponse
-from .signals.locator import ArrayFacts as ArrayFacts, Locator as Locator
+from .signals.locator import Locator as Locator
 from .signals.touch_generator import TouchGenerator as TouchGenerator
 from .tracking.path import PathTracker as PathTracker, Track as Track
 from .tracking.path_gestures import Gesture as Gesture, gesture_of as gesture_of

@@ -1,4 +1,4 @@
-"""What 3-D adds to cells in closed form, interpolated between solved ones: the fidelity ``atlas``.
+"""The difference between 3-D and closed forms of cells, interpolated between solved ones: the fidelity ``atlas``.
 
 Stands on: cavity, duct, quantities.
 """

@@ -84,8 +84,8 @@ def opening_node(
     total = storage + load
     shared = (1 + through * storage) / total
     node = passage + (1 - load * through * (2 + through * storage)) / total
-    share = shared / node
-    return 1 / node, share, 1 / total - shared * share
+    fraction = shared / node
+    return 1 / node, fraction, 1 / total - shared * fraction
 
 
 def check_cell(atlas: CellAtlas, cell: Cell, frequency: NDArray[np.float64], medium: Medium) -> None:

@@ -23,10 +23,10 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_json, read_text
 from geometry.ground.typed import NumpyOrTorch
 
-#: What a cavity belongs to: its tubes open under a membrane or into the chamber of a microphone.
-House = Literal["resonator", "microphone"]
+#: Enclosure that a cavity belongs to: its tubes open under a membrane or into the chamber of a microphone.
+Enclosure = Literal["resonator", "microphone"]
 
-#: What of the table decides answers.
+#: Parts of the table on which answers depend.
 _DECISIVE = ("bounds", "openings", "storage", "passage", "to_membrane")
 #: The table that comes with the package.
 FILE = Path(__file__).with_name("cell_atlas.json")
@@ -64,17 +64,17 @@ class CellAtlas:
 
     digest: str
     """First 12 hexadecimal digits of the SHA-256 of what decides answers: other answers, another digest."""
-    openings: Mapping[House, ShapePolynomial]
+    openings: Mapping[Enclosure, ShapePolynomial]
     """Resistance, and inertance by s^2, of an opening in mu / a^3, over a/R, the sum and the product of a by the
     distances to floor and ceiling."""
     storage: ShapePolynomial
-    """What an opening adds to the compliance of its cavity in a^3 / p, over a/R."""
+    """Compliance that an opening adds to its cavity, in a^3 / p, over a/R."""
     passage: NDArray[np.float64]
     """Inertance that two openings share, in rho / R, over powers 0 to 2 of R/H and 0 to 1 of the port's place,
     (3, 2) float64."""
     to_membrane: NDArray[np.float64]
-    """That which an opening and the membrane share, as ``passage``, (3, 2) float64."""
-    bounds: Mapping[House, Mapping[str, tuple[float, float]]]
+    """Inertance that an opening and the membrane have in common, as ``passage``, (3, 2) float64."""
+    bounds: Mapping[Enclosure, Mapping[str, tuple[float, float]]]
     """Least and greatest value of each ratio."""
     errors: Mapping[str, float]
     """Largest relative errors that were found on cells and designs which took no part in the making."""
@@ -110,11 +110,11 @@ class CellAtlas:
                 f"of some at {angle:g} they are not known",
             )
 
-    def impedance(self, house: House, opening: Opening, square: NumpyOrTorch) -> NumpyOrTorch:
+    def impedance(self, enclosure: Enclosure, opening: Opening, square: NumpyOrTorch) -> NumpyOrTorch:
         """Impedance of openings in series with their tubes, in mu / a^3.
 
         Args:
-            house: what the cavity belongs to.
+            enclosure: of the cavity.
             opening: their shapes, which broadcast with ``square``.
             square: square of the shear number, a^2 w / nu, a ratio; float64 that broadcasts with the shapes.
 
@@ -123,11 +123,11 @@ class CellAtlas:
         """
         by_radius, by_floor, by_ceiling = opening.ratios
         ratios = (by_radius, by_floor + by_ceiling, by_floor * by_ceiling)
-        resistance, inertance = self.openings[house](ratios, layer_number(square))
+        resistance, inertance = self.openings[enclosure](ratios, layer_number(square))
         return resistance + 1j * (square * inertance)
 
     def compliance(self, opening: Opening, square: NumpyOrTorch) -> NumpyOrTorch:
-        """What openings add to the compliance of their cavity, in a^3 / p.
+        """Compliance that openings add to their cavity, in a^3 / p.
 
         Their shapes and ``square`` broadcast, as for :meth:`impedance`.
 
@@ -140,8 +140,8 @@ class CellAtlas:
     def inertances(self, opening: Opening) -> tuple[NumpyOrTorch, NumpyOrTorch]:
         """Inertances in rho / R that two openings of a cavity share, and that an opening and the membrane share.
 
-        Of openings opposite each other; the angle between them changes little of a chain. Both float64, shape of the
-        radius of the cavity.
+        The openings lie opposite each other; the angle between them changes little of a chain. Both are float64 of the
+        shape of the radius of the cavity.
         """
         flatness = opening.cavity_radius / opening.cavity_height
         place = opening.port_height / opening.cavity_height - 0.5
@@ -152,11 +152,11 @@ class CellAtlas:
 
         return total(self.passage), total(self.to_membrane)
 
-    def check(self, house: House, opening: Opening, square: NumpyOrTorch, where: str) -> None:
+    def check(self, enclosure: Enclosure, opening: Opening, square: NumpyOrTorch, where: str) -> None:
         """Refuse openings outside the bounds.
 
         Args:
-            house: what the cavity belongs to.
+            enclosure: of the cavity.
             opening: shapes as NumPy arrays.
             square: largest square of a shear number, a^2 w / nu, a ratio; a NumPy array that broadcasts with them.
             where: what is refused, for the message.
@@ -164,7 +164,7 @@ class CellAtlas:
         Raises:
             OutsideAtlas: names the ratio, its value and its range.
         """
-        for name, value, (low, high) in self._bounded(house, opening, square):
+        for name, value, (low, high) in self._bounded(enclosure, opening, square):
             outside = value[_beyond(value, low, high)]
             if outside.size:
                 raise OutsideAtlas(
@@ -175,16 +175,17 @@ class CellAtlas:
                     remedy='fidelity "navier-stokes" solves it in 3-D',
                 )
 
-    def is_outside(self, house: House, opening: Opening, square: NumpyOrTorch) -> NDArray[np.bool_]:
-        """Which openings :meth:`check` would refuse, from shapes and a ``square`` that broadcasts with them, as there.
+    def is_outside(self, enclosure: Enclosure, opening: Opening, square: NumpyOrTorch) -> NDArray[np.bool_]:
+        """Openings that :meth:`check` would refuse, from shapes and a ``square`` that broadcasts with them, as there.
 
-        Of the shape of one of its numbers.
+        Returns:
+            Broadcast shape, bool.
         """
-        found = [_beyond(value, *bounds) for _, value, bounds in self._bounded(house, opening, square)]
+        found = [_beyond(value, *bounds) for _, value, bounds in self._bounded(enclosure, opening, square)]
         return np.asarray(np.any(np.broadcast_arrays(*found), axis=0))
 
     def _bounded(
-        self, house: House, opening: Opening, square: NumpyOrTorch
+        self, enclosure: Enclosure, opening: Opening, square: NumpyOrTorch
     ) -> Iterator[tuple[str, NDArray[np.float64], tuple[float, float]]]:
         """Names, values and bounds of what :meth:`check` looks at."""
         by_radius, by_floor, by_ceiling = opening.ratios
@@ -198,7 +199,7 @@ class CellAtlas:
         if opening.hole_radius is not None:
             values["sound hole by chamber diameter"] = opening.hole_radius / opening.cavity_radius
         for name, value in values.items():
-            yield name, np.asarray(value), self.bounds[house][name]
+            yield name, np.asarray(value), self.bounds[enclosure][name]
 
 
 def _beyond(value: NDArray[np.float64], low: float, high: float) -> NDArray[np.bool_]:
@@ -224,11 +225,11 @@ def atlas_of(plain: Mapping[str, Any]) -> CellAtlas:
     decisive = json.dumps([plain[name] for name in _DECISIVE], sort_keys=True)
     return CellAtlas(
         digest=hashlib.sha256(decisive.encode()).hexdigest()[:12],
-        openings={house: polynomial(stated) for house, stated in plain["openings"].items()},
+        openings={enclosure: polynomial(stated) for enclosure, stated in plain["openings"].items()},
         storage=polynomial(plain["storage"]),
         passage=np.array(plain["passage"]),
         to_membrane=np.array(plain["to_membrane"]),
-        bounds={house: bounds(stated) for house, stated in plain["bounds"].items()},
+        bounds={enclosure: bounds(stated) for enclosure, stated in plain["bounds"].items()},
         errors=plain["errors"],
         provenance=plain["provenance"],
     )

@@ -77,7 +77,7 @@ class Tubes(NamedTuple):
     first: NumpyOrTorch
     """Admittance to ground at the first end, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
     last: NumpyOrTorch
-    """That at the last end, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
+    """The same at the last end, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
 
 
 class Ducts(NamedTuple):
@@ -171,7 +171,7 @@ def _modes(parameters: ArrayParameters, air: Conditions) -> NumpyOrTorch:
 
     Well below the first mode it is a power series in f^2 / e with moments of the modes.
     """
-    modes, shares = parameters.membrane_frequency, parameters.membrane_share
+    modes, shares = parameters.membrane_frequency, parameters.membrane_fraction
     softness = _softness("membrane", parameters, air)
     highest = largest(air.omega) / (2 * np.pi)
     square = (air.omega / (2 * np.pi * highest)) ** 2
@@ -204,7 +204,7 @@ def membrane_modulus(parameters: ArrayParameters, frequency: NumpyOrTorch) -> Nu
 
 
 def _counts(values: NumpyOrTorch) -> bool:
-    """Whether any of the values is not 0, or its derivative is asked for."""
+    """True if any of the values is not 0, or its derivative is asked for."""
     return bool(getattr(values, "requires_grad", False)) or bool((values > 0).any())
 
 

@@ -78,7 +78,7 @@ def batch_response(
     medium: Medium | MediumParameters,
     fidelity: str = "lumped",
 ) -> BatchResponse:
-    """What ``solve(design, frequency, fidelity)`` computes in closed form, for a batch of designs of one topology.
+    """Responses of a batch of designs of one topology in closed form, as :func:`acoustic_fem.solve` computes them.
 
     Torch tensors give tensors and can be differentiated by every parameter and by the air (first derivatives;
     second ones are refused by torch where they pass through a cavity that is not interpolated,

@@ -1,10 +1,10 @@
 """Arrays of which one part is off, each part in turn: chains are multiplied out once, not once for every part.
 
 A tube is a transfer matrix [[1 + Z last, Z], [C, 1 + Z first]] with Z the inverse of its series admittance and C =
-first + last (1 + Z first), a point that of its shunt. Of the product of all matrices between a point and an end of its
-line, the entry B is the inverse of the series admittance of what lies there. If one part is off, B changes by a row of
-what lies before it times the change of its matrix times a column of what lies behind it: rows and columns are the same
-for all parts. Of A and D what is beside 1 is carried along, so that nothing cancels at low frequency.
+first + last (1 + Z first), a point that of its shunt. The entry B of the product of all matrices
+between a point and an end of its line is the inverse of the series admittance between them. If one part is off, B
+changes by a row of the matrices before it times the change of its matrix times a column of the matrices behind it: rows
+and columns are the same for all parts. A - 1 and D - 1 are carried along, so that nothing cancels at low frequency.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def one_part_off(topology: Topology, parts: PartsOff) -> tuple[NumpyOrTorch, ...
         parts: what is off, each in turn.
 
     Returns:
-        Of each microphone (n_design, n_sensor, n_point, n_freq) complex128. The first sensor is as designed; then line
+        For each microphone (n_design, n_sensor, n_point, n_freq) complex128. The first sensor is as designed; then line
         by line, one tube after the other is off, one point after the other by each of its deviations; then each
         chamber; in the last, all points together.
     """
@@ -89,7 +89,7 @@ class _Chain(NamedTuple):
     to_first: NumpyOrTorch
     """Inverse of the series admittance from each point to the first end, (n_design, n_sensor, n_point, n_freq)."""
     to_last: NumpyOrTorch
-    """That to the last end, shaped as ``to_first``."""
+    """The same to the last end, shaped as ``to_first``."""
 
 
 class _Links(NamedTuple):
@@ -129,7 +129,7 @@ def _chain(xp: ModuleType, line: LineWiring, parts: PartsOff, before: int, behin
 
 
 def _links(xp: ModuleType, tubes: Tubes) -> _Links:
-    """Of tubes (n_design, n_tube, n_freq) in the order of their line."""
+    """Tubes (n_design, n_tube, n_freq) in the order of their line."""
     b = inverse(tubes.series)
     a, d = b * tubes.last, b * tubes.first
     c = tubes.first + tubes.last * (1 + d)
@@ -172,7 +172,7 @@ def _each_off(
     nominal: NumpyOrTorch,
     behind: Sequence[tuple[NumpyOrTorch, NumpyOrTorch]],
 ) -> list[list[NumpyOrTorch]]:
-    """What :func:`_from_the_end` returns first, with each tube off; then with each load by each of its changes."""
+    """The first result of :func:`_from_the_end`, with each tube off; then with each load by each of its changes."""
     count = loads.shape[2]
     nothing = xp.zeros_like(loads[:, :, :1])
     one = 1 + nothing

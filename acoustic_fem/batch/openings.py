@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from acoustic_fem.atlas.cell_in_atlas import check_gas, opening_node
-from acoustic_fem.atlas.cell_table import CellAtlas, House, Opening, cell_atlas
+from acoustic_fem.atlas.cell_table import CellAtlas, Enclosure, Opening, cell_atlas
 from acoustic_fem.batch.elements import Chambers, Conditions, Ducts, Points, Tubes, chambers, ducts, yielding
 from acoustic_fem.batch.numpy_or_torch import inverse, namespace
 from acoustic_fem.batch.parameters import ArrayParameters
@@ -25,8 +25,8 @@ from geometry.ground.typed import NumpyOrTorch
 class Mouth(NamedTuple):
     """Where tubes of one column open into cavities of another."""
 
-    house: House
-    """What the cavity belongs to."""
+    enclosure: Enclosure
+    """Enclosure that the cavity belongs to."""
     tube: int
     """Column of the tube."""
     cavity: int
@@ -40,11 +40,11 @@ class OpeningColumns:
     mouths: tuple[Mouth, ...]
     """Every kind of opening."""
     tubes: tuple[tuple[int, int, int], ...]
-    """Of each column of tubes the column of the parameters, and the mouths at the first and the last end."""
+    """For each column of tubes the column of the parameters, and the mouths at the first and the last end."""
     points: tuple[tuple[int, tuple[int, ...]], ...]
-    """Of each column of points the column of the parameters, and the mouths of its tubes."""
+    """For each column of points the column of the parameters, and the mouths of its tubes."""
     chambers: tuple[tuple[int, tuple[int, ...]], ...]
-    """Of each column of microphones the column of the parameters, and the mouths of its tubes."""
+    """For each column of microphones the column of the parameters, and the mouths of its tubes."""
     topology: Topology
     """The wiring in these columns."""
 
@@ -58,14 +58,14 @@ def opening_columns(topology: Topology) -> OpeningColumns:
     at_chamber: list[list[int]] = [[] for _ in topology.microphones]
     lines = []
     for line in topology.lines:
-        cavities: list[tuple[House, int]] = [
+        cavities: list[tuple[Enclosure, int]] = [
             ("microphone", topology.microphones[line.first]),
             *(("resonator", column) for column in line.points),
             ("microphone", topology.microphones[line.last]),
         ]
         ends = []
         for tube, before, after in zip(line.tubes, cavities[:-1], cavities[1:], strict=True):
-            ends.append(tuple(_number(mouths, Mouth(house, tube, column)) for house, column in (before, after)))
+            ends.append(tuple(_number(mouths, Mouth(enclosure, tube, column)) for enclosure, column in (before, after)))
         at_chamber[line.first].append(ends[0][0])
         at_chamber[line.last].append(ends[-1][1])
         lines.append(
@@ -108,34 +108,34 @@ def check_openings(parameters: ArrayParameters, topology: Topology, frequency: N
     check_gas(medium)
     if not designs_outside(parameters, topology, frequency, medium).any():
         return
-    for house, mouths in _by_house(opening_columns(topology).mouths):
+    for enclosure, mouths in _by_enclosure(opening_columns(topology).mouths):
         for mouth in mouths:
-            at = "a microphone's chamber" if house == "microphone" else f"points of column {mouth.cavity}"
+            at = "a microphone's chamber" if enclosure == "microphone" else f"points of column {mouth.cavity}"
             opening, square = _stated_openings(parameters, [mouth], frequency, medium)
-            cell_atlas().check(house, opening, square, f"{topology.tube_names[mouth.tube]} at {at}")
+            cell_atlas().check(enclosure, opening, square, f"{topology.tube_names[mouth.tube]} at {at}")
 
 
 def designs_outside(
     parameters: ArrayParameters, topology: Topology, frequency: NumpyOrTorch, medium: Any
 ) -> NumpyOrTorch:
-    """Which designs :func:`check_openings` would refuse for their openings, (n_design,) bool; arguments as there."""
+    """Designs that :func:`check_openings` would refuse for their openings, (n_design,) bool; arguments as there."""
     outside = np.zeros(parameters.design_count, dtype=bool)
-    for house, mouths in _by_house(opening_columns(topology).mouths):
+    for enclosure, mouths in _by_enclosure(opening_columns(topology).mouths):
         opening, square = _stated_openings(parameters, mouths, frequency, medium)
-        outside |= cell_atlas().is_outside(house, opening, square).any((1, 2))
+        outside |= cell_atlas().is_outside(enclosure, opening, square).any((1, 2))
     return outside
 
 
-def _by_house(mouths: Sequence[Mouth]) -> list[tuple[House, list[Mouth]]]:
+def _by_enclosure(mouths: Sequence[Mouth]) -> list[tuple[Enclosure, list[Mouth]]]:
     """The mouths of points, then those of chambers."""
-    houses: tuple[House, ...] = ("resonator", "microphone")
-    return [(house, [mouth for mouth in mouths if mouth.house == house]) for house in houses]
+    enclosures: tuple[Enclosure, ...] = ("resonator", "microphone")
+    return [(enclosure, [mouth for mouth in mouths if mouth.enclosure == enclosure]) for enclosure in enclosures]
 
 
 def _stated_openings(
     parameters: ArrayParameters, mouths: Sequence[Mouth], frequency: NumpyOrTorch, medium: Any
 ) -> tuple[Opening, NumpyOrTorch]:
-    """Shapes of mouths of one house and the largest squares of their shear numbers, (n_design, n_mouth, 1), NumPy."""
+    """Shapes of mouths of one enclosure, largest squares of their shear numbers, (n_design, n_mouth, 1), NumPy."""
     plain = parameters if parameters.namespace is np else parameters.map(lambda values: values.detach().cpu().numpy())
     per_viscosity = medium.density / medium.viscosity
     if not isinstance(per_viscosity, float | np.ndarray):
@@ -169,13 +169,13 @@ def _at_mouths(
 ) -> tuple[NumpyOrTorch, NumpyOrTorch]:
     """Impedance and compliance of the mouths, (n_design, n_mouth, n_freq) complex128."""
     impedances, compliances, order = [], [], []
-    for house, of_house in _by_house(mouths):
-        opening = _opening(parameters, of_house)
+    for enclosure, of_enclosure in _by_enclosure(mouths):
+        opening = _opening(parameters, of_enclosure)
         cube = opening.radius**3
         square = opening.radius**2 * air.per_viscosity * air.omega
-        impedances.append(air.medium.viscosity / cube * atlas.impedance(house, opening, square))
+        impedances.append(air.medium.viscosity / cube * atlas.impedance(enclosure, opening, square))
         compliances.append(cube / air.medium.pressure * atlas.compliance(opening, square))
-        order += of_house
+        order += of_enclosure
     xp, place = namespace(parameters.tube_radius), {mouth: k for k, mouth in enumerate(order)}
     back = [place[mouth] for mouth in mouths]
     return _at(_beside(xp, impedances), back), _at(_beside(xp, compliances), back)
@@ -200,14 +200,14 @@ def _tubes(columns: OpeningColumns, duct: Ducts, impedance: NumpyOrTorch) -> Tub
 
 
 def _opening(parameters: ArrayParameters, mouths: Sequence[Mouth]) -> Opening:
-    """Shapes of the openings of mouths of one house, (n_design, n_mouth, 1) each."""
+    """Shapes of the openings of mouths of one enclosure, (n_design, n_mouth, 1) each."""
     cavities = [mouth.cavity for mouth in mouths]
 
     def of_cavities(*names: str) -> list[NumpyOrTorch]:
         return [_at(getattr(parameters, name), cavities)[..., None] for name in names]
 
     radius = _at(parameters.tube_radius, [mouth.tube for mouth in mouths])[..., None]
-    if mouths[0].house == "microphone":
+    if mouths[0].enclosure == "microphone":
         cavity, height, hole = of_cavities("chamber_radius", "chamber_height", "hole_radius")
         return Opening(radius, cavity, height, height / 2, hole)
     return Opening(radius, *of_cavities("cavity_radius", "cavity_height", "port_height"))

@@ -1,4 +1,4 @@
-"""What a batch of designs consists of: its wiring, and the numbers of its parts as arrays.
+"""The numbers of a batch of designs: its wiring, and the numbers of its parts as arrays.
 
 The wiring is common to the batch; the numbers have a leading axis over designs. Parts that are one field of
 the design file (all tubes between points, say) share one column of numbers, so that work is done once per
@@ -56,7 +56,7 @@ class ArrayParameters:
     """Relaxing moduli by that one, ratios, (n_design, n_point_column, n_term) float64; n_term may be 0."""
     membrane_relaxation_time: NumpyOrTorch
     """Relaxation times, (n_design, n_point_column, n_term) float64, s."""
-    membrane_share: NumpyOrTorch
+    membrane_fraction: NumpyOrTorch
     """Share of one of each mode in the static compliance, (n_design, n_point_column, n_mode) float64; sum 1."""
     membrane_frequency: NumpyOrTorch
     """Frequency of each mode in vacuo at that modulus, (n_design, n_point_column, n_mode) float64, ascending, Hz. Modes
@@ -165,7 +165,7 @@ class ArrayParameters:
 
     @property
     def needs_gradient(self) -> bool:
-        """Whether any of the numbers is a tensor that torch follows."""
+        """True if any of the numbers is a tensor with gradients."""
         return any(getattr(getattr(self, field.name), "requires_grad", False) for field in fields(self))
 
     def map(self, function: Callable[[NumpyOrTorch], NumpyOrTorch]) -> ArrayParameters:
@@ -195,19 +195,19 @@ _PART_OF_PREFIX = {
     **dict.fromkeys(("cavity", "port", "membrane", "leak", "floor"), "point"),
 }
 
-#: Which part each parameter belongs to.
+#: Part that each parameter belongs to.
 PART = {field.name: _PART_OF_PREFIX.get(field.name.split("_")[0], "microphone") for field in fields(ArrayParameters)}
 
 
 _RUBBERS = ("membrane", "floor", "sheath")
 #: The last axis of the fields that have three, and the fields that may be 0.
 _THIRD_AXIS = {
-    "membrane_share": ", n_mode",
+    "membrane_fraction": ", n_mode",
     "membrane_frequency": ", n_mode",
     **{f"{rubber}_{name}": ", n_term" for rubber in _RUBBERS for name in ("relaxation", "relaxation_time")},
 }
 _MAY_VANISH = {
-    *("membrane_share", "leak_conductance", "floor_compliance", "sheath_compliance"),
+    *("membrane_fraction", "leak_conductance", "floor_compliance", "sheath_compliance"),
     *(f"{rubber}_{name}" for rubber in _RUBBERS for name in ("loss", "slope", "relaxation")),
 }
 
@@ -278,12 +278,12 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
             raise Refusal(
                 f"has {terms[0]} terms and {times} {terms[1]}; both need the same", kind=Kind.MISMATCH, field=moduli
             )
-    modes = tuple(parameters.membrane_share.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
+    modes = tuple(parameters.membrane_fraction.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
     if modes[0] != modes[1] or modes[0] == 0:
         raise Refusal(
             f"has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, at least 1",
             kind=Kind.MISMATCH,
-            field="membrane_share",
+            field="membrane_fraction",
         )
 
 
@@ -315,7 +315,7 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
 
 
 class _Common:
-    """What many designs have in common, worked out once."""
+    """Common parts of many designs, worked out once."""
 
     def __init__(self, medium: Medium | None, known: KnownDiscs | None) -> None:
         self._medium, self._known = medium, known
@@ -392,7 +392,7 @@ def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
         "port_height": metres(design.resonator.port_axis_height),
         "membrane_compliance": float(share.sum()) * disc.opening**3 / disc.modulus,
         **_law("membrane", rubber),
-        "membrane_share": share / share.sum(),
+        "membrane_fraction": share / share.sum(),
         "membrane_frequency": mode_frequency,
         "leak_conductance": design_leak(design, common.air(design)),
         "floor_compliance": floor_compliance(design),

@@ -32,7 +32,7 @@ class Topology:
     lines: tuple[LineWiring, ...]
     """Every line, in the order of the points."""
     tube_names: tuple[str, ...]
-    """What each column of tubes is."""
+    """Name of each column of tubes."""
 
     def __post_init__(self) -> None:
         count = len(self.microphones)

@@ -1,4 +1,4 @@
-"""What a model fitted to measurements is: its priors, its fitted values and their posterior."""
+"""A model fitted to measurements: its priors, its fitted values and their posterior."""
 
 from __future__ import annotations
 
@@ -38,23 +38,29 @@ _STEP = 1e-3  # of the central differences, in standard deviations
 
 
 @dataclass(frozen=True)
-class Priors:
-    """Standard deviations of the logarithms of the parameters before anything was measured."""
+class PartScatter:
+    """Relative standard deviations of parts that a sensor scatters by and a fit looks for."""
 
     bore: float = 0.05
-    """Deviation, of one, of the bore of each tube."""
+    """Relative deviation of the bore of each tube."""
+    gain: float = 0.05
+    """Relative deviation of the gain of each microphone against the reference."""
+    corner: float = 0.10
+    """Relative deviation of the high-pass corner of each microphone."""
+    chamber: float = 0.10
+    """Relative deviation of the volume of each microphone's chamber."""
+
+
+@dataclass(frozen=True)
+class Priors(PartScatter):
+    """Standard deviations of the logarithms of the parameters before anything was measured."""
+
     compliance: float = 0.12
     """Deviation, of one, of the compliance of each node: of its membrane, which stands for its cavity too."""
     modulus: float = 0.15
     """Deviation, of one, of the modulus of all membranes together."""
     loss: float = 0.3
     """Deviation of the loss factor of all membranes together; their modulus changes over frequency as it asks for."""
-    gain: float = 0.05
-    """Deviation, of one, of the gain of each microphone against the reference."""
-    corner: float = 0.10
-    """Deviation, of one, of the high-pass corner of each microphone."""
-    chamber: float = 0.10
-    """Deviation, of one, of the volume of each microphone's chamber."""
     leak: float = 0.0
     """Deviation of the leak of each cavity, 0 to 5, about the designed one and that of a bore of 20 um, 1 mm long; 0:
     leaks are as designed and not fitted. With 2 a bore of 50 um is 1.6 deviations off."""
@@ -99,7 +105,7 @@ class UpdatedModel:
         }
         #: Group of each parameter.
         self.groups = tuple(group for group, size in self.sizes.items() for _ in range(size))
-        #: What each parameter is of.
+        #: Part of the array that each parameter belongs to.
         self.names = (
             *(f"bore of {name}" for name in self.topology.tube_names),
             *(f"compliance of point {number + 1}" for number in range(points)),
@@ -110,7 +116,7 @@ class UpdatedModel:
             *(f"chamber of microphone {name}" for name in design.microphones),
             *(f"leak of point {number + 1}" for number in range(self.sizes["leak"])),
         )
-        #: What the leaks that are fitted are multiples of, (1, n_point or 1) float64, m^3/(Pa s).
+        #: Unit of the leaks that are fitted, (1, n_point or 1) float64, m^3/(Pa s).
         self._leak = self.nominal_parameters.leak_conductance
         if self.priors.leak:
             self._leak = self._leak + leak_conductance(*_LEAST_LEAK, nominal.medium)
@@ -188,7 +194,7 @@ class Posterior:
     covariance: Array
     """Covariance of the parameters after the measurement, (count, count) float64, in the same units."""
     eigenvalues: Array
-    """What the data say of a combination of parameters, by what the prior says, (count,) float64, ascending."""
+    """Information of the data on a combination of parameters, relative to the prior, (count,) float64, ascending."""
     directions: Array
     """Those combinations, (count, count) float64, in columns."""
 

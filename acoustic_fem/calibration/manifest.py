@@ -66,7 +66,7 @@ class _File(BaseModel):
 
 @dataclass(frozen=True)
 class Manifest:
-    """What was recorded; every mapping over channels has the reference first, then the design's microphones."""
+    """Recordings of a sensor; every mapping over channels has the reference first, then the design's microphones."""
 
     design: ArrayDesign
     """The design of the sensor."""

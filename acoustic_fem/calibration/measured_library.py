@@ -41,28 +41,28 @@ class CalibrationError(Refusal):
 
 @dataclass(frozen=True)
 class RecordingNote:
-    """What is to be known of the recording of a point."""
+    """A finding on the recording of a point."""
 
     point: int
     """Number of the point, from 1."""
     text: str
-    """What is to be known."""
+    """The finding in words."""
     excluded: bool
-    """Whether the recording was left out for it."""
+    """True if the recording was left out for it."""
 
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """What the recordings of a sensor say."""
+    """Transfer functions estimated from the recordings of a sensor, and findings on the recordings."""
 
     manifest: Manifest
-    """What was recorded."""
+    """Recordings of the sensor."""
     frequency: Array
     """Grid of frequencies, (n_freq,) float64, Hz."""
     estimates: Mapping[int, TransferEstimate]
     """Estimate of every good recording by number of the point, ascending."""
     findings: tuple[RecordingNote, ...]
-    """What is to be known of the recordings."""
+    """Findings on the recordings."""
 
     @property
     def missing(self) -> tuple[int, ...]:
@@ -76,7 +76,7 @@ class Calibration:
         sensor's, those that were measured too: measured values are rougher than fitted ones, and a decoder that has
         some of each prefers points of one kind.
         Impedances were not measured: the point impedance is the model's, and the source response that times the
-        transfer function. What each point comes from is in ``provenance["calibration"]``.
+        transfer function. The source of each point is in ``provenance["calibration"]``.
 
         Args:
             model: of the same design, on the same frequencies.
@@ -154,21 +154,21 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
     expected = model.transfer_function.transpose("point", "microphone", "frequency").values
     estimates: dict[int, TransferEstimate] = {}
     findings: list[RecordingNote] = []
-    heard: dict[str, int] = {}
+    digests: dict[str, int] = {}
     for done, number in enumerate(sorted(manifest.points)):
         report(f"point {number} ({done + 1} of {len(manifest.points)})", done / len(manifest.points))
         try:
             estimate, notes, digest = _point(manifest, number, expected, frequency)
             findings += [RecordingNote(number, note, excluded=False) for note in notes]
-            if digest in heard:  # which of the two it is of, nobody knows
-                same = heard[digest]
+            if digest in digests:  # nobody knows of which of the two points it is
+                same = digests[digest]
                 estimates.pop(same, None)
                 findings += [
                     RecordingNote(one, f"is the same recording as that of point {other}", excluded=True)
                     for one, other in ((same, number), (number, same))
                 ]
             else:
-                estimates[number], heard[digest] = estimate, number
+                estimates[number], digests[digest] = estimate, number
         except (RecordingFault, SoundFileError) as error:
             findings.append(RecordingNote(number, str(error), excluded=True))
     report("done", 1.0)
@@ -197,11 +197,11 @@ def _point(
     signals = np.stack([manifest.pascals[name] * values[:samples] for name, values in channels.items()])
     digest = hashlib.sha256(signals.tobytes()).hexdigest()
     signals, notes = _without_hum(signals, rate)
-    turn = np.exp(-2j * np.pi * frequency * (rest[1:] - rest[0])[:, None])
+    phasor = np.exp(-2j * np.pi * frequency * (rest[1:] - rest[0])[:, None])
     microphones = tuple(manifest.design.microphones)
     check_steady(signals, rate, frequency, microphones)
     found = transfer_estimate(signals[0], signals[1:], rate, frequency, manifest.estimator)
-    whole = TransferEstimate(found.transfer_function * turn, found.deviation, found.coherence, found.segments)
+    whole = TransferEstimate(found.transfer_function * phasor, found.deviation, found.coherence, found.segments)
     check_estimate(whole, microphones, manifest.least_coherence)
     notes += check_against_model(whole, expected, number - 1, frequency, microphones, tuple(manifest.pascals.values()))
     weak = [name for name, row in zip(microphones, whole.coherence, strict=True) if np.median(row) < 0.5]

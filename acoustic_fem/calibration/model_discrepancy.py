@@ -1,8 +1,8 @@
-"""What a network of lumped parts is trusted to: the part of a made sensor's responses that no parameters of it explain.
+"""Discrepancy of a network of lumped parts: the part of a made sensor's responses that no parameters of it explain.
 
 Tubes are not quite as long as they should be, cavities and membranes differ apart from each other, the room is warm,
-and 3-D cells are not the lumped ones. What such effects do to a transfer function, relative to it, is smooth over
-frequency and much the same at all points and microphones, so that it does not average out over frequencies as noise
+and 3-D cells are not the lumped ones. The relative effect on a transfer function is smooth over frequency
+and much the same at all points and microphones, so that it does not average out over frequencies as noise
 does (Kennedy and O'Hagan 2001, J. R. Stat. Soc. B 63, 425). It is described as a Gaussian process over the logarithm of
 frequency, a sum of one that all transfer functions share, one for each microphone, and one for each transfer function.
 """
@@ -91,7 +91,7 @@ class Discrepancy:
 
 
 def draw(random: np.random.Generator, frequency: Array, shape: tuple[int, int, int]) -> Complex:
-    """What made sensors have and the model lacks, relative to their transfer functions.
+    """Effects in as-built sensors that the model lacks, relative to their transfer functions.
 
     Args:
         random: where the numbers come from.

@@ -153,7 +153,7 @@ class _Minimum(NamedTuple):
 
 
 class _Fitted:
-    """What would be measured of some points: parameters v (count + 1,), the last one the delay of the reference.
+    """Predicted measurement of some points: parameters v (count + 1,), the last one the delay of the reference.
 
     Args:
         model: the family.

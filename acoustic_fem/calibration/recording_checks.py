@@ -1,4 +1,4 @@
-"""What is wrong with a recording made for calibration: by the signals themselves, and against the model."""
+"""Checks of a recording for calibration: by the signals themselves, and against the model."""
 
 from __future__ import annotations
 
@@ -205,7 +205,7 @@ def check_against_model(
         pascals: of one unit of the reference and of each microphone, by which exchanged channels were scaled too.
 
     Returns:
-        What should be known, though the recording can be used.
+        Notes on a recording that can be used.
 
     Raises:
         RecordingFault: a microphone that follows nothing, channels that look exchanged, a recording that looks like
@@ -307,7 +307,7 @@ def _longest_hold(values: Array) -> tuple[int, int]:
 
 
 def _are_same(one: Array, other: Array) -> bool:
-    """Whether two channels are one signal at two gains, each rounded."""
+    """True if two channels are one signal at two gains, each rounded."""
     count = min(len(one), len(other))
     a, b = one[:count] - one[:count].mean(), other[:count] - other[:count].mean()
     gain = float(a @ b / (a @ a))

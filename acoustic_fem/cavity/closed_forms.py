@@ -17,7 +17,7 @@ from scipy.special import jn_zeros, jve, zeta
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
 
-#: What is worked out at longer grids is not kept.
+#: Results on longer grids are not kept.
 _LONGEST_GRID = 1024
 
 
@@ -85,8 +85,8 @@ def _sphere_mean(radius: float, rate: NDArray[np.complex128]) -> NDArray[np.comp
     argument = np.asarray(radius * np.sqrt(-rate), dtype=np.complex128)
     small = np.abs(argument) < 1
     z = np.where(small, 1 - 1j, argument)  # below the real axis, where exp(-2 j z) is small
-    turn = np.exp(-2j * z)
-    mean = 1 + 3 * (1j * z * (1 + turn) / (1 - turn) - 1) / z**2
+    phasor = np.exp(-2j * z)
+    mean = 1 + 3 * (1j * z * (1 + phasor) / (1 - phasor) - 1) / z**2
     if small.any():
         below = np.where(small, argument, 1)
         mean = np.where(small, -jve(2.5, below) / jve(0.5, below), mean)

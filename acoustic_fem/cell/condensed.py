@@ -37,7 +37,7 @@ _LENGTH = metres(1.0)  # meshes are in mm
 
 @dataclass(frozen=True, eq=False)
 class BodyFaces:
-    """What the faces of a body of air are; every other one is a rigid wall."""
+    """Roles of the faces of a body of air; every other face is a rigid wall."""
 
     tubes: Sequence[str]
     """Names of the tube ports, in order."""

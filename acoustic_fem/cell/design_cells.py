@@ -93,7 +93,7 @@ def solve_cells(
 
 
 def is_cached(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str = "navier-stokes") -> bool:
-    """Whether :func:`solve_cells` would find a cell in the cache; arguments as there, frequency (n_freq,) in Hz."""
+    """True if :func:`solve_cells` would find a cell in the cache; arguments as there, frequency (n_freq,) in Hz."""
     return disk_cache.holds(CellTask(cell, medium, _band(frequency_grid(frequency)), fidelity).key)
 
 

@@ -74,7 +74,7 @@ class CellSolution:
     seconds: float
     """Time that the 3-D solves took, when they were made, s."""
     cached: bool
-    """Whether it came from the cache."""
+    """True if it came from the cache."""
 
     def summary(self) -> dict[str, Any]:
         """All but the responses, as plain values."""

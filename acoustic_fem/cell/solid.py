@@ -59,7 +59,7 @@ class MarkedSolid:
     points: Mapping[str, Point]
     """Name -> a point on the face, mm: of ports, moving walls and the mirror."""
     faces: BodyFaces
-    """Which of the names are tube ports, moving walls and the mirror."""
+    """Names of the tube ports, the moving walls and the mirror."""
     cylinder: CylinderAir | None = None
     """The same air, or twice it at a mirror, told as a cylinder with bores, the ports first; None where it is none."""
 

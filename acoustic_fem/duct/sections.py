@@ -118,7 +118,8 @@ class RectangularSection(Section):
     def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
         """Mean <Psi>: shape of the rate s (1/m^2), complex128.
 
-        That of the slit less the sum over odd m of 8/(pi m)^2 s/q^2 tanh(q w/2)/(q w/2), q^2 = (m pi/h)^2 + s, w >= h.
+        The mean of the slit less the sum over odd m of 8/(pi m)^2 s/q^2 tanh(q w/2)/(q w/2), q^2 = (m pi/h)^2 + s,
+        w >= h.
         """
         long, short = max(self.width, self.height), min(self.width, self.height)
         sigma = np.asarray(rate * (short / np.pi) ** 2, dtype=np.complex128)

@@ -30,7 +30,7 @@ from acoustic_fem.quantities.units import metres
 _ELEMENTS, _AT_WALL = 14, 0.3
 #: c_0 and epsilon.
 _OPENING, _WIDE = 0.85, 0.06
-#: What the mean may be off by: in a^3 of every opening, part of the volume, and besides. Of 2e-4 besides two cells that
+#: Allowed error of the mean: in a^3 of every opening, part of the volume, and besides. Of 2e-4 besides two cells that
 #: served to choose nothing were off by 1.2 and 1.4 times what is stated, against meshes that leave half as much.
 _UNKNOWN, _ELSE = 0.3, 5e-4
 #: Places that agree within this part of the extent are the same.
@@ -70,7 +70,7 @@ class CylinderAir:
 
     @property
     def mean_error(self) -> float:
-        """What may be wrong with the mean of its field, absolute."""
+        """Allowed error of the mean of its field, absolute."""
         return float(_ELSE + _UNKNOWN * sum(bore.radius**3 for bore in self.bores) / self.volumes.sum())
 
     def shortened(self, lengths: Sequence[float]) -> CylinderAir:

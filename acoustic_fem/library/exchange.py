@@ -30,6 +30,7 @@ from acoustic_fem.library.netcdf_file import (
     library_in,
     load_netcdf,
     real_variables,
+    refused_in,
     with_checksums,
     write_netcdf,
 )
@@ -93,7 +94,8 @@ def check_replaceable(path: Path) -> None:
     fidelity = fidelity_in(path)
     if fidelity is None or fidelity == MEASURED:
         what = "is no library that can be read" if fidelity is None else "a measured library is never overwritten"
-        raise LibraryError(f"{path}: exists, and {what}; name another file, or remove this one")
+        remedy = "name another file, or remove this one"
+        raise LibraryError(f"exists, and {what}", kind=Kind.EXISTS, file=path, remedy=remedy)
 
 
 def fidelity_in(path: Path) -> str | None:
@@ -114,7 +116,7 @@ def write_library(library: Library, path: Path) -> None:
     try:
         write(library, path)
     except OSError as error:
-        raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
+        raise LibraryError(f"cannot be written: {error.strerror or error}", kind=Kind.UNREADABLE, file=path) from None
 
 
 def load(path: str | os.PathLike[str]) -> Library:
@@ -135,7 +137,7 @@ def load(path: str | os.PathLike[str]) -> Library:
     except LibraryError:
         raise
     except Refusal as error:
-        raise LibraryError(f"{path}: {error}") from None
+        raise refused_in(path, error) from None
     return library_in(path, dataset)
 
 
@@ -158,7 +160,7 @@ def _format_of(path: Path) -> str:
 def _suffix(path: Path) -> str:
     suffix = path.suffix.lower()
     if suffix not in FORMATS:
-        raise LibraryError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
+        raise LibraryError(f"its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}", file=path)
     return suffix
 
 
@@ -172,7 +174,8 @@ def _dataset(
     """
     design = _design(attributes)
     if frequency.ndim != 1 or frequency.dtype.kind not in "fiu":
-        raise Refusal(f"frequency is {frequency.dtype} of shape {frequency.shape}; it must be numbers in one row")
+        problem = f"is {frequency.dtype} of shape {frequency.shape}; it must be numbers in one row"
+        raise Refusal(problem, kind=Kind.WRONG_TYPE, field="frequency")
     lines, places = zip(*point_places(design), strict=True)
     coordinates: dict[str, tuple[str, Any]] = {
         "point": ("point", list(range(1, len(lines) + 1))),
@@ -187,14 +190,15 @@ def _dataset(
     for name, values in variables.items():
         shape = tuple(sizes[dimension] for dimension in dimensions[name])
         if values.shape != shape:
-            raise Refusal(f"{name} has shape {values.shape}; it must be {shape} for its design and frequencies")
+            problem = f"has shape {values.shape}; it must be {shape} for its design and frequencies"
+            raise Refusal(problem, kind=Kind.WRONG_TYPE, field=name)
     return xr.Dataset({name: (dimensions[name], values) for name, values in variables.items()}, coordinates, attributes)
 
 
 def _design(attributes: dict[str, Any]) -> ArrayDesign:
     missing = [name for name in ATTRIBUTES if not isinstance(attributes.get(name), str)]
     if missing:
-        raise Refusal(f"was not written by this program: it has no {missing[0]}")
+        raise Refusal("is missing: this program did not write it", kind=Kind.MISSING, field=missing[0])
     return read_completed(attributes["design_toml"], "design_toml")
 
 
@@ -246,7 +250,7 @@ def _places(design: ArrayDesign) -> tuple[NDArray[np.float64], NDArray[np.float6
 def _read_sofa(path: Path) -> xr.Dataset:
     texts, arrays = read_netcdf(path, "a library in SOFA", LibraryError, _sofa_content)
     if texts.get("SOFAConventions") != "GeneralTF-E":
-        raise LibraryError(f"{path}: is SOFA of another convention than GeneralTF-E")
+        raise LibraryError("is SOFA of another convention than GeneralTF-E", kind=Kind.UNREADABLE, file=path)
     attributes = {name: texts[_sofa_name(name)] for name in _TEXTS if _sofa_name(name) in texts}
     frequency = arrays.pop("N", np.empty(0))
     variables = {}
@@ -256,10 +260,11 @@ def _read_sofa(path: Path) -> xr.Dataset:
             continue
         values = arrays[own]
         if values.dtype.kind != "f":
-            raise Refusal(f"{own} holds {values.dtype}, not floating-point numbers")
+            raise Refusal(f"holds {values.dtype}, not floating-point numbers", kind=Kind.WRONG_TYPE, field=own)
         if set(dimensions) == {"point", "microphone", "frequency"}:
             if values.ndim != 4 or len(values) != 1:
-                raise Refusal(f"{own} has shape {values.shape}; it must be (1, receivers, frequencies, emitters)")
+                problem = f"has shape {values.shape}; it must be (1, receivers, frequencies, emitters)"
+                raise Refusal(problem, kind=Kind.WRONG_TYPE, field=own)
             values = values[0].transpose(2, 0, 1)
         variables[name] = values
     return _dataset(attributes, frequency, variables)
@@ -288,7 +293,7 @@ def _write_npz(library: Library, path: Path) -> None:
 def _read_npz(path: Path) -> xr.Dataset:
     arrays = read_npz(path, "an NPZ file", LibraryError)
     if "frequency" not in arrays:
-        raise Refusal("was not written by this program: it has no frequency")
+        raise Refusal("is missing: this program did not write it", kind=Kind.MISSING, field="frequency")
     attributes = {name: str(arrays[name]) for name in _TEXTS if name in arrays}
     variables = {name: arrays[name] for name in real_variables() if name in arrays}
     return _dataset(attributes, arrays["frequency"], variables)
@@ -324,7 +329,8 @@ def _read_csv(path: Path) -> xr.Dataset:
     names = table.head[3:]
     known = [name for name, dimensions in real_variables().items() if "microphone_2" not in dimensions]
     if table.head[:3] != _ORDER or not set(names) <= set(known) or len(set(names)) < len(names):
-        raise Refusal(f"its columns are {', '.join(table.head) or 'none'}; they must be {', '.join((*_ORDER, *known))}")
+        problem = f"its columns are {', '.join(table.head) or 'none'}; they must be {', '.join((*_ORDER, *known))}"
+        raise Refusal(problem, kind=Kind.UNREADABLE)
     design, width = _design(attributes), len(table.head)
     places = [(str(point + 1), name) for point in range(design.point_count) for name in design.microphones]
     columns = _csv_numbers(table.rows, width, places).reshape(
@@ -334,7 +340,7 @@ def _read_csv(path: Path) -> xr.Dataset:
     dimensions = real_variables()
     for k, name in enumerate(names, 1):
         if "microphone" not in dimensions[name] and not np.array_equal(columns[:, :-1, :, k], columns[:, 1:, :, k]):
-            raise Refusal(f"{name} is not the same in the rows of all microphones")
+            raise Refusal("is not the same in the rows of all microphones", kind=Kind.DAMAGED, field=name)
     variables = {
         name: columns[..., k] if "microphone" in dimensions[name] else columns[:, 0, :, k]
         for k, name in enumerate(names, 1)
@@ -356,11 +362,12 @@ def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, 
     numbers, done, count = array("d"), 0, 0
     for done, row in enumerate(rows, 1):
         if len(row) != width:
-            raise Refusal(f"row {done} has {counted(len(row), 'value')}, must have {width}; cut short?")
+            problem = f"has {counted(len(row), 'value')}, must have {width}; cut short?"
+            raise Refusal(problem, kind=Kind.UNREADABLE, field=f"row {done}")
         try:
             numbers.extend(map(float, row[2:]))
         except ValueError as error:
-            raise Refusal(f"row {done}: {error}") from None
+            raise Refusal(str(error), kind=Kind.WRONG_TYPE, field=f"row {done}") from None
         if len(numbers) > MOST_NUMBERS:
             raise Refusal(f"holds more than {MOST_NUMBERS} numbers; it must hold at most as many")
         if count == done - 1 and tuple(row[:2]) == places[0]:
@@ -371,12 +378,14 @@ def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, 
         frequency = numbers[k * (width - 2)]
         if tuple(row[:2]) != wanted or float(row[2]) != frequency or place >= len(places):
             raise Refusal(
-                f"row {done} is of point {row[0]}, microphone {row[1]}, {row[2]} Hz; it must be of point {wanted[0]}, "
-                f"microphone {wanted[1]}, {frequency:g} Hz as in its design: rows keep their order"
-            )
+                f"is of point {row[0]}, microphone {row[1]}, {row[2]} Hz; it must be of point {wanted[0]}, "
+                f"microphone {wanted[1]}, {frequency:g} Hz as in its design: rows keep their order",
+                kind=Kind.MISMATCH, field=f"row {done}",
+            )  # fmt: skip
     if not count or done != count * len(places):
         raise Refusal(
             f"has {counted(done, 'row')}; its design has {counted(len(places), 'point')} by microphones, each with "
-            f"{counted(count, 'row')}"
+            f"{counted(count, 'row')}",
+            kind=Kind.MISMATCH,
         )
     return np.frombuffer(numbers).reshape(-1, width - 2)

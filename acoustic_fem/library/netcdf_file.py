@@ -65,7 +65,7 @@ def write_netcdf(library: Library, path: Path) -> None:
             beside.write_bytes(dataset.to_netcdf(engine="h5netcdf", format="NETCDF4", encoding=checked))
             seal_file(beside)
     except OSError as error:
-        raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
+        raise LibraryError(f"cannot be written: {error.strerror or error}", kind=Kind.UNREADABLE, file=path) from None
 
 
 def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.Dataset:
@@ -116,7 +116,9 @@ def _check_checksums(dataset: xr.Dataset) -> None:
     for name in dict.fromkeys((*stored, *found)):
         if stored.get(name) != found.get(name):
             how = "is not what was written (its SHA-256 differs)" if name in found else "is missing, which was written"
-            raise Refusal(how, kind=Kind.DAMAGED, field=name, remedy=f"compare it with the attribute {CHECKSUMS}")
+            raise Refusal(
+                how, kind=Kind.DAMAGED, field=name, remedy="the file is damaged, or another program changed it"
+            )
 
 
 def real_variables() -> dict[str, tuple[str, ...]]:
@@ -137,12 +139,16 @@ def load_netcdf(path: str | os.PathLike[str]) -> Library:
     path = Path(path)
     dataset = read_netcdf(path, "a library in netCDF", LibraryError, _dataset)
     if dataset.attrs.get("title") != _TITLE:
-        raise LibraryError(f"{path}: is a netCDF file but no library (title is not {_TITLE!r})")
-    if dataset.attrs.get("layout_version") != _LAYOUT_VERSION:
-        found = dataset.attrs.get("layout_version")
         raise LibraryError(
-            f"{path}: layout_version = {found} must be {_LAYOUT_VERSION}; a later version of this program writes others"
+            f"is a netCDF file but no library (title is not {_TITLE!r})", kind=Kind.UNREADABLE, file=path
         )
+    found = dataset.attrs.get("layout_version")
+    found = found.item() if isinstance(found, np.generic) else found
+    if found != _LAYOUT_VERSION:
+        raise LibraryError(
+            kind=Kind.MISMATCH, file=path, field="layout_version", value=found, allowed=str(_LAYOUT_VERSION),
+            remedy="another version of this program wrote it",
+        )  # fmt: skip
     return library_in(path, dataset)
 
 
@@ -160,7 +166,12 @@ def library_in(path: Path, dataset: xr.Dataset) -> Library:
     try:
         return library_of(dataset)
     except Refusal as error:
-        raise LibraryError.of(error, file=path) from None
+        raise refused_in(path, error) from None
+
+
+def refused_in(path: Path, error: Refusal) -> LibraryError:
+    """The refusal of a part of a file, such as its design, as one of the file."""
+    return LibraryError.of(error, file=path, field=error.field or error.file or "")
 
 
 def library_of(dataset: xr.Dataset) -> Library:
@@ -183,12 +194,12 @@ def library_of(dataset: xr.Dataset) -> Library:
         )  # fmt: skip
     for name in (*ATTRIBUTES, CHECKSUMS):
         if not isinstance(dataset.attrs[name], str):
-            raise Refusal("must be a text", kind=Kind.WRONG_TYPE, field=f"attribute {name}")
+            raise Refusal("must be a text", kind=Kind.WRONG_TYPE, field=name)
     fidelity = dataset.attrs["fidelity"]
     known = (*FIDELITIES, MEASURED)
     if fidelity not in known:
-        raise Refusal(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(known)}")
-    design = read_completed(dataset.attrs["design_toml"], "attribute design_toml")
+        raise Refusal(field="fidelity", value=fidelity, allowed=known)
+    design = read_completed(dataset.attrs["design_toml"], "design_toml")
     lines, places = zip(*point_places(design), strict=True)
     for name, expected in (
         ("point", list(range(1, len(lines) + 1))),
@@ -215,15 +226,17 @@ def _check_coordinate(found: xr.DataArray, expected: list[int] | list[str]) -> N
     """A coordinate must be what the design in the same file says."""
     values = found.values.ravel().tolist()
     if len(values) != len(expected):
-        raise Refusal(f"variable {found.name} has {counted(len(values), 'value')}, its design has {len(expected)}")
+        problem = f"has {counted(len(values), 'value')}, its design has {len(expected)}"
+        raise Refusal(problem, kind=Kind.MISMATCH, field=str(found.name))
     for index, (value, wanted) in enumerate(zip(values, expected, strict=True)):
         if value != wanted:
-            raise Refusal(f"variable {found.name}[{index}] = {value!r} must be {wanted!r} as in its design")
+            allowed = f"{wanted!r} as in its design"
+            raise Refusal(kind=Kind.MISMATCH, field=f"{found.name}[{index}]", value=value, allowed=allowed)
 
 
 def _frequency(found: xr.DataArray) -> NDArray[np.float64]:
     if found.dtype.kind not in "fiu":
-        raise Refusal(f"variable frequency holds {found.dtype}, not numbers")
+        raise Refusal(f"holds {found.dtype}, not numbers", kind=Kind.WRONG_TYPE, field="frequency")
     return frequency_grid(found.values)
 
 
@@ -238,7 +251,7 @@ def _complex(dataset: xr.Dataset, name: str) -> NDArray[np.complex128]:
 def _deviation(dataset: xr.Dataset) -> NDArray[np.float64]:
     values = _real(dataset, _DEVIATION, DEVIATION[0])
     if (values < 0).any():
-        raise Refusal(f"variable {_DEVIATION} = {values.min():g} must be at least 0")
+        raise Refusal(field=_DEVIATION, value=float(values.min()), allowed="at least 0")
     return values
 
 
@@ -246,14 +259,16 @@ def _real(dataset: xr.Dataset, variable: str, dimensions: tuple[str, ...]) -> ND
     array = dataset[variable]
     if sorted(map(str, array.dims)) != sorted(dimensions):
         found = ", ".join(map(str, array.dims))
-        raise Refusal(f"variable {variable} has the dimensions ({found}), must be ({', '.join(dimensions)})")
+        problem = f"has the dimensions ({found}), must be ({', '.join(dimensions)})"
+        raise Refusal(problem, kind=Kind.WRONG_TYPE, field=variable)
     if array.dtype.kind != "f":
-        raise Refusal(f"variable {variable} holds {array.dtype}, not floating-point numbers")
+        raise Refusal(f"holds {array.dtype}, not floating-point numbers", kind=Kind.WRONG_TYPE, field=variable)
     array = array.transpose(*dimensions)
     bad = np.argwhere(~np.isfinite(array.values))
     if len(bad):
         where = ", ".join(f"{key} {dataset[key].values[k]}" for key, k in zip(dimensions, bad[0], strict=True))
-        raise Refusal(f"variable {variable} = {array.values[tuple(bad[0])]} at {where}; it must be finite")
+        value = float(array.values[tuple(bad[0])])
+        raise Refusal(f"at {where} must be finite", kind=Kind.UNSUITABLE, field=variable, value=value)
     return np.asarray(array.values, np.float64)
 
 
@@ -262,23 +277,23 @@ def _medium(text: str) -> Medium:
     known = [field.name for field in fields(Medium)]
     for name in known:
         if name not in values:
-            raise Refusal(f"attribute medium: {name} is missing")
+            raise Refusal(kind=Kind.MISSING, field=f"medium.{name}")
     for name, value in values.items():
         if name not in known:
-            raise Refusal(f"attribute medium: {name!r} is unknown; known: {', '.join(known)}")
+            raise Refusal(kind=Kind.UNKNOWN, field="medium", value=name, allowed=known)
         if not isinstance(value, (int, float)) or isinstance(value, bool):
-            raise Refusal(f"attribute medium: {name} = {value!r} must be a number")
+            raise Refusal(kind=Kind.WRONG_TYPE, field=f"medium.{name}", value=value, allowed="a number")
     try:
         return Medium(**values)
     except (ValueError, OverflowError) as error:
-        raise Refusal(f"attribute medium: {error}") from None
+        raise Refusal(str(error), field="medium") from None
 
 
 def _json_object(text: str, attribute: str) -> dict[str, Any]:
     try:
         values = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise Refusal(f"attribute {attribute} is not JSON: {error}") from None
+        raise Refusal(f"is not JSON: {error}", kind=Kind.UNREADABLE, field=attribute) from None
     if not isinstance(values, dict):
-        raise Refusal(f"attribute {attribute} must be a JSON object")
+        raise Refusal("must be a JSON object", kind=Kind.WRONG_TYPE, field=attribute)
     return values

@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
 from acoustic_fem.atlas.cell_table import cell_atlas
-from acoustic_fem.cell.design_cells import solve_cells
-from acoustic_fem.cell.lumped import lumped_admittance
-from acoustic_fem.membrane.disc import KnownDiscs
-from acoustic_fem.network.array_network import solve_network
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import ComplexArray
 from geometry.layout.arrangement import place_housings
+
+if TYPE_CHECKING:
+    from acoustic_fem.membrane.disc import KnownDiscs
 
 #: Called with what is being done and the fraction done, 0 to 1.
 Report = Callable[[str, float], None]
@@ -75,6 +73,8 @@ def joined_cells(
     Returns:
         Arrays by the names, shapes and units of :data:`acoustic_fem.library.transfer_functions.VARIABLES`.
     """
+    from acoustic_fem.network.array_network import solve_network  # loads finite elements
+
     layout = place_housings(design)
     catalogue = cell_catalogue(design, layout)
     response = solve_network(design, layout, catalogue, admittances(catalogue.distinct), frequency, medium, discs)
@@ -98,7 +98,13 @@ def closed_form(fidelity: str, cell: Cell, frequency: NDArray[np.float64], mediu
     Returns:
         (n_freq, n_port, n_port) complex128, m^3/(Pa s).
     """
-    return (lumped_admittance if fidelity == "lumped" else atlas_admittance)(cell, frequency, medium)
+    if fidelity == "lumped":
+        from acoustic_fem.cell.lumped import lumped_admittance  # loads finite elements
+
+        return lumped_admittance(cell, frequency, medium)
+    from acoustic_fem.atlas.cell_in_atlas import atlas_admittance  # loads SciPy
+
+    return atlas_admittance(cell, frequency, medium)
 
 
 def _cell_admittances(
@@ -113,6 +119,8 @@ def _cell_admittances(
         about: dict[str, Any] = {"method": "closed form"} if fidelity == "lumped" else _about_atlas(cells, frequency)
         found = {cell: closed_form(fidelity, cell, frequency, medium) for cell in cells}
         return found, [{"cell": cell.label, **about} for cell in cells]
+    from acoustic_fem.cell.design_cells import solve_cells  # loads finite elements
+
     solutions = solve_cells(
         cells, frequency, medium, fidelity, progress=lambda label, fraction: report(label, 0.95 * fraction)
     )
@@ -122,7 +130,9 @@ def _cell_admittances(
 
 
 def _about_atlas(cells: tuple[Cell, ...], frequency: NDArray[np.float64]) -> dict[str, Any]:
-    """What a library says of cells in the atlas; warns where its errors are not known."""
+    """Provenance of cells in the atlas; warns where its errors are not known."""
+    from acoustic_fem.atlas.cell_in_atlas import least_angle
+
     atlas = cell_atlas()
     atlas.warn_above(frequency)
     atlas.warn_below(least_angle(cells))

@@ -1,4 +1,4 @@
-"""What other air changes in the responses of an array, by closed forms."""
+"""Change of the responses of an array in other air, by closed forms."""
 
 from __future__ import annotations
 

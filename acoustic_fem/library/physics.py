@@ -1,8 +1,7 @@
-"""What every library obeys, whoever made it; what no physics makes is refused with what is wrong with it.
+"""Physics that every library obeys: a library that is not passive or not reciprocal is refused, by variable and place.
 
-Noise breaks none of it: of a measured library the impedances are those of the library known before, and the source
-response is their product with what was measured. Whether a measured transfer function itself could be that of a passive
-sensor is not asked.
+Noise breaks none of it: a measured library has the impedances of the library of its design, and its source response is
+their product with the measured transfer function. The measured transfer function itself is not checked for passivity.
 """
 
 from __future__ import annotations
@@ -79,7 +78,7 @@ def _check_passive(name: str, array: xr.DataArray, values: NDArray[np.complex128
             f"at {_place(array, wrong)} must be positive: a passive part gives no power",
             kind=Kind.UNSUITABLE,
             field=f"{name}_real",
-            value=float(found),
+            value=float(f"{found:.3g}"),
             unit="Pa s/m^3",
         )
     if (values == 0).any():
@@ -103,8 +102,8 @@ def _check_shared(library: Library, microphone_impedance: xr.DataArray) -> None:
     source, point = library.source_response, library.point_impedance.values[:, None]
     own = np.einsum("iif->if", microphone_impedance.values)[None]
     with np.errstate(over="ignore", invalid="ignore"):
-        room = point.real * own.real + _ROUNDING * np.abs(point) * np.abs(own)
-        wrong = ~(source.values.real**2 <= room)
+        bound = point.real * own.real + _ROUNDING * np.abs(point) * np.abs(own)
+        wrong = ~(source.values.real**2 <= bound)
     if wrong.any():
         raise _unphysical(
             "source_response",

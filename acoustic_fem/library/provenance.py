@@ -1,4 +1,4 @@
-"""What made a result: code, libraries, seed and time, stored with every result."""
+"""Origin of a result: code, libraries, seed and time, stored with every result."""
 
 from __future__ import annotations
 

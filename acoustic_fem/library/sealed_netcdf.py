@@ -58,10 +58,11 @@ def _try_apart(path: Path, what: str, refusal: type[Refusal]) -> None:
             said = child.call(_trial, str(path), seconds=_PATIENCE).decode()
     except ChildError as error:
         if error.status is None:
-            raise refusal(f"{path}: cannot be read in {_PATIENCE:g} s; it is damaged, or not {what}") from None
+            problem = f"cannot be read in {_PATIENCE:g} s; it is damaged, or not {what}"
+            raise refusal(problem, kind=Kind.UNREADABLE, file=path) from None
         said = "it ends what reads it"
     if said:
-        raise refusal(f"{path}: cut short, damaged or not {what}: {said}")
+        raise refusal(f"cut short, damaged or not {what}: {said}", kind=Kind.UNREADABLE, file=path)
 
 
 def _trial(path: str) -> bytes:

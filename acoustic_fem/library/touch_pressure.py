@@ -16,7 +16,7 @@ from geometry.design.array_design import ArrayDesign
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
 
-#: What a touch is measured by, and its unit.
+#: Quantities that measure a touch, and their units.
 TOUCHES = {"displacement": "m", "force": "N", "pressure": "Pa"}
 
 
@@ -83,7 +83,7 @@ def touch_flow(
 
 
 def membranes_in_vacuo(design: ArrayDesign, response_of: Callable[[ArrayDesign], DiscResponse]) -> DiscResponse:
-    """What the membrane of each point does in vacuo.
+    """Response of the membrane of each point in vacuo.
 
     Args:
         design: the array.

@@ -20,7 +20,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.placement import point_places
 
-#: What stands in place of a fidelity in a library made from recordings (:mod:`acoustic_fem.calibration`).
+#: Fidelity of a library made from recordings (:mod:`acoustic_fem.calibration`).
 MEASURED = "measured"
 
 #: Name -> dimensions, units and description of the results.

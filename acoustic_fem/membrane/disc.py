@@ -34,7 +34,7 @@ class KnownDiscs(Protocol):
 
 @dataclass(frozen=True)
 class DiscOptions:
-    """What a disc may have beyond that of :func:`disc_compliance`: glue, pre-stretch, a patch, a raised part."""
+    """Options of a disc beyond those of :func:`disc_compliance`: glue, pre-stretch, a patch, a raised part."""
 
     glue_width: float | None = None
     """Width of the glued annulus, from the edge of the opening outwards, m, at least 0.05 thicknesses; None: the whole
@@ -216,7 +216,7 @@ def solve_disc(
     """
     positive("density", density, "kg/m^3")
     shape, modulus = shape_of_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width, options)
-    # What interpolates between discs knows flat ones only.
+    # The table of discs has flat ones only.
     found = known.find(shape) if known is not None and shape.raised is None else None
     return _in_si(found or solved_disc(shape), shape.contact, float(radius), modulus, float(density))
 
@@ -229,7 +229,7 @@ def shape_of_disc(
     rim_width: float = 0.0,
     options: DiscOptions = _PLAIN,
 ) -> tuple[DiscShape, float]:
-    """What the dimensionless solution of a mounted disc depends on, and its modulus, Pa.
+    """Dimensionless numbers of a mounted disc on which its solution depends, and its modulus, Pa.
 
     Arguments and errors as for :func:`solve_disc`.
     """
@@ -379,7 +379,7 @@ def design_disc(
 
 
 def design_shape(design: ArrayDesign) -> DiscShape:
-    """What the dimensionless solution of :func:`design_disc` depends on.
+    """Dimensionless numbers on which the solution of :func:`design_disc` depends.
 
     Raises:
         Refusal: proportions outside what :func:`solve_disc` covers.

@@ -48,7 +48,7 @@ class DiscTable:
     """Largest relative error of those where it was checked."""
 
     def covers(self, shape: DiscShape) -> bool:
-        """Whether a disc lies within the table."""
+        """True if a disc lies within the table."""
         if _family(shape) != _family(self.like):
             return False
         place = np.log([shape.thickness, shape.rim or 1.0])

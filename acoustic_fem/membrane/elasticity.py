@@ -35,7 +35,7 @@ Vector = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class DiscShape:
-    """What the dimensionless solution depends on."""
+    """Dimensionless numbers on which the solution depends."""
 
     thickness: float
     """Thickness h / a, a ratio."""

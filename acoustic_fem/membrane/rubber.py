@@ -92,7 +92,7 @@ class Rubber:
 
     @property
     def elastic(self) -> bool:
-        """Whether its modulus is real and the same at all frequencies."""
+        """True if its modulus is real and the same at all frequencies."""
         return self.loss_factor == 0 and self.slope == 0 and not any(self.strengths)
 
     def ratio(self, frequency: ArrayLike) -> NDArray[np.complex128]:

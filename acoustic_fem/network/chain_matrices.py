@@ -41,17 +41,17 @@ class PointCell(NamedTuple):
     """
 
     y11: ComplexArray
-    """Of the tube towards the first microphone, (n, n_freq)."""
+    """Admittance of the tube towards the first microphone, (n, n_freq)."""
     y12: ComplexArray
     """Between the tubes, (n, n_freq)."""
     y22: ComplexArray
-    """Of the tube towards the second microphone, (n, n_freq)."""
+    """Admittance of the tube towards the second microphone, (n, n_freq)."""
     y13: ComplexArray
     """Between the first tube and the membrane, (n, n_freq)."""
     y23: ComplexArray
     """Between the second tube and the membrane, (n, n_freq)."""
     y33: ComplexArray
-    """Of the membrane, (n, n_freq)."""
+    """Admittance at the membrane, (n, n_freq)."""
 
     def passed(self) -> TwoPort:
         """The cell as a two-port between its tubes."""

@@ -1,4 +1,4 @@
-"""What yields in an array beside its air and its membranes: leaks, soft floors of cavities, soft sheaths of tubes.
+"""Soft parts of an array beside its air and its membranes: leaks, soft floors of cavities, soft sheaths of tubes.
 
 Floors and sheaths yield by the law of their material and without inertia: a floor of 1 mm of 1 MPa across 6 mm
 resonates near 1.8 kHz, which is 0.3 % of its compliance at 100 Hz.

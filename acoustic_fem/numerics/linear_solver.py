@@ -172,7 +172,7 @@ class _Pardiso:
 
     @property
     def matched(self) -> bool:
-        """Whether columns are matched to rows."""
+        """True if columns are matched to rows."""
         return bool(self._parameters[12])
 
     def match(self) -> None:

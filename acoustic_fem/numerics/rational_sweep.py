@@ -75,7 +75,7 @@ class ReducedModel:
     def coordinates(self, theta: NDArray, phi: NDArray) -> tuple[NDArray, NDArray]:
         """Solution in the basis and excitation, (n_freq, r, m) complex128 each.
 
-        Of theta (n_freq, n_term) and phi (n_freq, n_excitation_term), as for :meth:`response`.
+        Takes theta (n_freq, n_term) and phi (n_freq, n_excitation_term), as for :meth:`response`.
         """
         excitation = np.einsum("fk,krm->frm", phi, self.excitations)
         return np.linalg.solve(np.einsum("fk,krs->frs", theta, self.matrices), excitation), excitation

@@ -13,7 +13,7 @@ import numpy as np
 from geometry.air.mesh import InvertedElementsError
 from geometry.ground.refusal import Kind, Refusal
 
-#: What is solved on a mesh.
+#: A solution on a mesh.
 Solution = TypeVar("Solution")
 
 #: Meshes that are compared differ by this much in size at least.

@@ -10,7 +10,7 @@ PHYSICS: tuple[Physics, ...] = get_args(Physics)
 ClosedForm = Literal["lumped", "atlas"]
 CLOSED_FORMS: tuple[ClosedForm, ...] = get_args(ClosedForm)
 
-#: What the cells of an array may be computed with, from the fastest to the one to trust.
+#: Ways to compute the cells of an array, from the fastest to the one to trust.
 Fidelity = Literal["lumped", "atlas", "helmholtz", "navier-stokes"]
 #: Names of all fidelities, from closed forms to the one to trust.
 FIDELITIES: tuple[Fidelity, ...] = get_args(Fidelity)

@@ -1,4 +1,4 @@
-"""The air of the place where a sensor is used, as far as it is known to differ from that of its design."""
+"""The air of the place where a sensor is used, where it differs from that of its design."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def standard_pressure(altitude: float) -> float:
 
 @dataclass(frozen=True)
 class LocalAir:
-    """What is known of the air of a place; the rest is as the design has it."""
+    """The air of a place; values that are not given are those of the design."""
 
     pressure: float | None = None
     """Static pressure, not reduced to sea level, 5e4 to 1.2e5 Pa."""
@@ -57,7 +57,7 @@ class LocalAir:
 
     @property
     def design_values(self) -> dict[str, float]:
-        """What it changes in a design, by dotted name: empty where nothing is known."""
+        """Values that it changes in a design, by dotted name: empty where nothing is known."""
         pressure = self.pressure if self.altitude is None else standard_pressure(self.altitude)
         stated = {"air.pressure": pressure, "air.temperature": self.temperature_c, "air.humidity": self.humidity}
         return {name: float(value) for name, value in stated.items() if value is not None}

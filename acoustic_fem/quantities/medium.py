@@ -89,12 +89,12 @@ class Medium:
 
         dry_viscosity = _dry_viscosity(kelvin)
         vapour_viscosity = (80.58131868 + 0.4000549451 * celsius) * 1e-7
-        share = _wilke_shares(water, dry_viscosity, vapour_viscosity)
+        fraction = _wilke_fractions(water, dry_viscosity, vapour_viscosity)
         vapour_conductivity = (17.61758242 + 0.05558941059 * celsius + 1.663336663e-4 * celsius**2) * 1e-3
         return cls(
             density=pressure / (gas_constant * kelvin),
-            viscosity=share[0] * dry_viscosity + share[1] * vapour_viscosity,
-            conductivity=share[0] * _dry_conductivity(kelvin) + share[1] * vapour_conductivity,
+            viscosity=fraction[0] * dry_viscosity + fraction[1] * vapour_viscosity,
+            conductivity=fraction[0] * _dry_conductivity(kelvin) + fraction[1] * vapour_conductivity,
             heat_capacity=heat_capacity,
             gamma=heat_capacity / (heat_capacity - gas_constant),
             pressure=pressure,
@@ -137,7 +137,7 @@ def _vapour_heat_capacity(celsius: float) -> float:
     return 1e3 * (1.86910989 - 2.578421578e-4 * celsius + 1.941058941e-5 * celsius**2)
 
 
-def _wilke_shares(water: float, dry_viscosity: float, vapour_viscosity: float) -> tuple[float, float]:
+def _wilke_fractions(water: float, dry_viscosity: float, vapour_viscosity: float) -> tuple[float, float]:
     """Weights of dry air and vapour in a transport property of their mixture (Wilke 1950, eq. 14)."""
 
     def interaction(viscosity_ratio: float, mass_ratio: float) -> float:

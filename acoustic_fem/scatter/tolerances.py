@@ -29,7 +29,7 @@ from geometry.ground.typed import Array
 #: A deviation in mm, or of the nominal value.
 DeviationKind = Literal["absolute", "relative"]
 
-#: What can scatter, and the part it belongs to.
+#: Quantities that scatter, and the part that each belongs to.
 QUANTITIES = {
     "bore": "tube",
     "length": "tube",
@@ -75,7 +75,7 @@ class Tolerance:
         in_range(f"{self.quantity}.deviation", self.deviation, 0, most, unit)
 
 
-#: What a careful workshop reaches; figures without a measurement behind them say so.
+#: Tolerances of a careful workshop; figures without a measurement behind them say so.
 TOLERANCES = (
     Tolerance("bore", 0.015, "absolute", "assumed: springs are wound to +-0.03 mm, two deviations"),
     Tolerance("length", 0.15, "absolute", "assumed: cut by hand along a ruler, and pushed onto the lip by hand"),
@@ -89,7 +89,7 @@ TOLERANCES = (
 
 
 _WIDE = "assumed: between a careful workshop and a first sensor of one's own"
-#: What is assumed of a sensor that nobody measured. The more is assumed, the less are neighbours in a long line told
+#: Tolerances assumed of a sensor that nobody measured. The more is assumed, the less are neighbours in a long line told
 #: apart: of line-2 as designed it costs 0.3 % of the frames that 10 % for the batch would name.
 UNCALIBRATED = (
     Tolerance("bore", 0.05, "relative", _WIDE),
@@ -265,14 +265,14 @@ class ScatteredDesign:
             chamber_height=scattered("chamber_height", nominal.chamber_height),
             vent_admittance=scattered("microphone_corner", nominal.vent_admittance),
             membrane_compliance=compliance,
-            membrane_share=share,
+            membrane_fraction=share,
             membrane_frequency=frequency,
         )
 
     def _narrowed(self, draws: Mapping[str, Array]) -> Array | float:
         """Round bore that resists as an oval one of the same mean diameter, by that diameter, (count, n_tube).
 
-        Of half-axes a (1 + d) and a (1 - d), d the ovality: the elliptic pipe's resistance is 8 mu / (pi a^4) times
+        Half-axes a (1 + d) and a (1 - d), d the ovality: the elliptic pipe's resistance is 8 mu / (pi a^4) times
         (1 + d^2) / (1 - d^2)^3. Tubes flatten where they are bent; here their whole length does.
         """
         oval = [tolerance.deviation for tolerance in self.tolerances if tolerance.quantity == "ovality"]

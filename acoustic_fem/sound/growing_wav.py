@@ -61,7 +61,7 @@ class GrowingWav:
 
     @property
     def full(self) -> bool:
-        """Whether another second might not fit."""
+        """True if another second might not fit."""
         return 4 * self.channels * (self.samples + self.rate) > LARGEST
 
     def write(self, samples: NDArray[np.float64]) -> None:

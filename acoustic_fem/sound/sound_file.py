@@ -23,10 +23,10 @@ from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_file
 
 FORMATS = (".wav", ".csv", ".npz", ".mat")
-#: What a file may hold beside its channels.
+#: Names in a file that are no channels.
 TIME, RATE = "time", "sample_rate"
 _MOST_CHUNKS = 1000
-#: What others call the rate; it would be read over, and 1 kHz taken.
+#: Other names of the rate: it would be ignored, and 1 kHz taken.
 _OTHER_RATES = ("fs", "sr", "rate", "samplerate", "samplingrate", "samplefrequency", "samplingfrequency")
 #: Name of a matrix of all channels, (channel, sample).
 MATRIX = "signals"
@@ -47,7 +47,7 @@ class Sound:
     full_scale: float | None = None
     """Largest value that the format can hold; None where there is none, as in texts and floating-point numbers."""
     numbered: bool = False
-    """Whether the file names no channels: they are then called ``1``, ``2``, ..., as in a WAV file."""
+    """True if the file names no channels: they are then called ``1``, ``2``, ..., as in a WAV file."""
 
     @property
     def length(self) -> int:

@@ -28,7 +28,7 @@ class Cell:
     """
 
     kind: Literal["resonator", "microphone"]
-    """What the air belongs to."""
+    """Part that the air belongs to."""
     diameter: float
     """Diameter of the cavity, mm."""
     height: float
@@ -42,7 +42,7 @@ class Cell:
     opening_length: float
     """Length of the sound hole, mm; 0 under a membrane."""
     shape: Box | Dome | None = None
-    """What makes the cavity differ from a cylinder; None for a cylinder."""
+    """Shape of the cavity; None for a cylinder."""
 
     @property
     def label(self) -> str:

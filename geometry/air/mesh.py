@@ -97,8 +97,9 @@ class SolidMesh:
         if bad.size:
             x, y, z = self.nodes[self.tetrahedra[bad[0], :4]].mean(axis=0)
             raise InvertedElementsError(
-                f"the mesh has {bad.size} inverted elements, the first is tetrahedron {bad[0]} at "
-                f"({x:.4g}, {y:.4g}, {z:.4g}) mm with Jacobian {smallest[bad[0]]:.2g}; it must be above 0"
+                f"the mesh has {bad.size} inverted elements, the first is tetrahedron {bad[0]} at ({x:.4g}, {y:.4g}, "
+                f"{z:.4g}) mm with Jacobian {smallest[bad[0]]:.2g}; it must be above 0",
+                kind=Kind.NO_RESULT,
             )
 
 
@@ -124,13 +125,14 @@ def mesh_solid(
     """
     solids = solid.Solids()
     if len(solids) != 1:
-        raise MeshError(f"the shape has {counted(len(solids), 'solid')}, it must be one")
+        problem = f"has {counted(len(solids), 'solid')}; it must have one"
+        raise MeshError(problem, kind=Kind.UNSUITABLE, field="solid")
     refuse_large_mesh(solids[0], sizes)
     named = {name: face_at(solids[0], name, point) for name, point in faces.items()}
     counts = Counter(face.hashCode() for face in named.values())
     shared = sorted(name for name, face in named.items() if counts[face.hashCode()] > 1)
     if shared:
-        raise MeshError(f"the names {shared} lie on the same face")
+        raise MeshError("lie on the same face", kind=Kind.CONFLICT, field="faces", value=shared)
     work = partial(_run_gmsh, solids[0], named, tubes, sizes)
     nodes, tetrahedra, triangles = _in_a_copy(work, beat)
     normals = {}
@@ -163,8 +165,10 @@ def refuse_large_mesh(solid: cadquery.Solid, sizes: MeshSizes, most: float = MOS
     count = estimated_elements(solid, sizes.largest, sizes.tube, sizes.growth, sizes.wall)
     if not count <= most:
         raise MeshError(
-            f"the solid needs a mesh of about {count:.2g} elements; it must be at most {most:.2g}: leave out "
-            "small holes and roundings, shorten long thin pieces, or ask for less accuracy"
+            f"needs a mesh of about {count:.2g} elements; it must need at most {most:.2g}",
+            kind=Kind.UNSUITABLE,
+            field="solid",
+            remedy="leave out small holes and roundings, shorten long thin pieces, or ask for less accuracy",
         )
 
 
@@ -193,7 +197,8 @@ def checked_mesh(
     nodes, tetrahedra = split_wall_corners(nodes, tetrahedra, triangles)
     mesh = SolidMesh(nodes, tetrahedra, triangles, normals, volume, curved_volume(nodes, tetrahedra))
     if abs(mesh.mesh_volume - volume) > 1e-2 * volume:
-        raise MeshError(f"the mesh has {mesh.mesh_volume:g} mm^3, the solid {volume:g} mm^3")
+        problem = f"the mesh has {mesh.mesh_volume:g} mm^3, the solid {volume:g} mm^3"
+        raise MeshError(problem, kind=Kind.NO_RESULT)
     return mesh
 
 
@@ -208,12 +213,11 @@ def face_at(solid: cadquery.Solid, name: str, point: Point) -> cadquery.Face:
     vertex = cq.Vertex.makeVertex(*point)
     hits = [face for face in solid.Faces() if face.distance(vertex) < 1e-6]
     if len(hits) != 1:
-        raise MeshError(
-            f"port {name!r}: the point {tuple(point)} mm lies on {counted(len(hits), 'face')} of the solid, it must "
-            "be one"
-        )
+        problem = f"lies on {counted(len(hits), 'face')} of the solid; it must lie on one"
+        raise MeshError(problem, kind=Kind.UNSUITABLE, field=f"faces.{name}", value=tuple(point), unit="mm")
     if hits[0].geomType() != "PLANE":
-        raise MeshError(f"port {name!r}: the face at {tuple(point)} mm is {hits[0].geomType()}, it must be flat")
+        problem = f"lies on a {hits[0].geomType().lower()}; it must lie on a flat face"
+        raise MeshError(problem, kind=Kind.UNSUITABLE, field=f"faces.{name}", value=tuple(point), unit="mm")
     return hits[0]
 
 
@@ -254,7 +258,7 @@ def _run_gmsh(
     except Exception as error:
         if type(error) is not Exception:  # gmsh raises nothing else
             raise
-        raise MeshError(f"gmsh could not mesh the solid: {said_by(error)}") from error
+        raise MeshError(f"gmsh could not mesh the solid: {said_by(error)}", kind=Kind.NO_RESULT) from error
     finally:
         if started_here:
             gmsh.finalize()
@@ -274,7 +278,8 @@ def _matching_surface(name: str, face: cadquery.Face) -> int:
         and np.linalg.norm(np.array(gmsh.model.occ.getCenterOfMass(2, tag)) - centre) < 1e-5 * math.sqrt(area)
     ]
     if len(hits) != 1:
-        raise MeshError(f"port {name!r} matches {counted(len(hits), 'surface')} of the imported solid, it must be one")
+        problem = f"matches {counted(len(hits), 'surface')} of the imported solid; it must match one"
+        raise MeshError(problem, kind=Kind.NO_RESULT, field=f"faces.{name}")
     return hits[0]
 
 
@@ -317,8 +322,8 @@ def _set_sizes(
             if len(beside := set(gmsh.model.getAdjacencies(1, tag)[0])) > 1 and not beside & (others | ends)
         ]
         # In front of a wall the flow turns within the gap, however wide the tube.
-        room = radius if port is None else min(radius, _clearance(solid, port, mouth))
-        at_mouth = min(sizes.mouth_edge * room, sizes.tube_layer)
+        free = radius if port is None else min(radius, _clearance(solid, port, mouth))
+        at_mouth = min(sizes.mouth_edge * free, sizes.tube_layer)
         fields.append(_size_around("CurvesList", mouth, at_mouth, 0.0, sizes))
         along = min(sizes.tube * radius, sizes.tube_layer)
         fields.append(_size_around("SurfacesList", sorted(walls), along, 0.5 * radius, sizes))
@@ -343,11 +348,11 @@ def _clearance(solid: cadquery.Solid, port: cadquery.Face, mouth: list[int]) -> 
     crossing = IntCurvesFace_ShapeIntersector()
     crossing.Load(solid.wrapped, 1e-7)
     crossing.Perform(gp_Lin(gp_Pnt(*start), gp_Dir(*axis)), 1e-6, 1e9)
-    ways = [crossing.WParameter(k) for k in range(1, crossing.NbPnt() + 1)]
+    depths = [crossing.WParameter(k) for k in range(1, crossing.NbPnt() + 1)]
     rims = [(np.array(box[:3]) + np.array(box[3:])) / 2 for box in (gmsh.model.getBoundingBox(1, tag) for tag in mouth)]
     at_mouth = float((np.mean(rims, axis=0) - start) @ axis)
     # Where the mouth is cut from a curved wall or a mirror plane its middle is not exactly on the axis.
-    beyond = [way - at_mouth for way in ways if way - at_mouth > 1e-6]
+    beyond = [depth - at_mouth for depth in depths if depth - at_mouth > 1e-6]
     return min(beyond, default=math.inf)
 
 
@@ -399,7 +404,7 @@ def _read_mesh(
     _, connectivity = gmsh.model.mesh.getElementsByType(11)
     tetrahedra = position[connectivity.astype(np.int64).reshape(-1, 10)][:, _GMSH_TO_SKFEM_NODES]
     if len(tetrahedra) == 0:
-        raise MeshError("gmsh made no tetrahedra")
+        raise MeshError("gmsh made no tetrahedra", kind=Kind.NO_RESULT)
     triangles: dict[str, list[NDArray[np.int64]]] = {name: [] for name in (*surfaces, WALL)}
     names = {tag: name for name, tag in surfaces.items()}
     for _, surface in gmsh.model.getEntities(2):

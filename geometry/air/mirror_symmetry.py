@@ -52,7 +52,7 @@ def mirror_half(solid: cq.Solid, ports: Mapping[str, Point]) -> Half | None:
     faces = {name: face_at(solid, name, point) for name, point in ports.items()}
     centre, size = _vector(solid.Center()), solid.BoundingBox().DiagonalLength
     axes = [(_vector(face.Center()), _vector(face.normalAt())) for face in faces.values()]
-    # What must lie in the plane: the ports' axes and the ways from the first to the others.
+    # The ports' axes and the vectors from the first port to the others must lie in the plane.
     within = np.array([*(direction for _, direction in axes), *(place - axes[0][0] for place, _ in axes[1:])])
     for candidate in _candidates(solid, centre, axes):
         if np.abs(within @ candidate).max() > 1e-4 * size or abs((axes[0][0] - centre) @ candidate) > _SAME * size:
@@ -82,7 +82,7 @@ def _candidates(solid: cq.Solid, centre: Vector, axes: list[tuple[Vector, Vector
 
 
 def _mirrors(solid: cq.Solid, centre: Vector, normal: Vector, size: float) -> bool:
-    """Whether the faces of the solid are, one by one, mirror images of its faces.
+    """True where each face of the solid is the mirror image of one of its faces.
 
     A twisted face has the area and the centre of its image without being it: points all over each face must
     have their images on the other.

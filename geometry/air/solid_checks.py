@@ -1,4 +1,4 @@
-"""What a CAD solid must be before anybody works on it: one closed body of a size and fineness that can be meshed."""
+"""Checks of a CAD solid before any work on it: one closed body of a size and fineness that can be meshed."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 
 if TYPE_CHECKING:
     import cadquery
@@ -30,14 +30,14 @@ def sound_solid(shape: cadquery.Shape) -> cadquery.Solid:
     """
     solids = shape.Solids()
     if len(solids) != 1:
-        raise Refusal(f"the shape has {counted(len(solids), 'solid')}, it must be one")
+        raise Refusal(f"has {counted(len(solids), 'solid')}; it must have one", kind=Kind.UNSUITABLE, field="shape")
     for problem in _problems(solids[0]):
-        raise Refusal(f"the solid {problem}")
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="solid")
     return solids[0]
 
 
 def _problems(solid: cadquery.Solid) -> Iterator[str]:
-    """What is wrong, the cheapest to find first: what comes later may take for ever on what is named before."""
+    """Faults of a solid, the cheapest to find first: later checks may take for ever where an earlier one fails."""
     from OCP.BRep import BRep_Tool
 
     if not all(BRep_Tool.IsClosed_s(shell.wrapped) for shell in solid.Shells()):

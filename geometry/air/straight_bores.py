@@ -42,11 +42,11 @@ class Shortened:
     """A solid without the far ends of its bores."""
 
     solid: cadquery.Shape
-    """What is left, mm."""
+    """The cell without its bores, mm."""
     points: dict[str, Point]
     """A point on every face that was named, mm."""
     bores: tuple[StraightBore, ...]
-    """What was cut off at each port, in order."""
+    """The bore that was cut off at each port, in order."""
 
 
 def shortened(solid: cadquery.Shape, points: Mapping[str, Point], ports: Sequence[str]) -> Shortened:
@@ -109,14 +109,14 @@ def _round_bore(
     cylinders = [BRepAdaptor_Surface(face.wrapped).Cylinder() for face in round_walls]
     radius = cylinders[0].Radius()
     axis, origin = (_point(part) for part in (cylinders[0].Axis().Direction(), cylinders[0].Location()))
-    shares = end.Area() / (math.pi * radius**2)
+    fraction = end.Area() / (math.pi * radius**2)
     coaxial = all(
         abs(each.Radius() - radius) < _SAME * radius
         and np.linalg.norm(np.cross(_point(each.Location()) - origin, axis)) < _SAME * radius
         for each in cylinders
     )
     along = np.linalg.norm(np.cross(axis, normal)) < _SAME
-    if not coaxial or not along or min(abs(shares - part) for part in (1, 0.5, 0.25)) > _SAME:
+    if not coaxial or not along or min(abs(fraction - part) for part in (1, 0.5, 0.25)) > _SAME:
         return radius, 0.0
     # The bore is free as far as the nearest place where its wall ends.
     far_ends = {edge.hashCode() for name in ports for edge in others[name].Edges()}
@@ -133,7 +133,7 @@ def _round_bore(
 
 
 def _lies_along(edge: cadquery.Edge, normal: Vector) -> bool:
-    """Whether an edge is a straight line along the bore: a seam, or where a mirror plane cuts the wall."""
+    """True where an edge is a straight line along the bore: a seam, or a line where a mirror plane cuts the wall."""
     across = np.cross(_vector(edge.tangentAt(0)), normal)
     return edge.geomType() == "LINE" and float(np.linalg.norm(across)) < _SAME
 
@@ -154,7 +154,7 @@ def _cut(solid: cadquery.Solid, end: cadquery.Face, radius: float, length: float
 
 
 def _axis_point(end: cadquery.Face, radius: float) -> Vector:
-    """Where the axis of a bore meets its end: the centre of the arc that bounds it."""
+    """Point at which the axis of a bore meets its end: the centre of the arc that bounds it."""
     arcs = [edge for edge in end.Edges() if edge.geomType() == "CIRCLE" and abs(edge.radius() - radius) < 1e-3 * radius]
     return _vector(arcs[0].arcCenter())
 

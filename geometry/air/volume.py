@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from geometry.air.cells import Cell
 from geometry.air.mesh import Point
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.cavity_shapes import draw_cavity, separation
 from geometry.schema.ports import CellPort
 
@@ -107,13 +107,14 @@ def _drawn(cell: Cell) -> cadquery.Shape:
     import cadquery as cq
 
     if not cell.ports:
-        raise Refusal(f"the air of {cell.label} has no port; it needs at least one tube")
+        raise Refusal(f"the air of {cell.label} has no port; it needs at least one tube", kind=Kind.UNSUITABLE)
     radius = cell.diameter / 2
     for first, second in combinations(cell.ports, 2):
         near = min(cell.mouth_of(first), cell.mouth_of(second))
         apart = separation(near, first.angle - second.angle, cell.height_of(first) - cell.height_of(second))
         if apart <= (first.bore_diameter + second.bore_diameter) / 2:
-            raise Refusal(f"the air of {cell.label} has overlapping ports at {first.angle:g} and {second.angle:g} deg")
+            angles = f"{first.angle:g} and {second.angle:g} deg"
+            raise Refusal(f"the air of {cell.label} has overlapping ports at {angles}", kind=Kind.CONFLICT)
     air: cq.Shape = draw_cavity(cell.shape, radius, cell.height)
     for port in cell.ports:
         direction, middle = _direction(port), cq.Vector(0, 0, cell.height_of(port))
@@ -136,5 +137,5 @@ def _direction(port: CellPort) -> cadquery.Vector:
 def _checked(air: cadquery.Shape, cell: Cell) -> cadquery.Solid:
     solids = air.Solids()
     if len(solids) != 1 or not solids[0].isValid():
-        raise Refusal(f"the air of {cell.label} is not one valid solid")
+        raise Refusal(f"the air of {cell.label} is not one valid solid", kind=Kind.NO_RESULT)
     return solids[0].clean()

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from geometry.air.curved_tetrahedra import EDGES
 from geometry.air.mesh import WALL, SolidMesh, checked_mesh
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: Names of the ends of a swept mesh.
 FIRST, LAST = "first", "last"
@@ -84,10 +84,11 @@ def closest_pitch(diameter: float, outside: float) -> float:
     Raises:
         Refusal: the tube is as wide as the circumference of its cylinder.
     """
-    share = outside / (math.pi * diameter)
-    if not share < 1:
-        raise Refusal(f"outside = {outside:g} mm must be below the circumference {math.pi * diameter:g} mm")
-    return outside / math.sqrt((1 - share) * (1 + share))
+    fraction = outside / (math.pi * diameter)
+    if not fraction < 1:
+        allowed = f"below the circumference {math.pi * diameter:g} mm"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="outside", value=outside, unit="mm", allowed=allowed)
+    return outside / math.sqrt((1 - fraction) * (1 + fraction))
 
 
 def swept_mesh(

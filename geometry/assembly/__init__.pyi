@@ -13,8 +13,8 @@ from .order_table import (
     write_assembly_table as write_assembly_table,
 )
 from .part_list import (
-    Kind as Kind,
     Origin as Origin,
+    PartKind as PartKind,
     PartSet as PartSet,
     build_parts as build_parts,
     part_set as part_set,

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 from geometry.assembly.part_list import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import Cut, cutting_list
 from geometry.layout.placement import ArrayLayout
@@ -33,7 +33,7 @@ Use = Literal["printed", "cast", "bought", "tooling"]
 
 @dataclass(frozen=True)
 class Prices:
-    """What materials cost and how much of them is lost; every value is an assumption to be replaced."""
+    """Prices of materials and fractions of them that are lost; every value is an assumption to be replaced."""
 
     currency: str = "USD"
     """Currency of all prices."""
@@ -60,7 +60,7 @@ class Prices:
     cutting_loss: float = 0.5
     """Length of spring and sheath lost per cut, mm."""
     source: str = "assumed: orders of magnitude of small retail quantities in 2025, no quotation"
-    """Where the values come from."""
+    """Source of the values."""
 
     def __post_init__(self) -> None:
         """Refuse prices that are none.
@@ -71,7 +71,8 @@ class Prices:
         for each in fields(self):
             value, least = getattr(self, each.name), each.metadata.get("least", 0.0)
             if isinstance(value, (int, float)) and not least <= value < math.inf:
-                raise Refusal(f"prices.{each.name} = {value:g} must be at least {least:g} and finite")
+                field, allowed = f"prices.{each.name}", f"at least {least:g} and finite"
+                raise Refusal(kind=Kind.OUT_OF_RANGE, field=field, value=value, allowed=allowed)
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,7 @@ class BillItem:
     """One line of the bill."""
 
     item: str
-    """What is needed."""
+    """Name of the material or part."""
     use: Use
     """How it comes into the array, or that it is a tool."""
     count: int
@@ -91,7 +92,7 @@ class BillItem:
     unit_price: float
     """Price per unit, in the currency of the bill."""
     note: str = ""
-    """What else is to be known, for people."""
+    """A remark for people."""
 
     @property
     def cost(self) -> float:
@@ -101,7 +102,7 @@ class BillItem:
 
 @dataclass(frozen=True)
 class Bill:
-    """What one array takes; costs are in ``prices.currency``."""
+    """Bill of materials of one array; costs are in ``prices.currency``."""
 
     design: str
     """Name of the design."""
@@ -174,7 +175,7 @@ def bill_of_materials(
     prices: Prices | None = None,
     layout: ArrayLayout | None = None,
 ) -> Bill:
-    """What one array takes of resin, silicone, spring, sheath, microphones, gaskets and glue.
+    """Resin, silicone, spring, sheath, microphones, gaskets and glue that one array takes.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
@@ -234,7 +235,7 @@ def _millilitres(parts: Mapping[str, cq.Workplane]) -> dict[str, float]:
 
 
 def _use(parts: PartSet, name: str) -> Use:
-    """What a part is made for; molds are tools."""
+    """Use of a part; molds are tools."""
     return "tooling" if parts.kinds.get(name) in get_args(MoldKind) else parts.origin(name)
 
 

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.assembly.model import ArrayModel, plane_of
-from geometry.assembly.part_list import Kind, PlacedPart
-from geometry.ground.refusal import Refusal
+from geometry.assembly.part_list import PartKind, PlacedPart
+from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.ports import ANGLE_STEP
 
 if TYPE_CHECKING:
@@ -25,12 +25,12 @@ _SAME_DIRECTION, _SAME_AXIS = 0.01, 0.1
 #: Misfits below this are rounding, mm: directions of ports are rounded to 0.1 degrees.
 _ROUNDING = 0.01
 #: Kinds that stand apart from each other unless they belong to one point, tube or microphone.
-_BODIES: tuple[Kind, ...] = ("shell", "housing", "sheath")
+_BODIES: tuple[PartKind, ...] = ("shell", "housing", "sheath")
 
 
 @dataclass(frozen=True)
 class Interference:
-    """Two placed parts that are in each other's way, by their labels."""
+    """Two placed parts that overlap, by their labels."""
 
     first: str
     """Label of one part."""
@@ -132,7 +132,7 @@ def port_fits(model: ArrayModel) -> tuple[PortFit, ...]:
 
 
 def misfits(model: ArrayModel) -> tuple[str, ...]:
-    """What keeps an array from being put together, one line each: parts in each other's way, tubes that fit no port.
+    """Reasons why an array cannot be put together, one line each: parts that overlap, tubes that fit no port.
 
     Tubes that are drawn schematically are left out, see :func:`geometry.layout.arrangement.lay_out`.
     """
@@ -179,7 +179,7 @@ def _near(model: ArrayModel, within: float) -> Iterator[tuple[int, int]]:
 
 
 def _relative(model: ArrayModel, i: int, j: int) -> tuple[object, _Placed]:
-    """What makes two pairs alike, and part j as seen from part i."""
+    """Key that is the same for pairs that are alike, and part j as seen from part i."""
     first, second = model.placed[i], model.placed[j]
     matrix: NDArray[np.float64] = np.linalg.solve(first.matrix, second.matrix).astype(np.float64)
     key = (first.part, second.part, tuple((np.round(matrix[:3], 5) + 0.0).ravel().tolist()))
@@ -239,8 +239,8 @@ def _cylinders(shape: cq.Shape) -> list[_Cylinder]:
             continue
         surface = BRepAdaptor_Surface(face.wrapped)
         cylinder = surface.Cylinder()
-        place, way = cylinder.Axis().Location(), cylinder.Axis().Direction()
-        point, direction = np.array([place.X(), place.Y(), place.Z()]), np.array([way.X(), way.Y(), way.Z()])
+        place, along = cylinder.Axis().Location(), cylinder.Axis().Direction()
+        point, direction = np.array([place.X(), place.Y(), place.Z()]), np.array([along.X(), along.Y(), along.Z()])
         ends = point + np.outer([surface.FirstVParameter(), surface.LastVParameter()], direction)
         found.append(_Cylinder(point, direction, cylinder.Radius(), ends))
     return found
@@ -283,7 +283,8 @@ def _port_fit(
     ]
     radii = sorted({round(port.radius, 9) for port in ports})
     if len(radii) < 2:
-        raise Refusal(f"{sheath.label} ends in {body.label} where no bore with a socket is")
+        problem = f"{sheath.label} ends in {body.label} where no bore with a socket is"
+        raise Refusal(problem, kind=Kind.UNSUITABLE)
     return PortFit(
         tube=sheath.label,
         part=body.label,

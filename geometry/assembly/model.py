@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly.part_list import Kind, PartSet, PlacedPart, build_parts
+from geometry.assembly.part_list import PartKind, PartSet, PlacedPart, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.layout.arrangement import lay_out
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import cadquery as cq
 
 #: Colour and opacity of each kind of part in pictures and models; solids in CAD files are opaque.
-LOOKS: dict[Kind, tuple[str, float]] = {
+LOOKS: dict[PartKind, tuple[str, float]] = {
     "shell": ("#9fb8cc", 0.45),
     "membrane": ("#e39a7b", 0.6),
     "spring": ("#c9a227", 1.0),
@@ -39,7 +39,7 @@ class ArrayModel:
     design: ArrayDesign
     """Design that it was drawn from."""
     layout: ArrayLayout
-    """Where everything lies."""
+    """Positions of all parts."""
     parts: PartSet
     """Made parts, as :func:`geometry.build_parts` draws them."""
     shapes: Mapping[str, cq.Shape]
@@ -150,7 +150,7 @@ def _tubes(design: ArrayDesign, layout: ArrayLayout) -> tuple[list[PlacedPart], 
             spring, sheath = build_tube(piece)
             shapes[f"spring-{names[piece]}"], shapes[f"sheath-{names[piece]}"] = spring.val(), sheath.val()
         x, y, z = ((float(a), float(b), float(c)) for a, b, c in matrix[:3, :3].T)
-        kinds: tuple[Kind, ...] = ("spring", "sheath")
+        kinds: tuple[PartKind, ...] = ("spring", "sheath")
         for kind in kinds:
             label = f"{kind} of {tube.label}"
             at = tuple(matrix[:3, 3].tolist())

@@ -1,4 +1,4 @@
-"""Which part goes where: the order in which an array is put together, as a table. Lengths mm, angles degrees."""
+"""Table of the order in which an array is put together, with the place of each part. Lengths mm, angles degrees."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class JoinedTube:
     bend_radius: float
     """Smallest radius of its axis, mm; infinite where it lies straight."""
     schematic: bool
-    """Whether it is drawn to show what is joined: how it bends is not known, and its spring is that of a straight tube.
+    """True where it is drawn to show what it joins: its bends are not known, and its spring is that of a straight tube.
     """
     kind: str = ""
     """Name of its kind; empty where a line has no pattern of tubes."""
@@ -65,7 +65,7 @@ class AssemblyStep:
     rotation: float
     """Angle by which the part is turned about its axis, degrees, anticlockwise from above."""
     position: tuple[float, float, float]
-    """Where the origin of the part lies, mm."""
+    """Position of the part's origin, mm."""
     port_before: float | None
     """Port of the part for the tube before, in the part's own degrees; None at the first microphone."""
     port_after: float | None
@@ -183,7 +183,7 @@ def _row(step: AssemblyStep, graded: bool) -> tuple[str, ...]:
 
 
 def _is_graded(steps: Sequence[AssemblyStep]) -> bool:
-    """Whether points or tubes are of named kinds: the tables then have columns for them."""
+    """True where points or tubes are of named kinds: the tables then have columns for them."""
     return any(step.kind or (step.tube is not None and step.tube.kind) for step in steps)
 
 

@@ -35,12 +35,12 @@ if TYPE_CHECKING:
 
 _T = TypeVar("_T")
 
-#: What a part of an array is.
-Kind = Literal["shell", "carrier", "membrane", "housing", "board", "package", "spring", "sheath"] | MoldKind
+#: Kind of a part of an array.
+PartKind = Literal["shell", "carrier", "membrane", "housing", "board", "package", "spring", "sheath"] | MoldKind
 #: Where a part comes from.
 Origin = Literal["printed", "cast", "bought"]
 #: Kinds that are not printed.
-_ORIGINS: dict[Kind, Origin] = {
+_ORIGINS: dict[PartKind, Origin] = {
     "membrane": "cast",
     "board": "bought",
     "package": "bought",
@@ -63,11 +63,11 @@ class PartSet(dict[str, "cq.Workplane"]):
         super().__init__()
         self.parameters: dict[str, dict[str, float | int | str]] = {}
         self.counts: dict[str, int] = {}
-        self.kinds: dict[str, Kind] = {}
+        self.kinds: dict[str, PartKind] = {}
         self.placed: tuple[PlacedPart, ...] = ()
 
     def origin(self, name: str) -> Origin:
-        """Where a part comes from; one of no kind is printed."""
+        """Origin of a part; a part of no kind is printed."""
         kind = self.kinds.get(name)
         return "printed" if kind is None else _ORIGINS.get(kind, "printed")
 
@@ -101,18 +101,18 @@ class PlacedPart:
 
     part: str
     """Name of the part."""
-    kind: Kind
-    """What it is."""
+    kind: PartKind
+    """Kind of the part."""
     label: str
     """Name of this copy."""
     position: tuple[float, float, float]
-    """Where the origin of its own coordinates lies, mm."""
+    """Position of the origin of its own coordinates, mm."""
     rotation: float
     """Angle by which it is turned about its own z, degrees."""
     axes: Axes = FLAT
     """Directions of its x, y and z, as rows; on a flat array those of its own coordinates."""
     group: str = ""
-    """What it belongs to: ``point 3``, ``microphone A``, ``tube 2 of line 1``."""
+    """Owner of the part: ``point 3``, ``microphone A``, ``tube 2 of line 1``."""
 
     @property
     def matrix(self) -> NDArray[np.float64]:
@@ -190,7 +190,7 @@ def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSe
 
 
 def _common_parameters(design: ArrayDesign) -> dict[str, dict[str, float | int | str]]:
-    """What parts were drawn from, by what they have in common."""
+    """Parameters that parts were drawn from, by what the parts have in common."""
     microphone, printing = design.microphone, design.printing
     return {
         "joints": {"glue_gap": printing.glue_gap, "port_lip": printing.port_lip},
@@ -237,7 +237,7 @@ def part_counts(design: ArrayDesign) -> dict[str, int]:
 
 
 def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, ...]:
-    """Where every copy of every made part lies; the floors of resonators' cavities lie at z = 0 of a flat array."""
+    """Position of every copy of every part; the floors of resonators' cavities lie at z = 0 of a flat array."""
     return _placed(design, layout, _plan(design, layout))
 
 
@@ -275,7 +275,7 @@ def _placed(design: ArrayDesign, layout: ArrayLayout, plan: _Plan) -> tuple[Plac
 # -- distinct housings ----------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class _Form:
-    """What a shell is drawn from."""
+    """Sizes and ports that a shell is drawn from."""
 
     resonator: Resonator
     membrane: Membrane
@@ -314,7 +314,7 @@ def _plan(design: ArrayDesign, layout: ArrayLayout) -> _Plan:
 
 
 def _forms(design: ArrayDesign, layout: ArrayLayout, ports: Sequence[tuple[Port, ...]]) -> list[_Form]:
-    """What the shell of each point is drawn from, given its ports; shells that are alike have one form."""
+    """Form of the shell of each point, given its ports; shells that are alike have one form."""
     known: dict[object, _Form] = {}
     forms = []
     for point, own in zip(layout.points, ports, strict=True):
@@ -382,8 +382,8 @@ def _of_membranes(
     return found
 
 
-def _kinds(design: ArrayDesign, plan: _Plan) -> dict[str, Kind]:
-    carried: dict[str, Kind] = {} if design.printing.carrier == "none" else {"carrier": "carrier"}
+def _kinds(design: ArrayDesign, plan: _Plan) -> dict[str, PartKind]:
+    carried: dict[str, PartKind] = {} if design.printing.carrier == "none" else {"carrier": "carrier"}
     return {
         **dict.fromkeys(plan.shells, "shell"),
         **_of_membranes(design, dict.fromkeys(plan.point_membranes, "membrane"), mold_kinds),

@@ -55,11 +55,11 @@ def check_name(data: Any, name: str, source: str) -> None:
 
 
 def _set(data: dict[str, Any], name: str, value: Any, source: str) -> None:
-    """Put a value at a dotted name of a design; tables on the way to it are copied, all others are left as they are."""
+    """Put a value at a dotted name of a design; the tables that hold it are copied, all others are left as they are."""
     check_name(data, name, source)
-    *way, last = name.split(".")
+    *tables, last = name.split(".")
     place: Any = data
-    for step in way:
+    for step in tables:
         key = int(step) if isinstance(place, list) else step
         place[key] = dict(place[key]) if isinstance(place[key], dict) else list(place[key])
         place = place[key]

@@ -66,7 +66,10 @@ def read_completed(text: str, source: str) -> ArrayDesign:
     data = parse_toml(text, source, DesignError)
     design = validated(data, source)
     if "bore" not in data["tube"]:
-        raise DesignError(f"{source}: tube.bore is missing: an older version wrote it; compute the result again")
+        remedy = "compute the result again"
+        raise DesignError(
+            "is missing: an older version wrote it", kind=Kind.MISSING, file=source, field="tube.bore", remedy=remedy
+        )
     own = {key: value for key, value in design.materials.items() if MATERIALS.get(key) != value}
     return design.model_copy(update={"materials": own})
 
@@ -96,7 +99,7 @@ def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
 
 
 def value_of(design: ArrayDesign, name: str) -> Any:
-    """What a dotted name stands for: a field, a property of a section, or what a file may give in place of a field.
+    """Value of a dotted name: a field, a property of a section, or what a file may give in place of a field.
 
     Args:
         design: the design.

@@ -10,8 +10,9 @@ from geometry.design import shell_rules
 from geometry.design.kind_rules import kind_rules, pattern_rules
 from geometry.design.layout_rules import area_rules, cylinder_rules, hand_rules, plane_rules
 from geometry.design.tube_rules import microphone_socket_rules, socket_rules, tube_rules
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.array_fields import StatedArray
+from geometry.schema.field_errors import conflict
 from geometry.schema.materials import MATERIALS
 from geometry.schema.part_fields import SOCKET_COVER
 from geometry.schema.print_processes import process_of
@@ -24,7 +25,7 @@ def check_consistency(design: StatedArray) -> None:
     """Refuse a design whose fields, each allowed alone, do not go together.
 
     Raises:
-        Refusal: the first broken rule, with field, value and range.
+        Refusal: the first broken rule, with field, value and what is allowed.
     """
     of_points = (
         _membrane,
@@ -50,88 +51,108 @@ def check_consistency(design: StatedArray) -> None:
         microphone_socket_rules,
         _print_rules,
     ):
-        for message in rule(design):
-            raise Refusal(message)
+        for problem in rule(design):
+            raise problem
 
 
-def _materials(design: StatedArray) -> Iterator[str]:
+def _materials(design: StatedArray) -> Iterator[Refusal]:
     for field, name in design.materials_in_use():
         if name not in design.materials and name not in MATERIALS:
-            yield f"{field} = {name!r} must be one of: {', '.join(sorted({*MATERIALS, *design.materials}))}"
+            yield Refusal(kind=Kind.UNKNOWN, field=field, value=name, allowed=sorted({*MATERIALS, *design.materials}))
 
 
-def _soft_parts(design: StatedArray) -> Iterator[str]:
+def _soft_parts(design: StatedArray) -> Iterator[Refusal]:
     """Proportions of what yields beside the membranes."""
     floor, diameter = design.resonator.floor_thickness, design.resonator.cavity_diameter
     if design.resonator.floor_material is not None and not 0.005 * diameter <= floor <= diameter:
-        yield (
-            f"resonator.floor_thickness = {floor:g} mm must be between {0.005 * diameter:g} and {diameter:g} mm for "
-            "resonator.floor_material: a floor that yields is 0.01 to 2 radii of the cavity thick"
+        yield conflict(
+            "resonator.floor_thickness",
+            floor,
+            (
+                f"between {0.005 * diameter:g} and {diameter:g} mm for resonator.floor_material: a floor that yields is"
+                " 0.01 to 2 radii of the cavity thick"
+            ),
         )
     for field, tube, _ in design.stated_tubes():
         if tube.sheath_material is not None and tube.sheath_wall <= 1e-9:
-            yield (
-                f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be above {tube.spring_outer_diameter:g} mm, "
-                f"the outside of the spring, for {field}.sheath_material"
+            yield conflict(
+                f"{field}.outer_diameter",
+                tube.outer_diameter,
+                f"above {tube.spring_outer_diameter:g} mm, the outside of the spring, for {field}.sheath_material",
             )
 
 
-def _membrane(design: StatedArray) -> Iterator[str]:
-    """What the shell holds, and the proportions that ``acoustic_fem.membrane.disc.solve_disc`` covers.
+def _membrane(design: StatedArray) -> Iterator[Refusal]:
+    """Membranes that the shell holds, of proportions that ``acoustic_fem.membrane.disc.solve_disc`` covers.
 
     Its widest rim, 50 radii, is beyond every rim and cavity that the fields allow.
     """
     radius, thickness = design.resonator.cavity_diameter / 2, design.membrane.thickness
     cavity = f"of resonator.cavity_diameter ({2 * radius:g} mm)"
     if thickness < 0.01 * radius:
-        yield f"membrane.thickness = {thickness:g} mm must be at least {0.01 * radius:g} mm, 0.01 radii {cavity}"
+        yield conflict("membrane.thickness", thickness, f"at least {0.01 * radius:g} mm, 0.01 radii {cavity}")
     mounted, stretch = design.membrane.mounted_thickness, design.membrane.stretch
     if mounted < 0.01 * radius * (1 - 1e-9) <= thickness:
-        yield (
-            f"membrane.stretch = {stretch:g} must be at most {math.sqrt(thickness / (0.01 * radius)):g}, where "
-            f"membrane.thickness ({thickness:g} mm) is thinned to {0.01 * radius:g} mm, 0.01 radii {cavity}"
+        yield conflict(
+            "membrane.stretch",
+            stretch,
+            (
+                f"at most {math.sqrt(thickness / (0.01 * radius)):g}, where membrane.thickness ({thickness:g} mm) is "
+                f"thinned to {0.01 * radius:g} mm, 0.01 radii {cavity}"
+            ),
+            unit="",
         )
     if thickness > 2 * radius:
-        yield f"membrane.thickness = {thickness:g} mm must be at most {2 * radius:g} mm, 2 radii {cavity}"
+        yield conflict("membrane.thickness", thickness, f"at most {2 * radius:g} mm, 2 radii {cavity}")
     rim, wall = design.membrane.rim_width, design.resonator.wall_thickness
     if rim < 0.05 * thickness:
-        yield (
-            f"membrane.rim_width = {rim:g} mm must be at least {0.05 * thickness:g} mm, "
-            f"a twentieth of membrane.thickness ({thickness:g} mm)"
+        yield conflict(
+            "membrane.rim_width",
+            rim,
+            f"at least {0.05 * thickness:g} mm, a twentieth of membrane.thickness ({thickness:g} mm)",
         )
     if rim > wall:
-        yield f"membrane.rim_width = {rim:g} mm must be at most resonator.wall_thickness ({wall:g} mm)"
+        yield conflict("membrane.rim_width", rim, f"at most resonator.wall_thickness ({wall:g} mm)")
 
 
-def _membrane_shape(design: StatedArray) -> Iterator[str]:
+def _membrane_shape(design: StatedArray) -> Iterator[Refusal]:
     """A rim or a boss stands on the outer face of the disc; each has its own fields."""
     membrane, cavity = design.membrane, design.resonator.cavity_diameter
     for shape, names in (("rim", ("rim_height",)), ("boss", ("boss_diameter", "boss_height"))):
         for name in names:
             value = getattr(membrane, name)
             if membrane.shape == shape and value is None:
-                yield f"membrane.{name} must be given, mm, for membrane.shape = {shape!r}"
+                allowed = f"given in mm for membrane.shape = {shape!r}"
+                yield Refusal(kind=Kind.MISSING, field=f"membrane.{name}", allowed=allowed)
             elif membrane.shape != shape and value is not None:
-                yield f"membrane.{name} = {value:g} mm needs membrane.shape = {shape!r}; it is {membrane.shape!r}"
+                problem = f"goes with membrane.shape = {shape!r}, not {membrane.shape!r}"
+                yield conflict(f"membrane.{name}", value, problem=problem)
     if membrane.shape != "flat" and membrane.stretch != 1:
-        yield (
-            f"membrane.stretch = {membrane.stretch:g} must be 1 for membrane.shape = {membrane.shape!r}: "
-            "only a flat disc is stretched evenly"
+        yield conflict(
+            "membrane.stretch",
+            membrane.stretch,
+            f"1 for membrane.shape = {membrane.shape!r}: only a flat disc is stretched evenly",
+            unit="",
         )
     if membrane.total_height - membrane.thickness > cavity:
         name = "rim_height" if membrane.shape == "rim" else "boss_height"
-        yield (
-            f"membrane.{name} = {membrane.total_height - membrane.thickness:g} mm must be at most "
-            f"resonator.cavity_diameter ({cavity:g} mm)"
+        yield conflict(
+            f"membrane.{name}",
+            membrane.total_height - membrane.thickness,
+            f"at most resonator.cavity_diameter ({cavity:g} mm)",
         )
     if membrane.boss_diameter is not None and not 0.1 * cavity <= membrane.boss_diameter <= 0.9 * cavity + 1e-9:
-        yield (
-            f"membrane.boss_diameter = {membrane.boss_diameter:g} mm must be between {0.1 * cavity:g} and "
-            f"{0.9 * cavity:g} mm, 0.1 to 0.9 of resonator.cavity_diameter ({cavity:g} mm)"
+        yield conflict(
+            "membrane.boss_diameter",
+            membrane.boss_diameter,
+            (
+                f"between {0.1 * cavity:g} and {0.9 * cavity:g} mm, 0.1 to 0.9 of resonator.cavity_diameter ({cavity:g}"
+                " mm)"
+            ),
         )
 
 
-def _mold(design: StatedArray) -> Iterator[str]:
+def _mold(design: StatedArray) -> Iterator[Refusal]:
     """Sloping walls leave at least half of a rim or boss; shims leave the pins in their sockets."""
     membrane, mold = design.membrane, design.mold
     slopes = [("membrane.rim_width", membrane.rim_width, membrane.total_height + (membrane.rim_height or 0.0))]
@@ -140,61 +161,74 @@ def _mold(design: StatedArray) -> Iterator[str]:
     for field, width, height in slopes:
         steepest = math.degrees(math.atan(width / 2 / height))
         if mold.draft > steepest:
-            yield (
-                f"mold.draft = {mold.draft:g} degrees must be at most {steepest:.3g} degrees to leave half of {field} "
-                f"({width:g} mm)"
+            yield conflict(
+                "mold.draft",
+                mold.draft,
+                f"at most {steepest:.3g} degrees to leave half of {field} ({width:g} mm)",
+                unit="degrees",
             )
     raised = mold.shim_count * mold.shim_step
     if mold.kind == "two-part" and raised > MOST_SHIMS + 1e-9:
-        yield (
-            f"mold.shim_count = {mold.shim_count} must be at most {int(MOST_SHIMS / mold.shim_step + 1e-9)}: shims of "
-            f"mold.shim_step = {mold.shim_step:g} mm may raise the lid by {MOST_SHIMS:g} mm"
+        yield conflict(
+            "mold.shim_count",
+            mold.shim_count,
+            (
+                f"at most {int(MOST_SHIMS / mold.shim_step + 1e-09)}: shims of mold.shim_step = {mold.shim_step:g} mm "
+                f"may raise the lid by {MOST_SHIMS:g} mm"
+            ),
+            unit="",
         )
     if mold.vent_diameter > mold.groove_width:
-        yield (
-            f"mold.vent_diameter = {mold.vent_diameter:g} mm must be at most mold.groove_width "
-            f"({mold.groove_width:g} mm), into which the vents lead"
+        yield conflict(
+            "mold.vent_diameter",
+            mold.vent_diameter,
+            f"at most mold.groove_width ({mold.groove_width:g} mm), into which the vents lead",
         )
 
 
-def _board(design: StatedArray) -> Iterator[str]:
+def _board(design: StatedArray) -> Iterator[Refusal]:
     """The board carries the package and closes the chamber."""
     microphone = design.microphone
     narrowest = min(microphone.package_length, microphone.package_width)
     if microphone.sound_hole_diameter > narrowest:
-        yield (
-            f"microphone.sound_hole_diameter = {microphone.sound_hole_diameter:g} mm must be at most {narrowest:g} mm, "
-            "the smaller of microphone.package_length and package_width, for the package to cover it"
+        yield conflict(
+            "microphone.sound_hole_diameter",
+            microphone.sound_hole_diameter,
+            (
+                f"at most {narrowest:g} mm, the smaller of microphone.package_length and package_width, for the package"
+                " to cover it"
+            ),
         )
     for side in ("length", "width"):
         value, least = getattr(microphone, f"board_{side}"), getattr(microphone, f"least_board_{side}")
         if value is not None and value < least - 1e-9:
-            yield (
-                f"microphone.board_{side} = {value:g} mm must be at least {least:g} mm to cover package, chamber and "
-                "gasket"
+            yield conflict(
+                f"microphone.board_{side}", value, f"at least {least:g} mm to cover package, chamber and gasket"
             )
     if microphone.gasket_width is not None:
         for field, tube, to_microphone in design.stated_tubes():
             deepest = microphone.chamber_height / 2 - tube.outer_diameter / 2 - design.printing.glue_gap - SOCKET_COVER
             if to_microphone and microphone.gasket_depth > deepest + 1e-9:
-                yield (
-                    f"microphone.gasket_depth = {microphone.gasket_depth:g} mm must be at most {deepest:.3g} mm to "
-                    f"stay {SOCKET_COVER:g} mm above the socket of {field}"
+                yield conflict(
+                    "microphone.gasket_depth",
+                    microphone.gasket_depth,
+                    f"at most {deepest:.3g} mm to stay {SOCKET_COVER:g} mm above the socket of {field}",
                 )
 
 
-def _sound_hole(design: StatedArray) -> Iterator[str]:
+def _sound_hole(design: StatedArray) -> Iterator[Refusal]:
     chamber = design.microphone
     if chamber.sound_hole_diameter >= chamber.chamber_diameter:
-        yield (
-            f"microphone.sound_hole_diameter = {chamber.sound_hole_diameter:g} mm must be below "
-            f"microphone.chamber_diameter ({chamber.chamber_diameter:g} mm)"
+        yield conflict(
+            "microphone.sound_hole_diameter",
+            chamber.sound_hole_diameter,
+            f"below microphone.chamber_diameter ({chamber.chamber_diameter:g} mm)",
         )
 
 
-def _print_rules(design: StatedArray) -> Iterator[str]:
+def _print_rules(design: StatedArray) -> Iterator[Refusal]:
     """A rule's advice is on the safe side of its limit."""
     try:
         process_of(design.printing)
     except Refusal as error:
-        yield f"printing.{error}"
+        yield Refusal.of(error, field=f"printing.{error.field}")

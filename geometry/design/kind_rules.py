@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
-from geometry.ground.refusal import counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.schema.array_fields import Line, StatedArray
-from geometry.schema.field_errors import nearest
+from geometry.schema.field_errors import conflict, nearest
 from geometry.schema.kinds import PointKind
 
 #: So that dotted names and the formulas of studies can hold them.
@@ -17,25 +17,26 @@ _OWN_FIELDS = {"cavity_height": "resonator.cavity_height", "membrane_thickness":
 #: Layouts that lay tubes of different lengths in one line.
 _GRADED_LAYOUTS = ("serpentine", "ring", "area")
 
-Rule = Callable[["StatedArray"], Iterable[str]]
+Rule = Callable[["StatedArray"], Iterable[Refusal]]
 
 
-def pattern_rules(design: StatedArray) -> Iterator[str]:
+def pattern_rules(design: StatedArray) -> Iterator[Refusal]:
     """Names of kinds are names; a pattern fits its line and its layout."""
     for table in ("point_kinds", "tube_kinds"):
         for name in getattr(design, table):
             if not _KIND_NAME.fullmatch(name):
-                yield f"{table}: {name!r} must be a name of letters, digits and _ that starts with a letter"
+                allowed = "a name of letters, digits and _, starting with a letter"
+                yield Refusal(kind=Kind.OUT_OF_RANGE, field=table, value=name, allowed=allowed)
     for number, line in enumerate(design.lines):
         if line.pattern is not None:
             yield from _pattern(design, f"lines.{number}", line)
 
 
-def _pattern(design: StatedArray, field: str, line: Line) -> Iterator[str]:
+def _pattern(design: StatedArray, field: str, line: Line) -> Iterator[Refusal]:
     pattern = line.pattern
     assert pattern is not None
     if pattern.points is None and pattern.tubes is None:
-        yield f"{field}.pattern must give points, tubes or both"
+        yield Refusal(kind=Kind.MISSING, field=f"{field}.pattern", allowed="given as points, tubes or both")
     if pattern.points is not None:
         yield from _names(f"{field}.pattern.points", pattern.points, design.point_kinds, "point_kinds")
         yield from _length(f"{field}.pattern.points", pattern.points, pattern.entries(line.points), line, "point")
@@ -43,33 +44,42 @@ def _pattern(design: StatedArray, field: str, line: Line) -> Iterator[str]:
         yield from _names(f"{field}.pattern.tubes", pattern.tubes, design.tube_kinds, "tube_kinds")
         yield from _length(f"{field}.pattern.tubes", pattern.tubes, pattern.entries(line.points - 1), line, "tube")
         if line.tube is not None:
-            yield f"{field}.tube must not be given beside {field}.pattern.tubes, which names every tube of the line"
+            problem = f"is not allowed beside {field}.pattern.tubes, which names every tube of the line"
+            yield conflict(f"{field}.tube", problem=problem)
         if design.layout.kind not in _GRADED_LAYOUTS:
-            yield (
-                f"{field}.pattern.tubes must not be given for layout.kind = {design.layout.kind!r}, which lays tubes "
-                f"of one length; those that take others: {', '.join(_GRADED_LAYOUTS)}"
+            yield conflict(
+                f"{field}.pattern.tubes",
+                problem=f"is not allowed for layout.kind = {design.layout.kind!r}, whose tubes have one length",
+                remedy=f"choose a layout.kind of: {', '.join(_GRADED_LAYOUTS)}",
             )
 
 
-def _names(field: str, names: Sequence[str], known: Mapping[str, object], table: str) -> Iterator[str]:
+def _names(field: str, names: Sequence[str], known: Mapping[str, object], table: str) -> Iterator[Refusal]:
     for place, name in enumerate(names):
         if name not in known:
-            hint = "; " + (nearest(name, list(known)) or "none is given")
-            yield f"{field}.{place} = {name!r} must be the name of a kind under [{table}.NAME]{hint}"
+            yield Refusal(
+                kind=Kind.UNKNOWN,
+                field=f"{field}.{place}",
+                value=name,
+                allowed=f"the name of a kind under [{table}.NAME]",
+                remedy=nearest(name, list(known)) or "none is given",
+            )
 
 
-def _length(field: str, names: Sequence[str], needed: int, line: Line, what: str) -> Iterator[str]:
+def _length(field: str, names: Sequence[str], needed: int, line: Line, what: str) -> Iterator[Refusal]:
     if len(names) != needed:
         places = line.points if what == "point" else line.points - 1
         half = ", the first half and the middle" if line.pattern is not None and line.pattern.mirrored else ""
-        yield (
-            f"{field} has {counted(len(names), 'name')}; it must have {needed}, for {counted(places, what)} "
-            f"{'' if what == 'point' else 'between points '}of the line{half}"
+        among = "" if what == "point" else "between points "
+        yield conflict(
+            field,
+            problem=f"has {counted(len(names), 'name')} for {counted(places, what)} {among}of the line",
+            remedy=f"give {needed}{half}",
         )
 
 
-def kind_rules(design: StatedArray, rules: Sequence[Rule]) -> Iterator[str]:
-    """What the rules of an array say of one whose points are all of one kind, for each kind that is stated.
+def kind_rules(design: StatedArray, rules: Sequence[Rule]) -> Iterator[Refusal]:
+    """Problems of an array whose points are all of one kind, for each kind that the design states.
 
     Args:
         design: the array.
@@ -78,14 +88,17 @@ def kind_rules(design: StatedArray, rules: Sequence[Rule]) -> Iterator[str]:
     for name, kind in design.point_kinds.items():
         alike = design.of_kind(name)
         for rule in rules:
-            for message in rule(alike):
-                yield _said_of(name, kind, message)
+            for problem in rule(alike):
+                yield _of_kind(name, kind, problem)
 
 
-def _said_of(name: str, kind: PointKind, message: str) -> str:
-    """A message on the stated parts, said of the kind that stands in their place."""
-    said = message
+def _of_kind(name: str, kind: PointKind, problem: Refusal) -> Refusal:
+    """A problem of the stated parts as one of the kind that stands in their place."""
+    facts = problem.facts()
     for own, stated in _OWN_FIELDS.items():
         if getattr(kind, own) is not None:
-            said = said.replace(stated, f"point_kinds.{name}.{own}")
-    return said if said.startswith("point_kinds.") else f"point_kinds.{name}: {said}"
+            for fact in ("field", "problem", "allowed"):
+                facts[fact] = facts[fact].replace(stated, f"point_kinds.{name}.{own}")
+    if not facts["field"].startswith("point_kinds."):
+        facts["remedy"] = f"the shell is that of point_kinds.{name}"
+    return Refusal(**facts)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.plan import area, cylinder, hand, ring
 from geometry.schema.array_fields import StatedArray
+from geometry.schema.field_errors import conflict
 
 
-def plane_rules(design: StatedArray) -> Iterator[str]:
+def plane_rules(design: StatedArray) -> Iterator[Refusal]:
     """The pitch lets tubes reach; the lines of a ring join neighbours and close it."""
     resonator, layout = design.resonator, design.layout
     if layout.pitch is not None:
@@ -18,17 +19,27 @@ def plane_rules(design: StatedArray) -> Iterator[str]:
         )
         reach = resonator.cavity_diameter + shortest
         if not resonator.outer_diameter <= layout.pitch <= reach + 1e-9:
-            yield f"layout.pitch = {layout.pitch:g} mm {_pitch_must(layout.pitch, resonator.outer_diameter, reach)}"
+            # Where tubes are bowed only the layout shows which pitches can be built.
+            touching = f"is below {resonator.outer_diameter:g} mm, where shells touch"
+            yield conflict(
+                "layout.pitch",
+                layout.pitch,
+                problem=touching if layout.pitch < resonator.outer_diameter else "is more than its tubes reach",
+                remedy=f"leave it out, or give {reach:g} mm: the tubes then lie straight",
+            )
     if layout.kind == "ring":
         count = len(design.microphones)
         if count < 3:
-            yield f"layout.kind = 'ring' needs at least 3 microphones, the corners of a polygon; there are {count}"
+            problem = f"needs at least 3 microphones, the corners of a polygon, not {count}"
+            yield conflict("layout.kind", "ring", problem=problem, unit="")
         place = {name: index for index, name in enumerate(design.microphones)}
         for index, line in enumerate(design.lines):
             if (place[line.between[0]] - place[line.between[1]]) % count not in (1, count - 1):
-                yield (
-                    f"lines.{index}.between = {list(line.between)} must join neighbours of {list(design.microphones)} "
-                    "for layout.kind = 'ring'"
+                yield Refusal(
+                    f"must join neighbours of {list(design.microphones)} for layout.kind = 'ring'",
+                    kind=Kind.CONFLICT,
+                    field=f"lines.{index}.between",
+                    value=list(line.between),
                 )
         sides = ring.side_lengths(design)
         lengths = [side for side in sides if side is not None]
@@ -37,73 +48,83 @@ def plane_rules(design: StatedArray) -> Iterator[str]:
             start = sides.index(max(lengths))
             pair = (design.microphones[start], design.microphones[(start + 1) % count])
             index = next(index for index, line in enumerate(design.lines) if set(line.between) == set(pair))
-            yield (
-                f"layout.kind = 'ring': lines.{index}, {max(lengths):g} mm from microphone to microphone, must be "
-                f"shorter than the other lines together ({others:g} mm) for the ring to close"
+            problem = (
+                f"is {max(lengths):g} mm from microphone to microphone; it must be shorter than the other lines "
+                f"together ({others:g} mm) for the ring to close"
             )
+            yield conflict(f"lines.{index}", problem=problem)
 
 
-def _pitch_must(pitch: float, touching: float, straight: float) -> str:
-    """What is wrong with a pitch, and one that can be built: where tubes are bowed, only the layout shows which can."""
-    wrong = f"is below {touching:g} mm, where shells touch" if pitch < touching else "is more than its tubes reach"
-    return f"{wrong}; it must be left out, or {straight:g} mm: the tubes then lie straight"
-
-
-def area_rules(design: StatedArray) -> Iterator[str]:
+def area_rules(design: StatedArray) -> Iterator[Refusal]:
     """The lines of an area follow each other over a grid, with straight tubes, and meet at its edge."""
     if design.layout.kind != "area":
         return
     if design.layout.pitch is not None:
         pitch = design.layout.pitch
-        yield f"layout.pitch = {pitch:g} mm must not be given for layout.kind = 'area': its tubes never bow"
+        yield conflict("layout.pitch", pitch, problem="is not allowed for layout.kind = 'area': its tubes never bow")
         return
     if not area.is_chain(design):
-        yield (
-            "lines must follow each other for layout.kind = 'area': each begins at the microphone at which the one "
-            "before it ends, and no microphone joins more than two"
+        problem = (
+            "must follow each other for layout.kind = 'area': each begins at the microphone at which the one before "
+            "it ends, and no microphone joins more than two"
         )
+        yield conflict("lines", problem=problem)
         return
-    if area.is_closed(design) and not area.has_way_back(design):
-        yield (
-            f"layout.columns = {design.layout.columns} must divide the {design.point_count} points into at least 2 "
-            "rows for lines in a circle, of at least 2 points each, the number of points being even"
+    if area.is_closed(design) and not area.has_closed_path(design):
+        yield Refusal(
+            (
+                f"must divide the {design.point_count} points into at least 2 rows for lines in a circle, of at least 2"
+                " points each, the number of points being even"
+            ),
+            kind=Kind.CONFLICT,
+            field="layout.columns",
+            value=design.layout.columns,
         )
         return
     inside = area.ends_inside(design)
     if inside:
         name = design.lines[inside[0]].between[1]
-        yield (
-            f"lines.{inside[0]}.points = {design.lines[inside[0]].points} puts microphone {name!r} between the points "
-            "of an area; lines must end at its edge"
+        yield Refusal(
+            f"puts microphone {name!r} between the points of an area",
+            kind=Kind.CONFLICT,
+            field=f"lines.{inside[0]}.points",
+            value=design.lines[inside[0]].points,
+            remedy="let lines end at its edge",
         )
         return
     for what, lengths in zip(("rows", "columns"), area.tube_lengths(design), strict=True):
         if len(lengths) > 1:
-            yield (
-                f"layout.kind = 'area' needs tubes of one length along its {what}; they have "
-                f"{', '.join(f'{length:g}' for length in sorted(lengths))} mm"
-            )
+            found = ", ".join(f"{length:g}" for length in sorted(lengths))
+            problem = f"needs tubes of one length along its {what}, which have {found} mm"
+            yield conflict("layout.kind", "area", problem=problem, unit="")
             return
     lacking, name = area.shortest_reach(design)
     if name:
-        yield (
-            f"microphone_tube.length must be larger: the two tubes that microphone {name!r} joins are {lacking:.3g} mm "
-            "too short together to meet beside the area"
+        yield Refusal(
+            kind=Kind.CONFLICT,
+            field="microphone_tube.length",
+            allowed=(
+                f"larger: the two tubes that microphone {name!r} joins are {lacking:.3g} mm too short together to meet "
+                "beside the area"
+            ),
         )
 
 
-def cylinder_rules(design: StatedArray) -> Iterator[str]:
+def cylinder_rules(design: StatedArray) -> Iterator[Refusal]:
     """A cylinder has a diameter, no pitch, and tubes that reach around it."""
     layout, resonator, chamber = design.layout, design.resonator, design.microphone
     if layout.kind != "cylinder":
         if layout.diameter is not None:
-            yield f"layout.diameter = {layout.diameter:g} mm goes with layout.kind = 'cylinder', not {layout.kind!r}"
+            problem = f"goes with layout.kind = 'cylinder', not {layout.kind!r}"
+            yield conflict("layout.diameter", layout.diameter, problem=problem)
         return
     if layout.diameter is None:
-        yield "layout.diameter is missing: layout.kind = 'cylinder' needs the diameter the shells stand on, in mm"
+        allowed = "given in mm, of the cylinder that the shells stand on, for layout.kind = 'cylinder'"
+        yield Refusal(kind=Kind.MISSING, field="layout.diameter", allowed=allowed)
         return
     if layout.pitch is not None:
-        yield f"layout.pitch = {layout.pitch:g} mm must not be given for layout.kind = 'cylinder': its tubes never bow"
+        problem = "is not allowed for layout.kind = 'cylinder': its tubes never bow"
+        yield conflict("layout.pitch", layout.pitch, problem=problem)
     surface = cylinder.surface_of(design)
     assert isinstance(surface, cylinder.Cylinder)
     shell = (resonator.cavity_diameter / 2, resonator.outer_diameter / 2)
@@ -113,34 +134,43 @@ def cylinder_rules(design: StatedArray) -> Iterator[str]:
         try:
             cylinder.wound_turn(tube.length, (inner, inner_end), (outer, outer_end), surface.port_radius)
         except Refusal as error:
-            yield f"{field}.length on a cylinder, layout.diameter = {layout.diameter:g} mm: {error}"
+            where = f"on the cylinder of layout.diameter = {layout.diameter:g} mm"
+            yield Refusal.of(error, field=f"{field}.length", allowed=f"{error.allowed} {where}")
 
 
-def hand_rules(design: StatedArray) -> Iterator[str]:
+def hand_rules(design: StatedArray) -> Iterator[Refusal]:
     """A hand has at most five fingers, tubes long enough to reach the next, and two points or more per line."""
     layout = design.layout
     if layout.kind != "hand":
-        for field, value in (("palm", layout.palm), ("spread", layout.spread)):
+        for field, value, unit in (("palm", layout.palm, "mm"), ("spread", layout.spread, "degrees")):
             if value is not None:
-                yield f"layout.{field} = {value:g} goes with layout.kind = 'hand', not {layout.kind!r}"
+                problem = f"goes with layout.kind = 'hand', not {layout.kind!r}"
+                yield conflict(f"layout.{field}", value, problem=problem, unit=unit)
         return
     for index, line in enumerate(design.lines):
         if line.points == 1:
-            yield (
-                f"lines.{index}.points = 1 must be at least 2 for layout.kind = 'hand': both tubes of a finger's only "
-                "point would leave towards the wrist"
+            allowed = (
+                "at least 2 for layout.kind = 'hand': both tubes of a finger's only point would leave towards the wrist"
             )
+            yield conflict(f"lines.{index}.points", 1, allowed, unit="")
             return
     fingers = sum(hand.fingers_of(design))
     if fingers > hand.FINGERS:
-        yield (
-            f"layout.columns = {layout.columns} points per finger makes {fingers} fingers; must be enough for at most "
-            f"{hand.FINGERS}, each line beginning on a finger of its own"
+        yield conflict(
+            "layout.columns",
+            layout.columns,
+            problem=f"points per finger makes {fingers} fingers, each line beginning on a finger of its own",
+            unit="",
+            remedy=f"give enough for at most {hand.FINGERS}",
         )
         return
     beyond, longest = hand.longest_step(design)
     if beyond > 1e-9:
-        yield (
-            f"layout.spread = {layout.spread or hand.SPREAD:g} degrees must be smaller, or the tube of lines.{longest} "
-            f"({design.tube_of(design.lines[longest]).length:g} mm) {beyond:.3g} mm longer, to reach the next finger"
+        length = design.tube_of(design.lines[longest]).length
+        yield conflict(
+            "layout.spread",
+            layout.spread or hand.SPREAD,
+            problem=f"is too wide for the tube of lines.{longest} ({length:g} mm) to reach the next finger",
+            unit="degrees",
+            remedy=f"give a smaller spread, or a tube that is {beyond:.3g} mm longer",
         )

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from geometry.ground.refusal import Refusal
 from geometry.schema.array_fields import StatedArray
 from geometry.schema.cavity_shapes import WIDEST_BOX, Box, Dome
+from geometry.schema.field_errors import conflict
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import SOCKET_COVER, Membrane, Microphone, Resonator, Shell
 
@@ -22,54 +24,57 @@ _OWN_FIELDS = {
 }
 
 
-def cavity_shape(design: StatedArray) -> Iterator[str]:
+def cavity_shape(design: StatedArray) -> Iterator[Refusal]:
     """Sizes of a box or a bowl, and where tubes enter them."""
     resonator = design.resonator
     yield from cavity_problems(resonator)
     for field, tube, _ in design.stated_tubes():
         problem = resonator.port_problem(resonator.port_axis_height, tube.inner_diameter)
-        if problem:
-            yield f"resonator.port_height: the port of {field} {problem}"
+        if problem is not None:
+            at = "resonator.port_height" if problem.field == "height" else f"{field}.inner_diameter"
+            yield Refusal.of(problem, field=at, allowed=f"{problem.allowed}, for the port of {field}")
 
 
-def cavity_problems(resonator: Resonator) -> Iterator[str]:
+def cavity_problems(resonator: Resonator) -> Iterator[Refusal]:
     """Sizes of a box or a bowl that the circle of the membrane and the height do not leave."""
     for shape, fields in _OWN_FIELDS.items():
         for field in fields:
             if shape != resonator.shape and getattr(resonator, field) is not None:
-                yield (
-                    f"resonator.{field} = {getattr(resonator, field):g} mm is for resonator.shape = {shape!r}, "
-                    f"not {resonator.shape!r}"
-                )
+                problem = f"is for resonator.shape = {shape!r}, not {resonator.shape!r}"
+                yield conflict(f"resonator.{field}", getattr(resonator, field), problem=problem)
     radius, height, cavity = resonator.cavity_diameter / 2, resonator.cavity_height, resonator.cavity_shape
     if isinstance(cavity, Box):
         short = min(cavity.length, cavity.width)
         if cavity.corner_radius > 0.45 * short:
-            yield (
-                f"resonator.corner_radius = {cavity.corner_radius:g} mm must be at most {0.45 * short:.4g} mm, "
-                f"0.45 of the shorter side of the box ({short:.4g} mm)"
+            yield conflict(
+                "resonator.corner_radius",
+                cavity.corner_radius,
+                f"at most {0.45 * short:.4g} mm, 0.45 of the shorter side of the box ({short:.4g} mm)",
             )
         if cavity.reach > WIDEST_BOX * radius + 1e-9:
-            yield (
-                f"resonator.box_length = {cavity.length:.4g} mm with box_width = {cavity.width:.4g} mm must reach at "
-                f"most {WIDEST_BOX * radius:.4g} mm from the axis, not {cavity.reach:.4g} mm, to carry the round "
-                f"collar of resonator.cavity_diameter ({2 * radius:g} mm)"
+            problem = (
+                f"with box_width = {cavity.width:.4g} mm reaches {cavity.reach:.4g} mm from the axis; it must reach at "
+                f"most {WIDEST_BOX * radius:.4g} mm to carry the round collar of resonator.cavity_diameter "
+                f"({2 * radius:g} mm)"
             )
+            yield conflict("resonator.box_length", round(cavity.length, 4), problem=problem)
         if cavity.collar_height > 0.8 * height:
-            yield (
-                f"resonator.collar_height = {cavity.collar_height:g} mm must be at most {0.8 * height:g} mm, 0.8 of "
-                f"resonator.cavity_height ({height:g} mm)"
+            yield conflict(
+                "resonator.collar_height",
+                cavity.collar_height,
+                f"at most {0.8 * height:g} mm, 0.8 of resonator.cavity_height ({height:g} mm)",
             )
     if isinstance(cavity, Dome):
         deepest = min(radius, height)
         if cavity.depth > deepest + 1e-9:
-            yield (
-                f"resonator.dome_depth = {cavity.depth:g} mm must be at most {deepest:g} mm, the smaller of radius and "
-                "height of the cavity"
+            yield conflict(
+                "resonator.dome_depth",
+                cavity.depth,
+                f"at most {deepest:g} mm, the smaller of radius and height of the cavity",
             )
 
 
-def shell_features(design: StatedArray) -> Iterator[str]:
+def shell_features(design: StatedArray) -> Iterator[Refusal]:
     """Room for a glue groove, feet, numbers and a carrier."""
     shell, resonator, printing = design.shell, design.resonator, design.printing
     sockets = [
@@ -80,27 +85,30 @@ def shell_features(design: StatedArray) -> Iterator[str]:
     yield from feature_problems(shell, resonator, design.membrane.rim_width, sockets)
     neck, floor = printing.carrier_neck, resonator.floor_thickness
     if printing.carrier != "none" and neck > floor:
-        yield f"printing.carrier_neck = {neck:g} mm must be at most resonator.floor_thickness ({floor:g} mm)"
+        yield conflict("printing.carrier_neck", neck, f"at most resonator.floor_thickness ({floor:g} mm)")
     if shell.label != "none" and printing.carrier == "none":
-        yield (
-            f"shell.label = {shell.label!r} must be 'none' without printing.carrier: shells of one shape are one part, "
-            "in a carrier each has its number"
+        yield conflict(
+            "shell.label",
+            shell.label,
+            "'none' without printing.carrier: shells of one shape are one part, in a carrier each has its number",
+            unit="",
         )
     if shell.feet:
         nearest = min(min(design.steps_of(line), default=design.pitch_of(line)) for line in design.lines)
         apart = nearest - resonator.outer_diameter
         if 2 * shell.foot_length > apart and design.point_count > 1:
-            yield (
-                f"shell.foot_length = {shell.foot_length:g} mm must be at most {apart / 2:g} mm, half of the space "
-                "between neighbouring shells"
+            yield conflict(
+                "shell.foot_length",
+                shell.foot_length,
+                f"at most {apart / 2:g} mm, half of the space between neighbouring shells",
             )
         if printing.carrier != "none":
-            yield f"printing.carrier = {printing.carrier!r} must be 'none' for shells with feet (shell.feet)"
+            yield conflict("printing.carrier", printing.carrier, "'none' for shells with feet (shell.feet)", unit="")
 
 
 def feature_problems(
     shell: Shell, resonator: Resonator, rim_width: float, sockets: Sequence[tuple[float, float]]
-) -> Iterator[str]:
+) -> Iterator[Refusal]:
     """Glue groove and feet that a shell has no room for.
 
     Args:
@@ -112,33 +120,41 @@ def feature_problems(
     if shell.groove_width is not None:
         widest = rim_width - 2 * _GROOVE_EDGE
         if shell.groove_width > widest + 1e-9:
-            yield (
-                f"shell.groove_width = {shell.groove_width:g} mm must be at most {widest:.4g} mm, membrane.rim_width "
-                f"({rim_width:g} mm) less {_GROOVE_EDGE:g} mm on either side"
+            yield conflict(
+                "shell.groove_width",
+                shell.groove_width,
+                (
+                    f"at most {widest:.4g} mm, membrane.rim_width ({rim_width:g} mm) less {_GROOVE_EDGE:g} mm on either"
+                    " side"
+                ),
             )
         deepest = resonator.cavity_height - 0.1 - max(height + hole for height, hole in sockets)
         if shell.groove_depth > deepest + 1e-9:
-            yield (
-                f"shell.groove_depth = {shell.groove_depth:g} mm must be at most {deepest:.4g} mm, what the sockets of "
-                "the tubes leave below the seat"
+            yield conflict(
+                "shell.groove_depth",
+                shell.groove_depth,
+                f"at most {deepest:.4g} mm, what the sockets of the tubes leave below the seat",
             )
     if shell.feet:
         shortest = shell.foot_hole + FOOT_EDGE + FOOT_CLEARANCE
         if shell.foot_length < shortest - 1e-9:
-            yield (
-                f"shell.foot_length = {shell.foot_length:g} mm must be at least {shortest:g} mm for the screw hole "
-                "to be clear of the wall"
+            yield conflict(
+                "shell.foot_length",
+                shell.foot_length,
+                f"at least {shortest:g} mm for the screw hole to be clear of the wall",
             )
         if shell.foot_hole + 2 * FOOT_EDGE > resonator.outer_diameter:
-            yield (
-                f"shell.foot_hole = {shell.foot_hole:g} mm must be at most {resonator.outer_diameter - 2 * FOOT_EDGE:g}"
-                " mm for feet no wider than the shell"
+            yield conflict(
+                "shell.foot_hole",
+                shell.foot_hole,
+                f"at most {resonator.outer_diameter - 2 * FOOT_EDGE:g} mm for feet no wider than the shell",
             )
         height, hole = min(sockets, key=lambda socket: socket[0] - socket[1])
         if height < hole:
-            yield (
-                f"resonator.port_height = {height:g} mm must be at least {hole:g} mm, so that the tubes pass over "
-                "the feet (shell.feet)"
+            yield conflict(
+                "resonator.port_height",
+                height,
+                f"at least {hole:g} mm, so that the tubes pass over the feet (shell.feet)",
             )
 
 

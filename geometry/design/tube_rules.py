@@ -5,54 +5,61 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from geometry.ground.refusal import counted
+from geometry.ground.refusal import Refusal, counted
 from geometry.plan import area, hand, ring
 from geometry.schema.array_fields import StatedArray
+from geometry.schema.field_errors import conflict
 from geometry.schema.part_fields import SOCKET_COVER, STUB_LENGTH_IN_RADII
 
 
-def tube_rules(design: StatedArray) -> Iterator[str]:
-    """What a tube is in itself, and what it needs of the parts at its ends."""
+def tube_rules(design: StatedArray) -> Iterator[Refusal]:
+    """Problems of a tube in itself and with the parts at its ends."""
     resonator, chamber, lip = design.resonator, design.microphone, design.printing.port_lip
     for field, tube, to_microphone in design.stated_tubes():
         if tube.inner_diameter >= tube.outer_diameter:
-            yield (
-                f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be below {field}.outer_diameter "
-                f"({tube.outer_diameter:g} mm)"
+            yield conflict(
+                f"{field}.inner_diameter",
+                tube.inner_diameter,
+                f"below {field}.outer_diameter ({tube.outer_diameter:g} mm)",
             )
         if tube.spring_outer_diameter > tube.outer_diameter + 1e-9:
-            yield (
-                f"{field}.wire_diameter = {tube.wire_diameter:g} mm must be at most "
-                f"{(tube.outer_diameter - tube.inner_diameter) / 2:g} mm, the wall between bore and outside"
+            yield conflict(
+                f"{field}.wire_diameter",
+                tube.wire_diameter,
+                f"at most {(tube.outer_diameter - tube.inner_diameter) / 2:g} mm, the wall between bore and outside",
             )
         if tube.outer_diameter > resonator.cavity_height:
-            yield (
-                f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be at most resonator.cavity_height "
-                f"({resonator.cavity_height:g} mm)"
+            yield conflict(
+                f"{field}.outer_diameter",
+                tube.outer_diameter,
+                f"at most resonator.cavity_height ({resonator.cavity_height:g} mm)",
             )
         if tube.inner_diameter > resonator.cavity_diameter / 2:
-            yield (
-                f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be at most half of "
-                f"resonator.cavity_diameter ({resonator.cavity_diameter / 2:g} mm)"
+            yield conflict(
+                f"{field}.inner_diameter",
+                tube.inner_diameter,
+                f"at most half of resonator.cavity_diameter ({resonator.cavity_diameter / 2:g} mm)",
             )
         if to_microphone and tube.inner_diameter > chamber.chamber_diameter / 2:
-            yield (
-                f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be at most half of "
-                f"microphone.chamber_diameter ({chamber.chamber_diameter / 2:g} mm)"
+            yield conflict(
+                f"{field}.inner_diameter",
+                tube.inner_diameter,
+                f"at most half of microphone.chamber_diameter ({chamber.chamber_diameter / 2:g} mm)",
             )
         if tube.length < (stubs := STUB_LENGTH_IN_RADII * tube.inner_diameter):
-            yield (
-                f"{field}.length = {tube.length:g} mm must be at least {stubs:g} mm, "
-                "8 bore radii: shorter tubes have no plane-wave part"
+            yield conflict(
+                f"{field}.length",
+                tube.length,
+                f"at least {stubs:g} mm, 8 bore radii: shorter tubes have no plane-wave part",
             )
         walls = resonator.wall_thickness + (chamber if to_microphone else resonator).wall_thickness
         if tube.length <= walls:
-            yield f"{field}.length = {tube.length:g} mm must be above {walls:g} mm, the two walls it passes through"
+            yield conflict(f"{field}.length", tube.length, f"above {walls:g} mm, the two walls it passes through")
         if tube.length <= 2 * lip:
-            yield f"{field}.length = {tube.length:g} mm must be above {2 * lip:g} mm, the lips of its two ports"
+            yield conflict(f"{field}.length", tube.length, f"above {2 * lip:g} mm, the lips of its two ports")
 
 
-def socket_rules(design: StatedArray) -> Iterator[str]:
+def socket_rules(design: StatedArray) -> Iterator[Refusal]:
     """Tubes are glued in sockets: counterbores that leave a lip towards the air."""
     resonator, chamber, printing = design.resonator, design.microphone, design.printing
     for field, tube, to_microphone in design.stated_tubes():
@@ -62,22 +69,28 @@ def socket_rules(design: StatedArray) -> Iterator[str]:
         highest = resonator.cavity_height - hole - SOCKET_COVER
         if highest < lowest:
             widest = 2 * (resonator.cavity_height - bore - printing.glue_gap - SOCKET_COVER)
-            yield (
-                f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be at most {widest:g} mm for its socket to "
-                f"fit beside resonator.cavity_height ({resonator.cavity_height:g} mm)"
+            yield conflict(
+                f"{field}.outer_diameter",
+                tube.outer_diameter,
+                (
+                    f"at most {widest:g} mm for its socket to fit beside resonator.cavity_height "
+                    f"({resonator.cavity_height:g} mm)"
+                ),
             )
         axis = resonator.port_axis_height
         if not lowest - 1e-9 <= axis <= highest + 1e-9:
             given = resonator.port_height is not None
-            yield (
-                f"resonator.port_height = {axis:g} mm {'' if given else '(the default, mid height) '}must be between "
-                f"{lowest:g} and {highest:g} mm for the socket of {field} to stay in the wall"
-            )
+            allowed = f"between {lowest:g} and {highest:g} mm for the socket of {field} to stay in the wall"
+            remedy = "" if given else "its default is mid height"
+            yield conflict("resonator.port_height", axis, allowed, remedy=remedy)
         if to_microphone and hole + SOCKET_COVER > chamber.chamber_height / 2 + 1e-9:
-            yield (
-                f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be at most "
-                f"{chamber.chamber_height - 2 * (printing.glue_gap + SOCKET_COVER):g} mm for its socket to fit beside "
-                f"microphone.chamber_height ({chamber.chamber_height:g} mm)"
+            yield conflict(
+                f"{field}.outer_diameter",
+                tube.outer_diameter,
+                (
+                    f"at most {chamber.chamber_height - 2 * (printing.glue_gap + SOCKET_COVER):g} mm for its socket to "
+                    f"fit beside microphone.chamber_height ({chamber.chamber_height:g} mm)"
+                ),
             )
         walls = [("resonator", resonator.cavity_diameter / 2, resonator.wall_thickness)]
         if to_microphone:
@@ -85,9 +98,13 @@ def socket_rules(design: StatedArray) -> Iterator[str]:
         for part, inside, wall in walls:
             deepest = _socket_depth(inside + wall, hole) - inside
             if printing.port_lip >= deepest:
-                yield (
-                    f"printing.port_lip = {printing.port_lip:g} mm must be below {deepest:g} mm, what "
-                    f"{part}.wall_thickness ({wall:g} mm) leaves beside the socket of {field}"
+                yield conflict(
+                    "printing.port_lip",
+                    printing.port_lip,
+                    (
+                        f"below {deepest:g} mm, what {part}.wall_thickness ({wall:g} mm) leaves beside the socket of "
+                        f"{field}"
+                    ),
                 )
 
 
@@ -96,7 +113,7 @@ def _socket_depth(outside: float, hole: float) -> float:
     return math.sqrt(max(outside**2 - hole**2, 0.0))
 
 
-def microphone_socket_rules(design: StatedArray) -> Iterator[str]:
+def microphone_socket_rules(design: StatedArray) -> Iterator[Refusal]:
     """Lines enter a chamber at equal angles, along the sides of a ring, else as they meet."""
     chamber, printing = design.microphone, design.printing
     at_corners = design.layout.kind == "ring"
@@ -116,8 +133,12 @@ def microphone_socket_rules(design: StatedArray) -> Iterator[str]:
             socket, mouth = ((SOCKET_COVER / 2 + r * math.cos(half)) / math.sin(half) for r in (hole, bore))
             least = 2 * max(socket - printing.port_lip, math.hypot(mouth, bore))
             if chamber.chamber_diameter < least - 1e-9:
-                yield (
-                    f"microphone.chamber_diameter = {chamber.chamber_diameter:g} mm must be at least {least:.4g} mm "
-                    f"for the ports of the {counted(len(ends), 'line')} that end at {name!r} to fit around it, "
-                    f"{apart:.4g} degrees apart with {SOCKET_COVER:g} mm of wall between them"
+                yield conflict(
+                    "microphone.chamber_diameter",
+                    chamber.chamber_diameter,
+                    (
+                        f"at least {least:.4g} mm for the ports of the {counted(len(ends), 'line')} that end at "
+                        f"{name!r} to fit around it, {apart:.4g} degrees apart with {SOCKET_COVER:g} mm of wall between"
+                        " them"
+                    ),
                 )

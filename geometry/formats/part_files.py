@@ -15,7 +15,7 @@ import numpy as np
 
 from geometry.assembly.part_list import part_set
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.whole_files import whole_file
 
 if TYPE_CHECKING:
@@ -109,14 +109,15 @@ def export(
     formats = tuple(dict.fromkeys(formats))
     for format_ in formats:
         if format_ not in FORMATS:
-            raise Refusal(f"formats = {format_!r} must be of: {', '.join(FORMATS)}")
+            raise Refusal(kind=Kind.UNKNOWN, field="formats", value=format_, allowed=FORMATS)
     if not parts or not formats:
-        raise Refusal(f"parts = {sorted(parts)}, formats = {list(formats)} must not be empty")
+        raise Refusal("is empty", kind=Kind.MISSING, field="formats" if parts else "parts")
     for name in parts:
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
-            raise Refusal(f"parts: name {name!r} must be of letters, digits, '.', '_' and '-' to name a file")
+            allowed = "a name of letters, digits, '.', '_' and '-', since files are called by it"
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="parts", value=name, allowed=allowed)
     if tolerance is not None and not 0 < tolerance < math.inf:
-        raise Refusal(f"tolerance = {tolerance!r} mm must be above 0")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="tolerance", value=tolerance, unit="mm", allowed="above 0")
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
@@ -180,7 +181,8 @@ def tessellate_distinct(
             progress(f"facets of {name}", 0.4 * index / len(parts))
         shape = _shape(part)
         if len(shape.Solids()) != 1 or not shape.isValid():
-            raise Refusal(f"parts: {name} must be one valid solid; it has {len(shape.Solids())}")
+            problem = f"must be one valid solid; it has {counted(len(shape.Solids()), 'solid')}"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field=f"parts.{name}")
         facets = _fine_enough(shape, tolerance)
         # Vertices are sorted by their coordinates, so equal shapes get equal numbers.
         corners = np.unique(np.sort(facets.triangles, axis=1), axis=0)
@@ -217,15 +219,15 @@ def _checked_mesh(mesh: trimesh.Trimesh, facets: Tessellation, shape: cq.Shape, 
 
     if not mesh.is_volume or mesh.body_count != 1:
         raise Refusal(
-            f"{path.name}: is not one closed body (closed: {mesh.is_watertight}, bodies: {mesh.body_count}); "
-            "the part has features finer than the tessellation"
+            f"is not one closed body (closed: {mesh.is_watertight}, bodies: {mesh.body_count})",
+            kind=Kind.NO_RESULT,
+            file=path,
+            remedy="the part has features finer than the tessellation",
         )
     through = genus(shape)
     if mesh.euler_number != 2 - 2 * through:
-        raise Refusal(
-            f"{path.name}: Euler number {mesh.euler_number} must be {2 - 2 * through} for the {through} ways through "
-            "the part"
-        )
+        problem = f"has Euler number {mesh.euler_number} for {counted(through, 'hole')} through the part"
+        raise Refusal(f"{problem}; it must be {2 - 2 * through}", kind=Kind.NO_RESULT, file=path)
     return _checked_volume(
         ExportedFile(
             path,
@@ -245,17 +247,18 @@ def _checked_step(shape: cq.Shape, name: str, written: Path, path: Path) -> Expo
     read = cq.importers.importStep(str(written))
     solids = read.solids().vals()
     if len(solids) != 1:
-        raise Refusal(f"{path.name}: holds {len(solids)} solids instead of one")
+        raise Refusal(f"has {len(solids)} solids instead of one", kind=Kind.NO_RESULT, file=path)
     volume = sum(_shape(read.newObject([solid])).Volume() for solid in solids)
     return _checked_volume(ExportedFile(path, name, "step", None, None, shape.Volume(), volume))
 
 
 def _checked_volume(file: ExportedFile) -> ExportedFile:
     if not abs(file.volume_error) <= LARGEST_VOLUME_ERROR:
-        raise Refusal(
-            f"{file.path.name}: volume {file.mesh_volume:.6g} mm^3 must be within {LARGEST_VOLUME_ERROR:.1%} of the "
-            f"CAD volume {file.cad_volume:.6g} mm^3"
+        problem = (
+            f"has a volume of {file.mesh_volume:.6g} mm^3; it must be within {LARGEST_VOLUME_ERROR:.1%} of the CAD "
+            f"volume {file.cad_volume:.6g} mm^3"
         )
+        raise Refusal(problem, kind=Kind.NO_RESULT, file=file.path)
     return file
 
 
@@ -276,7 +279,7 @@ def _read_stl(path: Path) -> trimesh.Trimesh:
 def _read_only_body(path: Path, name: str) -> trimesh.Trimesh:
     bodies = read_3mf(path)
     if list(bodies) != [name]:
-        raise Refusal(f"{path.name}: holds {counted(len(bodies), 'body')} instead of {name} alone")
+        raise Refusal(f"has {counted(len(bodies), 'body')} instead of {name} alone", kind=Kind.NO_RESULT, file=path)
     return bodies[name]
 
 

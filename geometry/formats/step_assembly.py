@@ -16,7 +16,7 @@ from OCP.TDF import TDF_Label, TDF_LabelSequence
 from OCP.XCAFDoc import XCAFDoc_ShapeTool
 
 from geometry.assembly.model import ArrayModel, assembly_of, component_name
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import whole_file
 
 
@@ -48,7 +48,7 @@ def write_step(model: ArrayModel, path: str | os.PathLike[str]) -> Path:
     with whole_file(path) as beside:
         writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
         if writer.Write(str(beside)) != IFSelect_ReturnStatus.IFSelect_RetDone:
-            raise Refusal(f"{path}: the CAD kernel could not write it")
+            raise Refusal("cannot be written by the CAD kernel", kind=Kind.NO_RESULT, file=path)
     return path
 
 

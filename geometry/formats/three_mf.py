@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 if TYPE_CHECKING:
     import trimesh
@@ -30,7 +30,7 @@ class Body:
     facets: Tessellation
     """Facets in the part's own coordinates, mm."""
     parameters: Mapping[str, Any] = field(default_factory=dict)
-    """What the part was generated from."""
+    """Parameters that the part was generated from."""
     places: tuple[NDArray[np.float64], ...] = (np.eye(4),)
     """How each copy is turned and moved, (4, 4) float64 matrices, mm."""
 
@@ -76,13 +76,13 @@ def read_3mf(path: Path) -> dict[str, trimesh.Trimesh]:
     model = lib3mf.get_wrapper().CreateModel()
     model.QueryReader("3mf").ReadFromFile(str(path))
     if model.GetUnit() != lib3mf.ModelUnit.MilliMeter:
-        raise Refusal(f"{path.name}: is in another unit than mm")
+        raise Refusal("is in another unit than mm", kind=Kind.UNSUITABLE, file=path)
     found: dict[str, trimesh.Trimesh] = {}
     bodies = model.GetMeshObjects()
     while bodies.MoveNext():
         body = bodies.GetCurrentMeshObject()
         if body.GetName() in found:
-            raise Refusal(f"{path.name}: holds two bodies named {body.GetName()}")
+            raise Refusal(f"has two bodies called {body.GetName()!r}", kind=Kind.UNSUITABLE, file=path)
         found[body.GetName()] = trimesh.Trimesh(
             np.array([list(vertex.Coordinates) for vertex in body.GetVertices()]),
             np.array([list(triangle.Indices) for triangle in body.GetTriangleIndices()]),

@@ -1,4 +1,4 @@
-"""What all stands on: refusals as data, files read with care and written whole, extras and libraries of the system.
+"""Foundations of all packages: refusals as data, files read with care and written whole, extras, system libraries.
 
 Stands on: nothing.
 """

@@ -20,7 +20,7 @@ from geometry.ground.refusal import Kind, Refusal
 
 _NUMBER = 8  # bytes of a float64
 _Order: TypeAlias = Literal["big", "little"]
-# Of MAT files: the kind of a packed variable, classes of arrays of numbers and letters, kinds of their parts, and the
+# MAT files: the kind of a packed variable, classes of arrays of numbers and letters, kinds of their parts, and the
 # mark of complex ones.
 _PACKED = 15
 _PLAIN = {4, *range(6, 16)}

@@ -49,7 +49,7 @@ def check_extras(what: str, *extras: str) -> None:
 
 
 def is_installed(extra: str) -> bool:
-    """Whether all packages of an extra are there."""
+    """True where all packages of an extra are installed."""
     return all(find_spec(package) is not None for package in EXTRAS[extra])
 
 

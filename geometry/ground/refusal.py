@@ -1,4 +1,4 @@
-"""What this project does not accept, as data: file, field, value and what is allowed; its sentence is made of them."""
+"""Refusals as data: kind, file, field, value and what is allowed; the sentence is made of them."""
 
 from __future__ import annotations
 
@@ -96,9 +96,9 @@ class Refusal(ValueError):
         self.allowed = allowed if isinstance(allowed, str) else tuple(allowed)
         """Words that follow "must be", or the choices."""
         self.problem = problem
-        """What is wrong, as a clause that follows the field; made of the other facts where it is empty."""
+        """The fault, as a clause that follows the field; made of the other facts where it is empty."""
         self.remedy = remedy
-        """What to do about it; empty where ``allowed`` says it."""
+        """A remedy; empty where ``allowed`` says it."""
 
     def facts(self) -> dict[str, Any]:
         """The arguments that make this refusal again, by name."""
@@ -186,7 +186,7 @@ def in_one_line(text: str) -> str:
 
 
 def said_by(error: BaseException) -> str:
-    """What an error of a library says, to be quoted: its lines as one; the kind of the error where it says nothing."""
+    """Message of a library's error, to be quoted: its lines as one; the class of the error where it has no message."""
     return " ".join(str(error).split()) or type(error).__name__
 
 

@@ -24,7 +24,7 @@ LIBRARIES = {
 
 
 def missing_libraries() -> list[str]:
-    """Those that this process cannot load; none on other systems than Linux, where wheels bring their own."""
+    """Libraries that this process cannot load; none on systems other than Linux, where wheels bring their own."""
     return [each for each in LIBRARIES if not _can_load(each)] if sys.platform == "linux" else []
 
 

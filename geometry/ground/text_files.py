@@ -65,7 +65,7 @@ def parse_toml(text: str, source: str, refusal: type[Refusal]) -> dict[str, Any]
 
 
 def parse_json(text: str | bytes, source: str, refusal: type[Refusal]) -> Any:
-    """What a JSON text states; arguments as for :func:`parse_toml`.
+    """Value of a JSON text; arguments as for :func:`parse_toml`.
 
     Raises:
         Refusal: of that class: it is not JSON.

@@ -11,14 +11,14 @@ from pathlib import Path
 from geometry.ground.refusal import Kind, Refusal
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
-"""What the system says where nothing more can be written: to the disk, by this user, or to a file so long."""
+"""Error numbers of the system where nothing more can be written: to the disk, by this user, or to a file so long."""
 #: Bytes that are tried where a library failed: more than any of them leaves of a full disk.
 _TRIED = 1 << 20
 
 
 @contextmanager
 def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """Where to write what shall take the place of a file; it does so when the block ends without an error.
+    """Path to write to; the file there replaces ``path`` when the block ends without an error.
 
     The name keeps the suffix, from which libraries infer the format. Whatever stops the block, an earlier file
     stays as it was and nothing is left beside it.
@@ -32,7 +32,7 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
     path = Path(path)
     with suppress(FileNotFoundError):
         path.lstat()  # a name that is too long is told of the file itself, before anything is written
-    # Of a name that is as long as can be only a part: nothing could be added to it.
+    # Only a part of the name: nothing could be added to a name that is as long as can be.
     beside = path.with_name(f".{path.stem[:40]}.{os.getpid()}{path.suffix}")
     try:
         yield beside
@@ -62,7 +62,7 @@ def writing(path: str | os.PathLike[str]) -> Iterator[None]:
 
 @contextmanager
 def whole_lines(path: str | os.PathLike[str]) -> Iterator[Callable[[str], None]]:
-    """What writes the lines of a new file as they come: each stands in it whole or not at all, also on a full disk.
+    """Function that writes the next line of a new file: each line is there whole or not at all, also on a full disk.
 
     Args:
         path: the file; an earlier one is replaced, also where the name is a link, whose file stays.
@@ -86,7 +86,7 @@ def whole_lines(path: str | os.PathLike[str]) -> Iterator[Callable[[str], None]]
 
 
 def _full(beside: Path, error: Exception) -> int | None:
-    """What the system says of a disk that is full, where that is why something failed.
+    """Error number of a full disk, where that is why something failed; else None.
 
     Libraries that write files themselves seldom hand it on: HDF5 says "HDF error", others write half a file in
     silence, which is then not what should be in it. So a little more is written, where they failed.

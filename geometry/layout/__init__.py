@@ -1,4 +1,4 @@
-"""Where every shell, tube and microphone of one design lies; overlaps; the cutting list.
+"""Positions of all shells, tubes and microphones of one design; overlaps; the cutting list.
 
 Stands on: design, ground, plan, schema.
 """

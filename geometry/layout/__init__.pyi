@@ -23,5 +23,5 @@ from .placement import (
     point_ports as point_ports,
     point_tubes as point_tubes,
 )
-from .remedies import mend_of as mend_of, refuse_unbuildable as refuse_unbuildable
+from .remedies import fix_for as fix_for, refuse_unbuildable as refuse_unbuildable
 from .size import array_size as array_size

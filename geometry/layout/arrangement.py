@@ -1,4 +1,4 @@
-"""Where every resonator, tube and microphone lies."""
+"""Positions of all resonators, tubes and microphones."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def lay_out(design: ArrayDesign) -> ArrayLayout:
 
 
 def place_housings(design: ArrayDesign) -> Housings:
-    """Where shells and microphones lie as in :func:`lay_out`, without the ways of the tubes between them."""
+    """Shells and microphones placed as by :func:`lay_out`, without the courses of the tubes between them."""
     return _housed(design)[0]
 
 
@@ -87,7 +87,7 @@ def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]
 
 # -- microphones --------------------------------------------------------------------------------------
 def _microphones(design: ArrayDesign, ends: list[End], points: NDArray[np.float64]) -> list[MicrophonePlacement]:
-    """Where straight tubes of all its ends meet, else beside the array."""
+    """Microphones, each where straight tubes of all its line ends meet, else beside the array."""
     housing = design.microphone.chamber_diameter / 2 + design.microphone.wall_thickness
     joined = {name: [end for end in ends if end.microphone == name] for name in design.microphones}
     middle = (points[:, 0].min() + points[:, 0].max()) / 2

@@ -20,7 +20,7 @@ class Cut:
     """Equal pieces of tube."""
 
     use: Literal["segment", "microphone"]
-    """Where the tube leads: ``segment`` between points, ``microphone`` from the end of a line."""
+    """Place of the tube: ``segment`` between points, ``microphone`` from the end of a line."""
     tube: Tube
     """The tube as the design states it."""
     cut_length: float
@@ -88,7 +88,7 @@ def cutting_list(design: ArrayDesign, layout: ArrayLayout | None = None) -> tupl
     layout = lay_out(design) if layout is None else layout
     pieces: dict[tuple[Literal["segment", "microphone"], Tube, str, float, float], list[int]] = {}
     last = [line.points for line in design.lines]
-    # Of every line its two ends first.
+    # The two ends of each line come first.
     tubes = sorted(layout.tubes, key=lambda placed: (placed.line, placed.segment not in (0, last[placed.line])))
     for placed in tubes:
         use: Literal["segment", "microphone"] = "microphone" if placed.segment in (0, last[placed.line]) else "segment"

@@ -1,4 +1,4 @@
-"""Where the points of each line lie in plan, and which way its ends point: a serpentine, an area, a ring, a hand."""
+"""Positions of each line's points in plan, and directions of its ends: a serpentine, an area, a ring, a hand."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class End:
     line: int
     """Index of the line in the design."""
     end: Literal[0, 1]
-    """Which end: 0 at the line's first microphone, 1 at its second."""
+    """End of the line: 0 at its first microphone, 1 at its second."""
     microphone: str
     """Name of the microphone."""
     point: NDArray[np.float64]
@@ -115,11 +115,11 @@ def _walked(steps: tuple[float, ...], row: NDArray[np.int_]) -> NDArray[np.float
 
     Rows of tubes of different lengths do not lie point above point: each begins above the end of the one before.
     """
-    ways = [
+    moves = [
         (0.0, step) if row[k] != row[k - 1] else (step if row[k] % 2 == 0 else -step, 0.0)
         for k, step in enumerate(steps, start=1)
     ]
-    return np.cumsum(np.array([(0.0, 0.0), *ways]), axis=0)
+    return np.cumsum(np.array([(0.0, 0.0), *moves]), axis=0)
 
 
 def ring_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:

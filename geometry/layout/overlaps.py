@@ -1,4 +1,4 @@
-"""What of a layout cannot be built: shells, housings and tubes that get into each other's way, tubes bent too far."""
+"""Parts of a layout that cannot be built: shells, housings and tubes that overlap, tubes bent too far."""
 
 from __future__ import annotations
 
@@ -202,12 +202,12 @@ def _tubes_in_tubes(tubes: list[_Tube]) -> Iterator[str]:
 
     owner = np.repeat(np.arange(len(tubes)), [len(tube.points) - 1 for tube in tubes])
     starts = np.vstack([tube.points[:-1] for tube in tubes])
-    ways = np.vstack([np.diff(tube.points, axis=0) for tube in tubes])
+    steps = np.vstack([np.diff(tube.points, axis=0) for tube in tubes])
     radius, step = (np.array([getattr(tube, name) for tube in tubes]) for name in ("radius", "step"))
     pairs = cKDTree(starts).query_pairs(2 * (radius + step).max(), output_type="ndarray")
     pairs = pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
     i, j = pairs.T
-    deep = radius[owner[i]] + radius[owner[j]] - _apart(starts[i], ways[i], starts[j], ways[j])
+    deep = radius[owner[i]] + radius[owner[j]] - _apart(starts[i], steps[i], starts[j], steps[j])
     worst: dict[tuple[int, int], float] = {}
     for (a, b), d in zip(np.sort(owner[pairs], axis=1).tolist(), deep.tolist(), strict=True):
         if d > max(_CONTACT, worst.get((a, b), 0.0)):
@@ -217,7 +217,7 @@ def _tubes_in_tubes(tubes: list[_Tube]) -> Iterator[str]:
 
 
 def _apart(first: Array, along: Array, second: Array, across: Array) -> Array:
-    """Distances of straight pieces that begin at places (n, 3) and go ways (n, 3), (n,) float64, mm.
+    """Distances of straight pieces that begin at places (n, 3) and go steps (n, 3), (n,) float64, mm.
 
     The nearest places of the lines through both, cut to the pieces one after the other (Ericson, Real-Time Collision
     Detection, 2005, section 5.1.9).
@@ -261,4 +261,4 @@ def _thin_webs(design: ArrayDesign, layout: ArrayLayout) -> Iterator[str]:
                 (first, second), (mouths[0], mouths[1]), radius + printing.port_lip, printing.glue_gap
             )
         if known[ports, shape]:
-            yield f"shell {point.number}: {known[ports, shape]}"
+            yield f"ports of shell {point.number} {known[ports, shape]}"

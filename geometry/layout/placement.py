@@ -1,4 +1,4 @@
-"""Where the parts of one array lie: the result of its layout."""
+"""Positions of the parts of one array: the result of its layout."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class PointPlacement:
 
 @dataclass(frozen=True)
 class MicrophonePort:
-    """Where one end of a line enters a microphone chamber."""
+    """Port through which one end of a line enters a microphone chamber."""
 
     line: int
     """Index of the line in the design."""
@@ -77,7 +77,7 @@ class TubePlacement:
     course: NDArray[np.float64]
     """Axis of the bore in space, (n, 3) float64, mm: the path, but for arrays on a cylinder."""
     schematic: bool = False
-    """Whether the path is drawn to show what is joined; its length is then not the tube's."""
+    """True where the path is drawn to show what it joins; its length is then not the tube's."""
 
     @property
     def label(self) -> str:
@@ -87,14 +87,14 @@ class TubePlacement:
 
 @dataclass(frozen=True)
 class Housings:
-    """Where the shells and the microphones of an array lie, and which way their ports point."""
+    """Positions of the shells and the microphones of an array, and directions of their ports."""
 
     points: tuple[PointPlacement, ...]
     """Every sensing point, in the order of the numbers."""
     microphones: tuple[MicrophonePlacement, ...]
     """Every microphone, in the order of the design."""
     surface: Plane | Cylinder
-    """What the shells stand on."""
+    """Surface that the shells stand on."""
 
     def frame(self, placement: PointPlacement | MicrophonePlacement) -> Frame:
         """Place of a point or a microphone in space; the floors of resonators' cavities lie at its z = 0."""
@@ -103,7 +103,7 @@ class Housings:
 
 @dataclass(frozen=True)
 class ArrayLayout(Housings):
-    """Where all of an array lies."""
+    """Positions of all parts of an array."""
 
     tubes: tuple[TubePlacement, ...]
     """Every tube."""

@@ -1,4 +1,4 @@
-"""What stands in an array as upright prisms: shells with their feet, housings with the seats of their boards."""
+"""Bodies of an array as upright prisms: shells with their feet, housings with the seats of their boards."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Prism:
     heights: tuple[float, float]
     """Heights of both ends in the frame, mm."""
     is_trunk: bool = False
-    """Whether tubes end in it: the round wall of a shell or a chamber, and the seat on a chamber."""
+    """True where tubes end in it: the round wall of a shell or a chamber, and the seat on a chamber."""
 
     @property
     def reach(self) -> float:
@@ -117,20 +117,20 @@ def depth(first: Prism, second: Prism) -> float:
         apart = max(second.heights[0] - first.heights[1] - z, first.heights[0] + z - second.heights[1])
         beside = math.hypot(x - second.corners[0, 0], y - second.corners[0, 1]) - first.radius - second.radius
         return -max(float(beside), float(apart))
-    way = _middle(first) - _middle(second)
+    offset = _middle(first) - _middle(second)
     least = math.inf
     for _ in range(_TRIES):
-        length = float(np.linalg.norm(way))
+        length = float(np.linalg.norm(offset))
         if length < 1e-12:
             break
-        step = first.furthest(-way) - second.furthest(way)
-        inside = -float(way @ step) / length
+        step = first.furthest(-offset) - second.furthest(offset)
+        inside = -float(offset @ step) / length
         least = min(least, inside)
         if inside < 0:
             break
-        change = step - way
-        share = -float(way @ change) / max(float(change @ change), 1e-300)
-        way = way + min(max(share, 0.0), 1.0) * change
+        change = step - offset
+        fraction = -float(offset @ change) / max(float(change @ change), 1e-300)
+        offset = offset + min(max(fraction, 0.0), 1.0) * change
     return least
 
 
@@ -145,11 +145,11 @@ def _from_outline(places: Array, corners: Array) -> Array:
         return np.hypot(*(places - corners[0]).T)
     ends = np.roll(corners, -1, axis=0) if len(corners) > 2 else corners[1:]
     starts = corners[: len(ends)]
-    way = ends - starts
+    offset = ends - starts
     off = places[:, None] - starts
-    share = np.clip(np.einsum("nkc,kc->nk", off, way) / np.einsum("kc,kc->k", way, way), 0, 1)
-    nearest = np.linalg.norm(off - share[..., None] * way, axis=2).min(axis=1)
+    fraction = np.clip(np.einsum("nkc,kc->nk", off, offset) / np.einsum("kc,kc->k", offset, offset), 0, 1)
+    nearest = np.linalg.norm(off - fraction[..., None] * offset, axis=2).min(axis=1)
     if len(corners) > 2:
-        left = way[:, 0] * off[:, :, 1] - way[:, 1] * off[:, :, 0]
+        left = offset[:, 0] * off[:, :, 1] - offset[:, 1] * off[:, :, 0]
         nearest = np.where((left >= 0).all(axis=1), -nearest, nearest)
     return nearest

@@ -1,4 +1,4 @@
-"""What would mend a design that cannot be built as it is laid out: the nearest one that can, by one change or two."""
+"""Fixes of a design that cannot be built as it is laid out: the nearest one that can, by one change or two."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import Any
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import value_of
+from geometry.ground.refusal import Text
 from geometry.layout.overlaps import OverlapError, refuse_overlaps
 from geometry.layout.placement import ArrayLayout
 from geometry.schema.field_errors import DesignError
@@ -14,12 +15,16 @@ from geometry.schema.field_errors import DesignError
 #: Lengths that part bodies where they grow, and how far they are tried.
 _APART = ("layout.diameter", "layout.palm", "layout.spread", "microphone_tube.length", "tube.length")
 _GROWTH, _STEPS = 1.1, 14
-#: Shares of the half of a straight tube that are tried for the walls at its ends.
+#: Fractions of the half of a straight tube that are tried for the walls at its ends.
 _WALLS = (0.95, 0.8, 0.6, 0.4)
 
 
+<<<<<<< HEAD
 def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: tuple[str, ...] = ()) -> None:
-    """Refuse a design that cannot be built as it is laid out, and say what would mend it.
+=======
+def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: Text = "") -> None:
+>>>>>>> geo
+    """Refuse a design that cannot be built as it is laid out, with a change that fixes it.
 
     Args:
         design: the array.
@@ -32,12 +37,17 @@ def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, u
     try:
         refuse_overlaps(design, layout)
     except OverlapError as error:
-        mend = mend_of(design)
-        remedy = (mend, "; ", *unless) if mend and unless else (mend, *unless)
+        fix = fix_for(design)
+<<<<<<< HEAD
+        remedy = (fix, "; ", *unless) if fix and unless else (fix, *unless)
+=======
+        pieces = (unless,) if isinstance(unless, str) else unless
+        remedy = (fix, "; " if fix and unless else "", *pieces)
+>>>>>>> geo
         raise OverlapError.of(error, others=error.others, remedy=remedy) from None
 
 
-def mend_of(design: ArrayDesign) -> str:
+def fix_for(design: ArrayDesign) -> str:
     """The change of a design after which it can be built, in words; empty where none of those tried does it.
 
     Tried in turn, each by laying the changed design out: tubes that lie straight at the stated pitch, with thinner
@@ -52,11 +62,11 @@ def _changes(design: ArrayDesign) -> Iterator[tuple[str, dict[str, Any]]]:
     cavity, wall, pitch = design.resonator.cavity_diameter, design.resonator.wall_thickness, design.layout.pitch
     if pitch is not None:
         straight = round(pitch - cavity, 6)
-        change = f"mend: tube.length = {straight:g} mm (layout.pitch - resonator.cavity_diameter)"
+        change = f"set tube.length = {straight:g} mm (layout.pitch - resonator.cavity_diameter)"
         lengths = {"tube.length": straight}
         yield change, lengths
-        for share in _WALLS:
-            thin = round(share * straight / 2, 3)
+        for fraction in _WALLS:
+            thin = round(fraction * straight / 2, 3)
             if thin < wall:
                 yield (
                     f"{change} and resonator.wall_thickness below half of it, such as {thin:g} mm",
@@ -65,17 +75,17 @@ def _changes(design: ArrayDesign) -> Iterator[tuple[str, dict[str, Any]]]:
         graded = any(len(design.inner_tubes_of(line)) > 1 for line in design.lines)
         own = "" if graded else f", or {cavity + design.tube.length:g} mm"
         yield (
-            f"mend: leave out layout.pitch{own}: the tubes then lie straight",
+            f"leave out layout.pitch{own}: the tubes then lie straight",
             {"layout.pitch": None},
         )
     for name in _APART:
         now = _number(design, name)
         for step in range(1, _STEPS + 1 if now is not None else 0):
             larger = float(f"{(now or 0.0) * _GROWTH**step:.3g}")
-            yield f"mend: {name} of {larger:g} in place of {now:g}", {name: larger}
-    for share in (0.8, 0.6, 0.4):
-        thin = round(share * wall, 3)
-        yield f"mend: resonator.wall_thickness of {thin:g} mm in place of {wall:g} mm", _walls(design, thin)
+            yield f"set {name} = {larger:g} in place of {now:g}", {name: larger}
+    for fraction in (0.8, 0.6, 0.4):
+        thin = round(fraction * wall, 3)
+        yield f"set resonator.wall_thickness = {thin:g} mm in place of {wall:g} mm", _walls(design, thin)
 
 
 def _walls(design: ArrayDesign, thickness: float) -> dict[str, Any]:

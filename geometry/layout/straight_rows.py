@@ -13,7 +13,7 @@ from geometry.schema.ports import Port, web_problem
 
 
 def is_wide_apart(design: ArrayDesign) -> bool:
-    """Whether the points lie on a square grid with straight tubes along its edges, and all is slimmer than its meshes.
+    """True where points lie on a square grid with straight tubes along its edges, and all is slimmer than its meshes.
 
     Said of no design that :func:`geometry.layout.overlaps.overlaps` finds fault with, in microseconds: sweeps ask it
     of every case. False says nothing.
@@ -90,5 +90,5 @@ def straight_size(design: ArrayDesign) -> tuple[float, float, float]:
 
 
 def _points_upwards(points: int, columns: int) -> bool:
-    """Whether an end of a line points along the columns of its block."""
+    """True where an end of a line points along the columns of its block."""
     return columns == 1 or (points > columns and points % columns == 1)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import cadquery as cq
 
 
-#: What a part of a mold is.
+#: Kind of a part of a mold.
 MoldKind = Literal["mold-base", "mold-lid", "mold-shim", "mold-scraper"]
 
 
@@ -40,7 +40,7 @@ class Mold:
 
 
 def mold_kinds(design: ArrayDesign) -> dict[str, MoldKind]:
-    """What each part of the mold is, by the names of :func:`build_mold`."""
+    """Kind of each part of the mold, by the names of :func:`build_mold`."""
     if design.mold.kind == "open-face":
         return {"mold-base": "mold-base", "mold-scraper": "mold-scraper"}
     shims = [f"mold-shim-{step}" for step in range(1, design.mold.shim_count + 1)]

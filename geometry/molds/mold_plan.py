@@ -1,4 +1,4 @@
-"""Where everything on a mold lies: the numbers that base, lid, shims and scraper share."""
+"""Plan of a mold: the positions and sizes that base, lid, shims and scraper have in common."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class MoldPlan:
     """A mold as it lies when closed, mm: the parting plane is z = 0, the cavities lie below it."""
 
     mold: Molding
-    """What the design states of the mold."""
+    """Section ``mold`` of the design."""
     profile: tuple[Spot, ...]
     """Half section of a cavity, corners (radius, height) in mm with the parting plane at 0: the membrane's, turned over
     and compensated for shrinkage.

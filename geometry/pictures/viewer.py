@@ -12,7 +12,7 @@ import trimesh
 from trimesh.viewer import scene_to_html
 from trimesh.visual.material import PBRMaterial
 
-from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
+from geometry.assembly.model import LOOKS, ArrayModel, PartKind, array_model
 from geometry.assembly.order_table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
@@ -24,7 +24,7 @@ _DEVIATION, _FACET_ANGLE = 0.002, 0.35
 _SEEN_FROM = (0.7, 0.0, 0.0)
 #: Room at the sides of that view, as a factor.
 _ROOM = 1.1
-_NAMES: dict[Kind, str] = {
+_NAMES: dict[PartKind, str] = {
     "shell": "shells",
     "membrane": "membranes",
     "sheath": "tube sheaths",
@@ -167,7 +167,7 @@ def _node(label: str) -> str:
     return label.replace(" ", "_")
 
 
-def _material(kind: Kind) -> trimesh.visual.material.PBRMaterial:
+def _material(kind: PartKind) -> trimesh.visual.material.PBRMaterial:
     colour, opacity = LOOKS[kind]
     # glTF's factors are linear in light, colours as written on pages are not (sRGB, IEC 61966-2-1).
     red, green, blue = (round(255 * (int(colour[k : k + 2], 16) / 255) ** 2.2) for k in (1, 3, 5))

@@ -15,7 +15,7 @@ import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
 
-from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
+from geometry.assembly.model import LOOKS, ArrayModel, PartKind, array_model
 from geometry.design.array_design import ArrayDesign
 from geometry.pictures.canvas import (
     aim,
@@ -33,7 +33,7 @@ from geometry.solids.membrane import membranes_of
 
 _MOLD, _SCHEMATIC = "#d9c27a", "#b08fc7"
 #: Layers of the exploded view, from below.
-_LEVELS: dict[Kind, int] = {
+_LEVELS: dict[PartKind, int] = {
     "shell": 0,
     "housing": 0,
     "spring": 1,
@@ -42,7 +42,7 @@ _LEVELS: dict[Kind, int] = {
     "board": 3,
     "package": 4,
 }
-_PLURALS: dict[Kind, str] = {
+_PLURALS: dict[PartKind, str] = {
     "shell": "shells",
     "housing": "housings",
     "spring": "springs",
@@ -184,7 +184,7 @@ def exploded_view(
     return save_picture(plotter, path)
 
 
-def _bounds(model: ArrayModel, kind: Kind) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _bounds(model: ArrayModel, kind: PartKind) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Lowest and highest x, y and z of all parts of a kind, mm."""
     corners = []
     for part in model.placed:
@@ -273,7 +273,7 @@ def draw_point(
     return save_picture(plotter, path)
 
 
-def _look(kind: Kind) -> tuple[str, float]:
+def _look(kind: PartKind) -> tuple[str, float]:
     """Colour and opacity of a part."""
     return LOOKS.get(kind, (_MOLD, 1.0))
 
@@ -289,7 +289,7 @@ def _first_of(model: ArrayModel, count: int) -> ArrayModel:
     return replace(model, placed=tuple(part for part in model.placed if part.group in groups))
 
 
-def _add_parts(plotter: pv.Plotter, model: ArrayModel, lifted: Mapping[Kind, float] | None = None) -> None:
+def _add_parts(plotter: pv.Plotter, model: ArrayModel, lifted: Mapping[PartKind, float] | None = None) -> None:
     """All placed parts, each kind raised away from what the array stands on (mm)."""
     copies: dict[str, list[NDArray[np.float64]]] = {}
     kinds = {placed.part: placed.kind for placed in model.placed}

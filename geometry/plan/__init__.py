@@ -1,4 +1,4 @@
-"""Where points could lie in plan, from lengths alone: ring, area, hand, cylinder, routes, wiring counts.
+"""Plans from lengths alone: ring, area, hand, cylinder, routes, wiring counts.
 
 Stands on: ground, schema.
 """

@@ -1,6 +1,6 @@
-"""The plan of an area: one way over a grid that all lines follow, one after the other, with microphones around it.
+"""The plan of an area: one path over a grid that all lines follow, one after the other, with microphones around it.
 
-Where the lines form a chain the way goes along the rows, every second one backwards. Where they form a circle it
+Where the lines form a chain the path goes along the rows, every second one backwards. Where they form a circle it
 comes back to its beginning: it goes up and down the columns above the lowest row and returns along that row, or the
 same with rows and columns exchanged. It begins where every microphone comes to lie at the edge.
 """
@@ -19,14 +19,14 @@ Cell = tuple[int, int]
 
 
 def is_chain(design: StatedArray) -> bool:
-    """Whether each line begins at the microphone at which the one before it ends, and no microphone joins three."""
+    """True where each line begins at the microphone at which the one before it ends, and no microphone joins three."""
     lines = design.lines
     follows = all(one.between[1] == other.between[0] for one, other in pairwise(lines))
     return follows and len({line.between[0] for line in lines}) == len(lines)
 
 
 def is_closed(design: StatedArray) -> bool:
-    """Whether the last line ends where the first one begins."""
+    """True where the last line ends at the microphone at which the first one begins."""
     return design.lines[-1].between[1] == design.lines[0].between[0]
 
 
@@ -36,8 +36,8 @@ def grid_of(design: StatedArray) -> tuple[int, int]:
     return columns, -(-design.point_count // columns)
 
 
-def has_way_back(design: StatedArray) -> bool:
-    """Whether a way over all places of the grid can come back to its beginning."""
+def has_closed_path(design: StatedArray) -> bool:
+    """True where a path over all places of the grid can come back to its beginning."""
     columns, rows = grid_of(design)
     even = columns * rows % 2 == 0 and columns * rows == design.point_count
     return even and min(columns, rows) > 1
@@ -46,16 +46,16 @@ def has_way_back(design: StatedArray) -> bool:
 def cells_of(design: StatedArray) -> list[list[Cell]]:
     """Column and row of the points of each line.
 
-    The way of a circle begins at the first place from which no end of a line lies inside; at its first where there is
+    The path of a circle begins at the first place from which no end of a line lies inside; at its first where there is
     none, see :func:`ends_inside`.
     """
     columns, rows = grid_of(design)
     if not is_closed(design):
-        way = [(k if row % 2 == 0 else columns - 1 - k, row) for row in range(rows) for k in range(columns)]
-        return _cut(way[: design.point_count], design)
-    way = _circle(columns, rows) if columns % 2 == 0 else [(x, y) for y, x in _circle(rows, columns)]
-    starts = (_cut(way[start:] + way[:start], design) for start in range(len(way)))
-    return next((cells for cells in starts if not _joints_inside(cells, True, columns, rows)), _cut(way, design))
+        path = [(k if row % 2 == 0 else columns - 1 - k, row) for row in range(rows) for k in range(columns)]
+        return _cut(path[: design.point_count], design)
+    path = _circle(columns, rows) if columns % 2 == 0 else [(x, y) for y, x in _circle(rows, columns)]
+    starts = (_cut(path[start:] + path[:start], design) for start in range(len(path)))
+    return next((cells for cells in starts if not _joints_inside(cells, True, columns, rows)), _cut(path, design))
 
 
 def ends_inside(design: StatedArray) -> tuple[int, ...]:
@@ -139,18 +139,18 @@ def _ends(
 
 
 def _circle(columns: int, rows: int) -> list[Cell]:
-    """A way over all places of a grid of an even number of columns that comes back beside its beginning."""
-    way = [(column, 0) for column in range(columns)]
+    """A path over all places of a grid of an even number of columns that comes back beside its beginning."""
+    path = [(column, 0) for column in range(columns)]
     for column in range(columns - 1, -1, -1):
         upwards = (columns - 1 - column) % 2 == 0
-        way += [(column, row) for row in (range(1, rows) if upwards else range(rows - 1, 0, -1))]
-    return way
+        path += [(column, row) for row in (range(1, rows) if upwards else range(rows - 1, 0, -1))]
+    return path
 
 
-def _cut(way: list[Cell], design: StatedArray) -> list[list[Cell]]:
-    """The way, cut into the lines."""
+def _cut(path: list[Cell], design: StatedArray) -> list[list[Cell]]:
+    """The path, cut into the lines."""
     stops = np.cumsum([0, *(line.points for line in design.lines)]).tolist()
-    return [way[start:stop] for start, stop in pairwise(stops)]
+    return [path[start:stop] for start, stop in pairwise(stops)]
 
 
 def _joints_inside(cells: list[list[Cell]], closed: bool, columns: int, rows: int) -> tuple[int, ...]:

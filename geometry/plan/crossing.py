@@ -1,4 +1,4 @@
-"""Where a quantity of a plan crosses zero: the one root finder of lengths and angles that have no closed form."""
+"""Root finder of a plan, for lengths and angles that have no closed form."""
 
 from __future__ import annotations
 

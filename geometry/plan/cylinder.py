@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.plan.crossing import zero_crossing
 from geometry.schema.array_fields import StatedArray
 
@@ -151,5 +151,6 @@ def wound_turn(length: float, inner: tuple[float, float], outer: tuple[float, fl
     low, high = 2 * math.atan(max(outer) / radius), math.pi
     shortest, longest = (wound_length(turn, inner, outer, radius) for turn in (low, high))
     if not shortest <= length <= longest:
-        raise Refusal(f"a tube of {length:g} mm must be between {shortest:.4g} and {longest:.4g} mm long here")
+        allowed = f"between {shortest:.4g} and {longest:.4g} mm"
+        raise Refusal(kind=Kind.CONFLICT, field="length", value=length, unit="mm", allowed=allowed)
     return zero_crossing(lambda turn: wound_length(turn, inner, outer, radius) - length, low, high)

@@ -16,7 +16,7 @@ from geometry.plan.meeting import angle_between, meetings
 from geometry.plan.routing import unit
 from geometry.schema.array_fields import StatedArray
 
-#: Of a hand, the thumb among them.
+#: Fingers of a hand, with the thumb.
 FINGERS = 5
 #: Where a design gives none: wrist to knuckles of a medium hand, mm; fingers some 20 mm apart at their ends, degrees.
 PALM, SPREAD = 80.0, 9.0

@@ -1,4 +1,4 @@
-"""Where two straight tubes of given length meet: what joins two ends of lines lies there."""
+"""Place at which two straight tubes of given length meet: a microphone that joins two line ends lies there."""
 
 from __future__ import annotations
 

@@ -65,15 +65,15 @@ def _circle_diameter(others: NDArray[np.float64], longest: float) -> float:
     With the centre inside, all arcs make a full turn; outside, the arc of the longest side is that of the
     others together.
     """
-    shares = others / longest
-    inside = float(np.arcsin(shares).sum()) >= math.pi / 2
+    fractions = others / longest
+    inside = float(np.arcsin(fractions).sum()) >= math.pi / 2
 
-    def excess(share: float) -> float:
-        """Half arcs beyond those that close the polygon, where the longest side is that share of the diameter."""
-        half_turns, own = float(np.arcsin(shares * share).sum()), math.asin(share)
+    def excess(fraction: float) -> float:
+        """Half arcs beyond those that close the polygon, where the longest side is that fraction of the diameter."""
+        half_turns, own = float(np.arcsin(fractions * fraction).sum()), math.asin(fraction)
         if inside:
             return (half_turns - math.pi / 2) + (own - math.pi / 2)
-        # on a circle without end all sides lie straight, which closes nothing: divided by the share, no root is there
-        return (half_turns - own) / share if share else float(shares.sum()) - 1
+        # on an endless circle all sides lie straight, which closes nothing: divided by the fraction, there is no root
+        return (half_turns - own) / fraction if fraction else float(fractions.sum()) - 1
 
     return longest / zero_crossing(excess, 0.0, 1.0)

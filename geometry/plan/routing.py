@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.plan.crossing import zero_crossing
 
 #: Chords per arc; the polyline of a half circle is then shorter than the arc by 1e-4.
@@ -17,7 +17,7 @@ _CHORDS = 64
 
 
 def bow_angle(length: float, distance: float, cavity_radius: float, outer_radius: float) -> float:
-    """Angle between the line of two axes and a tube that is longer than the straight way between them.
+    """Angle between the line of two axes and a tube that is longer than a straight tube between them.
 
     The tube runs radially through both walls and between the shells along one circular arc, to which the
     radial parts are tangents: length = 2 w + (d - 2 R cos t) t / sin t, with the walls' thickness w, the
@@ -33,11 +33,12 @@ def bow_angle(length: float, distance: float, cavity_radius: float, outer_radius
         The angle t in degrees, 0 for a straight tube.
 
     Raises:
-        Refusal: the tube is shorter than the straight way.
+        Refusal: the tube is shorter than a straight one.
     """
     straight = distance - 2 * cavity_radius
     if length < straight - 1e-9:
-        raise Refusal(f"a tube of {length:g} mm does not reach over {straight:g} mm")
+        allowed = f"at least {straight:g} mm, a straight tube"
+        raise Refusal(kind=Kind.CONFLICT, field="length", value=length, unit="mm", allowed=allowed)
     if length <= straight + 1e-9:
         return 0.0
     walls = 2 * (outer_radius - cavity_radius)
@@ -70,23 +71,23 @@ def bowed_path(
         start: axis of the first shell in plan, (2,) float64, mm.
         end: axis of the second shell in plan, (2,) float64, mm.
         angle: from :func:`bow_angle`, degrees.
-        side: +1 when it bulges to the left of the way from start to end, -1 to the right.
+        side: +1 when it bulges to the left of the line from start to end, -1 to the right.
         cavity_radius: of the cavities, mm.
         outer_radius: of the shells, mm.
 
     Returns:
         (n, 2) float64, mm: 2 points when it is straight.
     """
-    way = (end - start).tolist()
-    distance = math.hypot(*way)
-    x, y = way[0] / distance, way[1] / distance
+    across = (end - start).tolist()
+    distance = math.hypot(*across)
+    x, y = across[0] / distance, across[1] / distance
     shape = _bowed(angle, distance, cavity_radius, outer_radius)
     return np.asarray(start + shape @ np.array([[x, y], [-side * y, side * x]]))
 
 
 @lru_cache(maxsize=256)
 def _bowed(angle: float, distance: float, cavity_radius: float, outer_radius: float) -> NDArray[np.float64]:
-    """The way of :func:`bowed_path` along the line of the axes and beside it, from the first axis on."""
+    """The path of :func:`bowed_path` along the line of the axes and beside it, from the first axis on."""
     if angle == 0:
         return np.array([[cavity_radius, 0.0], [distance - cavity_radius, 0.0]])
     turn = math.radians(angle)
@@ -166,7 +167,7 @@ def tightest_bend(path: NDArray[np.float64]) -> float:
 
 
 def turning(path: NDArray[np.float64]) -> float:
-    """Angle by which the direction of a path, (n, 2) or (n, 3) float64 in mm, turns along its way in all, radians."""
+    """Angle by which the direction of a path, (n, 2) or (n, 3) float64 in mm, turns along its length, radians."""
     steps = np.diff(path, axis=0)
     along = steps / np.linalg.norm(steps, axis=1, keepdims=True)
     # By the chord of the unit vectors: exact for small angles, where an arc cosine is not.

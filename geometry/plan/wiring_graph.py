@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 
 
 @dataclass(frozen=True)
@@ -41,25 +42,23 @@ def check_topology(microphones: Sequence[str], lines: Sequence[tuple[tuple[str, 
     names = list(microphones)
     duplicates = sorted({name for name in names if names.count(name) > 1})
     if duplicates:
-        raise Refusal(f"microphones = {names} must be different names; {duplicates[0]!r} appears twice")
+        problem = f"must be different names; {duplicates[0]!r} appears twice"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="microphones", value=names)
     most = len(names) * (len(names) - 1) // 2
     if len(lines) > most:
-        raise Refusal(
-            f"lines = {len(lines)} lines must be at most M(M-1)/2 = {most} for {counted(len(names), 'microphone')}"
-        )
+        count = counted(len(names), "microphone")
+        problem = f"has {len(lines)} entries for {count}; it must have at most M(M-1)/2 = {most}"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="lines")
     pairs: dict[frozenset[str], int] = {}
     for index, ((first, second), _) in enumerate(lines):
-        for name in (first, second):
-            if name not in names:
-                raise Refusal(f"lines.{index}.between = {[first, second]} must name microphones of {names}")
-        if first == second:
-            raise Refusal(f"lines.{index}.between = {[first, second]} must name two different microphones of {names}")
+        between: dict[str, Any] = {"field": f"lines.{index}.between", "value": [first, second]}
+        if first == second or not {first, second} <= set(names):
+            kind = Kind.CONFLICT if first == second else Kind.UNKNOWN
+            raise Refusal(kind=kind, allowed=f"two different microphones of {names}", **between)
         pair = frozenset((first, second))
         if pair in pairs:
-            raise Refusal(
-                f"lines.{index}.between = {[first, second]} must be a pair of its own; "
-                f"lines.{pairs[pair]} joins the same two microphones"
-            )
+            problem = f"joins the same two microphones as lines.{pairs[pair]}"
+            raise Refusal(problem, kind=Kind.CONFLICT, **between)
         pairs[pair] = index
     reached = {names[0]}
     while True:
@@ -70,14 +69,9 @@ def check_topology(microphones: Sequence[str], lines: Sequence[tuple[tuple[str, 
     for name in names:
         if name not in reached:
             on_line = any(name in pair for pair in pairs)
-            raise Refusal(
-                f"microphones: {name!r} "
-                + (
-                    f"cannot be reached from {names[0]!r}; the lines must connect all of {names}"
-                    if on_line
-                    else f"is on no line; the lines must connect all of {names}"
-                )
-            )
+            problem = f"has {name!r}, which {f'cannot be reached from {names[0]!r}' if on_line else 'is on no line'}"
+            remedy = f"let the lines connect all of {names}"
+            raise Refusal(problem, kind=Kind.CONFLICT, field="microphones", remedy=remedy)
 
 
 def wiring_counts(microphones: int, points_per_line: Sequence[int]) -> WiringCounts:
@@ -96,15 +90,14 @@ def wiring_counts(microphones: int, points_per_line: Sequence[int]) -> WiringCou
         Refusal: a number out of range.
     """
     if microphones < 2:
-        raise Refusal(f"microphones = {microphones} must be at least 2")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="microphones", value=microphones, allowed="at least 2")
     most = microphones * (microphones - 1) // 2
     if not microphones - 1 <= len(points_per_line) <= most:
-        raise Refusal(
-            f"points_per_line has {counted(len(points_per_line), 'line')}; it must have M-1 = {microphones - 1} to "
-            f"M(M-1)/2 = {most} for {counted(microphones, 'microphone')}"
-        )
+        allowed = f"M-1 = {microphones - 1} to M(M-1)/2 = {most} lines for {counted(microphones, 'microphone')}"
+        raise Refusal(kind=Kind.CONFLICT, field="points_per_line", value=list(points_per_line), allowed=allowed)
     if min(points_per_line) < 1:
-        raise Refusal(f"points_per_line = {list(points_per_line)} must be at least 1 each")
+        given = list(points_per_line)
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="points_per_line", value=given, allowed="at least 1 each")
     points = sum(points_per_line)
     per_line = points / len(points_per_line)
     per_microphone = points / microphones

@@ -34,12 +34,12 @@ class Spot:
     value: float
     """The measure: a length in mm, a volume in mm^3."""
     place: Place | None
-    """Where it is, mm, in the part's own coordinates; None where there is no one place."""
+    """Position in the part's own coordinates, mm; None where there is no single place."""
 
 
 @dataclass(frozen=True)
 class Overhang:
-    """What hangs without support."""
+    """An overhang without support."""
 
     span: float
     """Diameter of the widest circle in any one patch that hangs, mm."""
@@ -79,7 +79,7 @@ def inside(corners: Floats, random: np.random.Generator) -> Floats:
 
 # -- overhangs ------------------------------------------------------------------------------------------------
 def overhangs(facets: Tessellation, angle: float, upside_down: bool = False) -> Overhang:
-    """What hangs when a part is built along z: faces that look down flatter than an angle, off the build plate.
+    """Overhangs of a part built along z: faces that look down flatter than an angle, off the build plate.
 
     The widest circle is found on samples: a few per cent too small.
 
@@ -135,8 +135,8 @@ def _distances(points: Floats, segments: Floats) -> Floats:
         along = b - a
         length = np.maximum(np.einsum("ij,ij->i", along, along), 1e-30)
         to = points[:, None] - a[None]
-        share = np.clip(np.einsum("ijk,jk->ij", to, along) / length, 0, 1)
-        gap = np.linalg.norm(to - share[:, :, None] * along, axis=2)
+        fraction = np.clip(np.einsum("ijk,jk->ij", to, along) / length, 0, 1)
+        gap = np.linalg.norm(to - fraction[:, :, None] * along, axis=2)
         nearest = np.minimum(nearest, gap.min(axis=1))
     return nearest
 
@@ -215,7 +215,7 @@ class _Groups:
 
 
 def _grid(skin: Skin, low: Floats, size: Floats, step: float) -> NDArray[np.bool_]:
-    """Which cells of a grid around a part are solid at their centres, one empty cell wide at its sides."""
+    """Mask of the cells of a grid around a part that are solid at their centres, with one empty cell at its sides."""
     counts = np.maximum(np.ceil(size / step).astype(int), 1)
     change = np.zeros((counts[0] + 2, counts[1] + 2, counts[2] + 1), dtype=np.int32)
     for i, j, z, enters in _crossings(skin, low, step, counts):
@@ -227,7 +227,7 @@ def _grid(skin: Skin, low: Floats, size: Floats, step: float) -> NDArray[np.bool
 def _crossings(
     skin: Skin, low: Floats, step: float, counts: NDArray[np.int_]
 ) -> Iterator[tuple[NDArray[np.int_], NDArray[np.int_], Floats, NDArray[np.bool_]]]:
-    """Where vertical lines through the cells' centres cross facets: column, row, height, whether into the solid."""
+    """Crossings of facets by vertical lines through the cells' centres: column, row, height, True into the solid."""
     upright = np.abs(skin.normals[:, 2]) > 1e-9
     corners, enters = skin.corners[upright], skin.normals[upright, 2] < 0
     # Lines a hair off the centres do not run along edges, which lie at round numbers.

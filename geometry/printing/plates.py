@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from geometry.assembly.part_list import part_set
 from geometry.formats.part_files import SharedShape, tessellate_distinct
 from geometry.formats.three_mf import Body, write_3mf
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import whole_file
 from geometry.printing.pose import Pose, find_pose
 from geometry.schema.print_processes import PrintProcess
@@ -78,7 +78,8 @@ def export_plates(
             continue
         copies += [(shape, pose)] * sum(known.counts.get(name, 1) for name in shape.names)
     if not copies:
-        raise Refusal(f"parts: none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}")
+        problem = f"none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}"
+        raise Refusal(problem, kind=Kind.UNSUITABLE)
     copies.sort(key=lambda copy: -copy[1].size[1])
     plates = []
     for number, placed in enumerate(_packed(copies, process), start=1):

@@ -24,13 +24,13 @@ class Pose:
     """How a part is laid: turned over about its x where it is built upside down, then turned about the vertical."""
 
     upside_down: bool
-    """Whether the part is built from its top."""
+    """True where the part is built from its top."""
     turn: float
     """Angle by which it is turned about the vertical, degrees."""
     size: tuple[float, float, float]
     """Size of its box as it lies, mm."""
     fits: bool
-    """Whether it lies within the build volume."""
+    """True where it lies within the build volume."""
 
     @property
     def rotation(self) -> NDArray[np.float64]:

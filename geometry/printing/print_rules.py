@@ -40,15 +40,15 @@ class Finding:
     rule: str
     """Name of the rule."""
     value: float
-    """What was measured, in ``unit``."""
+    """The measured value, in ``unit``."""
     limit: float
-    """What the value is held against, in ``unit``."""
+    """Limit of the value, in ``unit``."""
     unit: str
     """Unit of value and limit."""
     verdict: Verdict
     """How the value stands to the rule."""
     reason: str
-    """Where the limit comes from, or what was measured."""
+    """Source of the limit, or a remark on the measure."""
     place: tuple[float, float, float] | None = None
     """Place of the worst spot, in the part's own coordinates, mm; None where the rule has no one place."""
     relation: Relation = "at least"
@@ -105,14 +105,14 @@ def judge_cast(name: str, facets: Tessellation, process: PrintProcess) -> Findin
 
 
 def judge_shims(name: str, step: float, process: PrintProcess) -> Finding:
-    """Whether shims of neighbouring steps are told apart by what they do: a warning, since they can be measured."""
+    """Finding on shims of neighbouring steps that look alike: a warning, since they can be measured."""
     tolerance = process.tolerance
     source = f"two shims true to {tolerance:g} mm each may be the wrong way round, measure them; {process.source}"
     return _by_rule(name, "step of shims", step, "mm", Rule(0.0, 2 * tolerance, source), None)
 
 
 def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[Round], pose: Pose) -> list[Finding]:
-    """What depends on the direction of building."""
+    """Findings that depend on the direction of building."""
     findings = []
     if process.overhang_angle > 0:
         hang = overhangs(facets, process.overhang_angle, pose.upside_down)

@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from geometry.assembly.part_list import Kind, part_set
+from geometry.assembly.part_list import PartKind, part_set
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import SharedShape, tessellation_tolerance
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.printing.print_rules import Finding, judge_cast, judge_printed, judge_shims
 from geometry.printing.tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects
 from geometry.schema.print_processes import PrintProcess, Verdict, find_process, process_of
@@ -31,7 +31,7 @@ class PrintReport:
     findings: tuple[Finding, ...]
     """Every rule applied to every part."""
     effects: tuple[AcousticEffect, ...] = ()
-    """What 0.05 mm, and then the tolerance of the process where it is another, do to the acoustics of a design."""
+    """Effects of 0.05 mm, and of the process's tolerance where that differs, on the acoustics of a design."""
 
     @property
     def verdict(self) -> Verdict:
@@ -78,7 +78,7 @@ def print_report(
     else:
         rules = find_process(process)
     if not parts:
-        raise Refusal("parts = {} must not be empty")
+        raise Refusal("is empty", kind=Kind.MISSING, field="parts", remedy="give at least one part")
     from geometry.solids.measure import tessellate
 
     tolerance = tessellation_tolerance(parts)
@@ -107,7 +107,7 @@ def print_report(
     return PrintReport(rules, tuple(findings), effects)
 
 
-def _gaps(kind: Kind | None, design: ArrayDesign) -> dict[str, float]:
+def _gaps(kind: PartKind | None, design: ArrayDesign) -> dict[str, float]:
     """Radial gaps to what is put into a part of a design or slides on it, mm, by the keys of ``print_rules.GAPS``."""
     match kind:
         case "housing":

@@ -89,7 +89,7 @@ def render(report: PrintReport, title: str, content: dict[str, Any]) -> str:
     environment = jinja2.Environment(
         autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    environment.filters |= {"number": _number, "percent": _percent, "place": _place, "share": _share}
+    environment.filters |= {"number": _number, "percent": _percent, "place": _place, "fraction": _percentage}
     template = environment.from_string(
         (resources.files(geometry) / "templates" / "print-report.html").read_text(encoding="utf-8")
     )
@@ -118,7 +118,7 @@ def _percent(change: float | None) -> str:
     return f"{100 * change:+.3g} %".replace("-", "\N{MINUS SIGN}")
 
 
-def _share(error: float) -> str:
+def _percentage(error: float) -> str:
     """Per cent with four decimals and no negative zero."""
     return f"{round(100 * error, 4) + 0.0:.4f}".replace("-", "\N{MINUS SIGN}")
 

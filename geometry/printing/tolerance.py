@@ -1,4 +1,4 @@
-"""What the tolerance of a print does to the acoustics: ratios of closed forms, from lengths alone.
+"""Effects of a print's tolerance on the acoustics: ratios of closed forms, from lengths alone.
 
 In a narrow bore the flow is viscous: its resistance goes as length / radius^4 (Hagen 1839, Poiseuille 1840). The
 compliance of a cavity goes as its volume. The volume compliance of a thin clamped disc goes as radius^6 / thickness^3
@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from functools import partial
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
-#: What small printed lengths are commonly true to, mm: told for every process, so that designs compare.
+#: Usual tolerance of small printed lengths, mm: reported for every process, so that designs compare.
 USUAL_TOLERANCE = 0.05
 
 
@@ -23,13 +23,13 @@ class AcousticEffect:
     """A quantity as a printed length goes off by the tolerance, both ways; all else as designed."""
 
     feature: str
-    """What is printed too small or too large."""
+    """Feature that is printed too small or too large."""
     nominal: tuple[float, ...]
     """Designed lengths of the feature, mm."""
     tolerance: float
     """Amount by which a printed length may be off, mm, plus or minus."""
     quantity: str
-    """What changes."""
+    """Acoustic quantity that changes."""
     law: str
     """How the quantity depends on the lengths."""
     smaller: float | None
@@ -39,10 +39,10 @@ class AcousticEffect:
 
 
 def acoustic_effects(design: ArrayDesign, tolerance: float) -> tuple[AcousticEffect, ...]:
-    """What a tolerance does to the printed bores, cavities, chambers and membranes of a design.
+    """Effects of a tolerance on the printed bores, cavities, chambers and membranes of a design.
 
     Springs and sheaths are bought: of a tube only the bore through the lips of its two ports is printed, and its
-    share of the whole tube's resistance is given too.
+    fraction of the whole tube's resistance is given too.
 
     Args:
         design: the design.
@@ -52,11 +52,11 @@ def acoustic_effects(design: ArrayDesign, tolerance: float) -> tuple[AcousticEff
         Refusal: a tolerance that is not above 0.
     """
     if not tolerance > 0:
-        raise Refusal(f"tolerance = {tolerance!r} mm must be above 0")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="tolerance", value=tolerance, unit="mm", allowed="above 0")
     lip = design.printing.port_lip
     effects = []
     for bore, length in dict.fromkeys((tube.inner_diameter, tube.length) for tube in design.tubes):
-        feature, share = f"bore of the ports, {bore:g} mm", min(2 * lip / length, 1.0)
+        feature, fraction = f"bore of the ports, {bore:g} mm", min(2 * lip / length, 1.0)
         effects += [
             _effect(feature, (bore,), tolerance, "resistance of the printed bore", "d^-4", _resistance),
             _effect(
@@ -64,8 +64,8 @@ def acoustic_effects(design: ArrayDesign, tolerance: float) -> tuple[AcousticEff
                 (bore,),
                 tolerance,
                 "resistance of the whole tube",
-                f"{100 * share:.2g} % of its length is printed",
-                partial(_resistance, share=share),
+                f"{100 * fraction:.2g} % of its length is printed",
+                partial(_resistance, fraction=fraction),
             ),
         ]
     microphone, diameter = design.microphone, design.resonator.cavity_diameter
@@ -99,8 +99,8 @@ def _effect(
     return AcousticEffect(feature, nominal, tolerance, quantity, law, *changes)
 
 
-def _resistance(new: tuple[float, ...], old: tuple[float, ...], share: float = 1.0) -> float:
-    return 1 - share + share * (new[0] / old[0]) ** -4
+def _resistance(new: tuple[float, ...], old: tuple[float, ...], fraction: float = 1.0) -> float:
+    return 1 - fraction + fraction * (new[0] / old[0]) ** -4
 
 
 def _volume(new: tuple[float, ...], old: tuple[float, ...]) -> float:

@@ -96,7 +96,7 @@ def _value(spot: Spot) -> float:
 
 # -- faces ----------------------------------------------------------------------------------------------------
 class _Side:
-    """What the facets of one face say of where it is and looks."""
+    """Position and direction of one face, from its facets."""
 
     def __init__(self, skin: Skin, own: NDArray[np.int_]) -> None:
         self.corners = skin.corners[own].reshape(-1, 3)
@@ -106,7 +106,7 @@ class _Side:
         self.high = self.corners.max(axis=0, initial=-math.inf)
 
     def may_face(self, other: _Side, sense: float) -> bool:
-        """Whether any places of two faces could look at each other; sense -1 through material, 1 through air."""
+        """True where any places of two faces could look at each other; sense -1 through material, 1 through air."""
         if (self.normals @ other.normals.T).min() > 0.05 - _cosine(2 * _FACING):
             return False
         return all(
@@ -182,10 +182,10 @@ def _seen(part: Faces, sense: float) -> dict[Pair, Spot]:
             other = int(skin.faces[int(cell)])
             if (sense > 0 and other == face) or -sense * float(skin.normals[int(cell)] @ rays[k]) <= _cosine(_OPPOSED):
                 continue
-            pair, way = (min(face, other), max(face, other)), math.dist(starts[k], hit)
-            if pair not in shortest or way < shortest[pair].value:
+            pair, apart = (min(face, other), max(face, other)), math.dist(starts[k], hit)
+            if pair not in shortest or apart < shortest[pair].value:
                 x, y, z = ((starts[k] + hit) / 2).tolist()
-                shortest[pair] = Spot(way, (x, y, z))
+                shortest[pair] = Spot(apart, (x, y, z))
     return shortest
 
 

@@ -1,4 +1,4 @@
-"""What a design file states: sections, fields, units, ranges; materials, processes and cavity shapes as data.
+"""Schema of design files: sections, fields, units, ranges; materials, processes and cavity shapes as data.
 
 Stands on: ground.
 """

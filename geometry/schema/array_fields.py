@@ -1,4 +1,4 @@
-"""What a design file states of the whole array, and the lengths that follow, before any rule between its fields."""
+"""Fields of the whole array in a design file, and the lengths that follow, before any rule between the fields."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Line(Section):
 
 
 class Layout(Section):
-    """Where the resonators lie."""
+    """Arrangement of the resonators."""
 
     kind: Literal["serpentine", "ring", "area", "cylinder", "hand"] = Field(
         description="serpentine: rows of `columns` points, one block per line; ring: lines are the sides of a "

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 if TYPE_CHECKING:
     import cadquery
@@ -174,5 +174,5 @@ def web(first: tuple[float, float], second: tuple[float, float], turn: float, ri
 def _one(shape: cadquery.Shape) -> cadquery.Solid:
     solids = shape.Solids()
     if len(solids) != 1 or not solids[0].isValid():
-        raise Refusal(f"the cavity is drawn as {len(solids)} solids instead of one valid solid")
+        raise Refusal(f"the cavity is drawn as {len(solids)} solids instead of one valid solid", kind=Kind.NO_RESULT)
     return solids[0]

@@ -25,19 +25,19 @@ class DesignField:
     allowed: str
     """Range or choice in words, with the unit; empty where anything of its kind goes."""
     required: bool
-    """Whether every file must state it."""
+    """True where every file must state it."""
     default: Any
     """Value where a file states none."""
     description: str
-    """What the field means, in words."""
+    """Meaning of the field, in words."""
     range: tuple[float, float] = (-math.inf, math.inf)
     """Lowest and highest value of a number, in the unit; itself allowed but for the side that is ``open``."""
     open: tuple[bool, bool] = (False, False)
-    """Whether a number must be above the lowest, below the highest value."""
+    """True where a number must be above the lowest, below the highest value."""
     choices: tuple[str, ...] = ()
     """All values that are allowed, where they are words to choose from."""
     optional: bool = False
-    """Whether the field may be left without a value."""
+    """True where the field may be left without a value."""
 
 
 def fields_of(model: type[BaseModel], prefix: str = "") -> Iterator[DesignField]:
@@ -61,7 +61,7 @@ def field_named(model: type[BaseModel], name: str) -> DesignField | None:
 
 
 def declared_field(name: str, info: FieldInfo) -> DesignField:
-    """What a model declares of one field, under a name."""
+    """Declaration of one field of a model, under a name."""
     plain, metadata, unit = _unwrapped(info)
     kinds = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
     kind = kinds.get(plain, "a table")

@@ -16,7 +16,7 @@ from geometry.schema.declared_fields import DesignField, declared_field, section
 
 _Stated = TypeVar("_Stated", bound=BaseModel)
 
-#: What a file may give in place of a field of a tube, and how the field follows from it.
+#: Keys that a file may give in place of a field of a tube, and how the field follows from them.
 DERIVED_FROM = {
     "inner_diameter": ("spring_outer_diameter", "spring_outer_diameter - 2 x wire_diameter"),
     "outer_diameter": ("sheath_wall", "inner_diameter + 2 x wire_diameter + 2 x sheath_wall"),
@@ -88,6 +88,20 @@ class Section(BaseModel):
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
 
+def conflict(
+    field: str,
+    value: object = Refusal.NOT_GIVEN,
+    allowed: str = "",
+    unit: str = "mm",
+    *,
+    problem: str = "",
+    remedy: str = "",
+) -> Refusal:
+    """The refusal of a value that other fields of the design exclude; arguments as for :class:`geometry.Refusal`."""
+    facts: dict[str, Any] = {"field": field, "value": value, "allowed": allowed, "unit": unit, "remedy": remedy}
+    return Refusal(problem, kind=Kind.CONFLICT, **facts)
+
+
 def names_of(model: type[BaseModel]) -> list[str]:
     """Keys a table of a design file may have, with those that stand in for others."""
     names = list(model.model_fields)
@@ -124,7 +138,7 @@ def error_from_validation(
         what: what the file describes.
         table: dotted name of the table of the file that the data are.
     """
-    # What follows from another field cannot follow where that is wrong, which is said.
+    # A default that follows from another field fails with that field, whose own problem is listed.
     found = [each for each in error.errors(include_url=False) if each["type"] != "default_factory_not_called"]
     details = sorted(found, key=lambda e: (e["type"] == "missing", e["type"] == "value_error"))
     misspelt = [e["loc"] for e in details if e["type"] == "extra_forbidden"]
@@ -153,7 +167,7 @@ def model_of(
     refusal: type[Refusal] = DesignError,
     table: str = "",
 ) -> _Stated:
-    """What plain values state, as a model.
+    """A model made from plain values.
 
     Args:
         model: the model.
@@ -211,7 +225,7 @@ def _problem(detail: ErrorDetails, model: type[BaseModel], given: object, what: 
     value = _plain(detail["input"])
     if kind == "value_error":
         said = detail["ctx"]["error"]
-        found = said if isinstance(said, Refusal) else Refusal(str(said))
+        found = said if isinstance(said, Refusal) else Refusal(str(said), kind=Kind.UNSUITABLE)
         return Refusal.of(found, field=".".join(filter(None, (name, found.field))))
     if kind == "extra_forbidden":
         section = _find(model, loc[:-1])[1]
@@ -222,13 +236,14 @@ def _problem(detail: ErrorDetails, model: type[BaseModel], given: object, what: 
             value=value,
             remedy=nearest(str(loc[-1]), names_of(section) if section is not None else []),
         )
+    if kind == "missing" and isinstance(loc[-1], int):  # an entry of a list
+        loc, kind = loc[:-1], "too_short"
+        name = ".".join(str(step) for step in loc)
     info, section = _find(model, loc)
     field = declared_field(name, info) if info is not None else None
-    if kind == "missing" and isinstance(loc[-1], int):
-        place = ".".join(map(str, loc[:-1]))
-        return Refusal(kind=Kind.MISSING, field=place, value=value, allowed=f"a list with an entry number {loc[-1]}")
     if field is None and section is None:
-        return Refusal(f"is not allowed: {detail['msg'][0].lower()}{detail['msg'][1:]}", field=name, value=value)
+        said = f"{detail['msg'][0].lower()}{detail['msg'][1:]}"
+        return Refusal(f"is not allowed: {said}", kind=Kind.OUT_OF_RANGE, field=name, value=value)
     allowed, remedy = _allowed(field, section, detail)
     if kind == "missing":
         about = f" ({field.description})" if field is not None and field.description else ""
@@ -275,8 +290,8 @@ def _find(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[FieldInfo |
     for step in loc:
         if stepped_in and section is not None and isinstance(step, str) and step in section.model_fields:
             info = section.model_fields[step]
-            section, way = section_of(info.annotation)
-            stepped_in = way == ""
+            section, inner = section_of(info.annotation)
+            stepped_in = inner == ""
         elif not stepped_in:  # an index of a list or a name of a table
             info, stepped_in = None, True
         else:

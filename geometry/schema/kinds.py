@@ -40,7 +40,7 @@ class PointKind(Section):
 
 
 class Pattern(Section):
-    """Which kind stands at each place of a line."""
+    """Kind of point or tube at each place of a line."""
 
     points: tuple[str, ...] | None = Field(
         default=None, description="name of a kind for each point, in the order of the line; default: all as stated"

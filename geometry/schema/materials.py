@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.schema.field_errors import Number, Section
 
 #: Frequency of a modulus that comes from a hardness or from another static test, Hz. A rubber's hardness is read one
@@ -77,19 +77,22 @@ class Material(Section):
     def _law_is_complete(self) -> Self:
         times, moduli = self.relaxation_times, self.relaxation_moduli
         if self.law != "prony":
-            if times is not None or moduli is not None:
-                raise Refusal(f"relaxation_times and relaxation_moduli need law = 'prony', not {self.law!r}")
+            for name in ("relaxation_times", "relaxation_moduli"):
+                if getattr(self, name) is not None:
+                    problem = f"needs law = 'prony', not {self.law!r}"
+                    raise Refusal(problem, kind=Kind.CONFLICT, field=name)
             if self.loss_factor is None:
-                raise Refusal(f"loss_factor is missing; law = {self.law!r} needs it")
+                raise Refusal(kind=Kind.MISSING, field="loss_factor", allowed=f"given for law = {self.law!r}")
             return self
         if times is None or moduli is None:
-            raise Refusal("relaxation_times and relaxation_moduli must be given for law = 'prony'")
+            name = "relaxation_times" if times is None else "relaxation_moduli"
+            raise Refusal(kind=Kind.MISSING, field=name, allowed="given for law = 'prony'")
         if len(times) != len(moduli):
-            raise Refusal(
-                f"relaxation_times has {len(times)} values, relaxation_moduli {len(moduli)}; as many are needed"
-            )
+            problem = f"has {counted(len(moduli), 'value')} for {counted(len(times), 'relaxation time')}"
+            raise Refusal(problem, kind=Kind.MISMATCH, field="relaxation_moduli", remedy="give as many of each")
         if self.loss_factor is not None:
-            raise Refusal(f"loss_factor = {self.loss_factor:g} must not be given for law = 'prony', whose table has it")
+            problem = "is not allowed for law = 'prony', whose table has the losses"
+            raise Refusal(problem, kind=Kind.CONFLICT, field="loss_factor", value=self.loss_factor)
         return self
 
 
@@ -113,7 +116,7 @@ def youngs_modulus_from_shore_a(shore_a: float) -> float:
         Refusal: hardness outside 0 to 90.
     """
     if not 0 <= shore_a <= 90:
-        raise Refusal(f"shore_a = {shore_a:g} must be between 0 and 90")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="shore_a", value=shore_a, allowed="between 0 and 90")
     return 0.0981 * (56 + 7.62336 * shore_a) / (0.137505 * (254 - 2.54 * shore_a))
 
 
@@ -126,7 +129,9 @@ def blend_modulus(first: float, second: float, fraction_of_first: float) -> floa
         fraction_of_first: volume fraction of the first part, 0 to 1.
     """
     if not 0 <= fraction_of_first <= 1:
-        raise Refusal(f"fraction_of_first = {fraction_of_first:g} must be between 0 and 1")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="fraction_of_first", value=fraction_of_first, allowed="between 0 and 1"
+        )
     return first**fraction_of_first * second ** (1 - fraction_of_first)
 
 

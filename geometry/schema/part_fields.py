@@ -8,9 +8,9 @@ from typing import Any, Literal
 
 from pydantic import Field, model_validator
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.cavity_shapes import USUAL_BOX, Box, Dome
-from geometry.schema.field_errors import Count, Millimetre, Number, Section
+from geometry.schema.field_errors import Count, Millimetre, Number, Section, conflict
 
 #: Ducts are cut this many bore radii away from a cavity: the stub belongs to the 3-D cell, so that the
 #: entrance flow has decayed to a plane wave where the port is (its slowest mode decays as exp(-5 z/a)).
@@ -70,7 +70,7 @@ class Resonator(Section):
 
     @property
     def cavity_shape(self) -> Box | Dome | None:
-        """What makes the cavity differ from a cylinder; None for a cylinder."""
+        """Shape of the cavity; None for a cylinder."""
         diameter, height = self.cavity_diameter, self.cavity_height
         if self.shape == "dome":
             return Dome(self.dome_depth or min(diameter / 4, height / 3))
@@ -86,29 +86,26 @@ class Resonator(Section):
         """Height of the tube axis above the cavity floor, mm."""
         return self.cavity_height / 2 if self.port_height is None else self.port_height
 
-    def port_problem(self, height: float, bore_diameter: float) -> str:
-        """Why the wall of a box or a dome has no place for a bore at that height, both in mm; empty where it has.
+    def port_problem(self, height: float, bore_diameter: float) -> Refusal | None:
+        """Why the wall of a box or a dome has no place for a bore at that height, both in mm; None where it has.
 
-        Bores lie below the collar of a box, and where the wall of a bowl is steep or above the bowl.
+        Its field is ``height`` or ``bore_diameter``. Bores lie below the collar of a box, and where the wall of a bowl
+        is steep or above the bowl.
         """
         shape, bore = self.cavity_shape, bore_diameter / 2
         if isinstance(shape, Box):
             highest = self.cavity_height - shape.collar_height - bore - SOCKET_COVER
             if height > highest + 1e-9:
-                return f"lies at {height:g} mm; it must lie at most at {highest:.4g} mm, below resonator.collar_height"
-            if bore_diameter > min(shape.length, shape.width) / 2 + 1e-9:
-                return (
-                    f"has a bore of {bore_diameter:g} mm; it must be at most half of the box's side "
-                    f"({min(shape.length, shape.width):.4g} mm)"
-                )
+                return conflict("height", height, f"at most {highest:.4g} mm, below resonator.collar_height")
+            side = min(shape.length, shape.width)
+            if bore_diameter > side / 2 + 1e-9:
+                return conflict("bore_diameter", bore_diameter, f"at most half of the box's side ({side:.4g} mm)")
         if isinstance(shape, Dome) and height - bore < shape.depth - 1e-9:
             lowest = shape.lowest_port(self.cavity_diameter / 2)
             if height < lowest:
-                return (
-                    f"lies at {height:g} mm on the flat part of the bowl; it must lie at least at "
-                    f"{min(lowest, shape.depth + bore):.4g} mm"
-                )
-        return ""
+                least = min(lowest, shape.depth + bore)
+                return conflict("height", height, f"at least {least:.4g} mm, above the flat part of the bowl")
+        return None
 
     @property
     def outer_diameter(self) -> float:
@@ -125,7 +122,7 @@ class Resonator(Section):
 
 
 class Shell(Section):
-    """What helps to glue, mount and tell apart the printed shells; the air is the same with and without."""
+    """Features that help to glue, mount and tell apart the printed shells; the air is the same with and without."""
 
     groove_width: Millimetre | None = Field(
         default=None, ge=0.2, le=5, description="width of a groove for glue in the seat of the membrane; default: none"
@@ -221,14 +218,17 @@ class Tube(Section):
                 continue
             value = data.pop(given)
             if derived in data:
-                raise Refusal(f"{given} = {value!r} must not be given beside {derived}; give one of the two")
+                problem = f"is not allowed beside {derived}"
+                raise Refusal(problem, kind=Kind.CONFLICT, field=given, value=value, remedy="give one of the two")
             if not _is_positive(value):
-                raise Refusal(f"{given} = {value!r} must be a number above 0 mm")
+                kind = Kind.OUT_OF_RANGE if isinstance(value, (int, float)) else Kind.WRONG_TYPE
+                raise Refusal(kind=kind, field=given, value=value, unit="mm", allowed="a number above 0 mm")
             if not _is_positive(wire):
                 continue  # said of wire_diameter itself
             if given == "spring_outer_diameter":
                 if value <= 2 * wire:
-                    raise Refusal(f"{given} = {value:g} mm must be above 2 x wire_diameter ({2 * wire:g} mm)")
+                    allowed = f"above 2 x wire_diameter ({2 * wire:g} mm)"
+                    raise Refusal(kind=Kind.CONFLICT, field=given, value=value, unit="mm", allowed=allowed)
                 data[derived] = round(value - 2 * wire, 9)
             elif _is_positive(data.get("inner_diameter")):
                 data[derived] = round(data["inner_diameter"] + 2 * wire + 2 * value, 9)

@@ -1,4 +1,4 @@
-"""Where tubes enter: ports of housings and of cells, and what they leave of the wall between them."""
+"""Ports of housings and of cells, through which tubes enter, and the wall that they leave between them."""
 
 from __future__ import annotations
 
@@ -70,12 +70,12 @@ def port_web(
 def web_problem(
     ports: tuple[Port, Port], mouths: tuple[float, float], shoulder: float, glue_gap: float, rise: float = 0.0
 ) -> str:
-    """Why two ports of a housing do not leave enough wall between them; empty where they do.
+    """Why two ports of a housing, named by their angles, do not leave enough wall between them; empty where they do.
 
     Args: see :func:`port_web`.
     """
     wall = port_web(ports, mouths, shoulder, glue_gap, rise)
-    where = f"the ports at {ports[0].angle:g} and {ports[1].angle:g} deg"
+    where = f"at {ports[0].angle:g} and {ports[1].angle:g} deg"
     if wall <= 0:
         return f"{where} overlap"
     if wall < SOCKET_COVER - 1e-9:

@@ -9,12 +9,12 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
-from geometry.schema.field_errors import DesignError
+from geometry.schema.field_errors import model_of
 from geometry.schema.manufacture import Printing, PrintRules
 
-#: What a rule of a process says of a part.
+#: Verdict of a rule of a process on a part.
 Verdict = Literal["ok", "warn", "fail"]
 #: Relation that a measure must have to its limit.
 Relation = Literal["at least", "at most"]
@@ -25,14 +25,14 @@ _ROUNDING = 1e-3
 
 @dataclass(frozen=True)
 class Rule:
-    """What a measure must keep: beyond ``limit`` it fails, between that and ``advised`` it is a risk."""
+    """Limits of a measure: beyond ``limit`` it fails, between that and ``advised`` it is a risk."""
 
     limit: float
     """Value beyond which a measure fails, in the unit of the rule."""
     advised: float
     """Value from which on there is no risk, in the unit of the rule."""
     source: str
-    """Where the figures come from."""
+    """Source of the figures."""
     relation: Relation = "at least"
     """How a measure must stand to the limit."""
 
@@ -55,12 +55,12 @@ CAST_THICKNESS = Rule(
 
 @dataclass(frozen=True)
 class PrintProcess:
-    """What a printing process can make."""
+    """Limits of a printing process."""
 
     name: str
     """Name by which designs and commands call it."""
     title: str
-    """What it is, for people."""
+    """Title, for people."""
     wall: Rule
     """Rule for the thickness of walls, mm."""
     hole: Rule
@@ -78,7 +78,7 @@ class PrintProcess:
     build_volume: tuple[float, float, float]
     """Width, depth and height of the machine, mm."""
     source: str
-    """Where pixel, tolerance and build volume come from."""
+    """Source of pixel, tolerance and build volume."""
     overhang_angle: float = 0.0
     """Angle from the horizontal, degrees: faces that look down and are flatter hang; 0 where powder carries them."""
     overhang_span: Rule = Rule(math.inf, math.inf, "powder carries every overhang", "at most")
@@ -180,23 +180,30 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
         return PROCESSES[process]
     path = Path(process)
     if path.suffix != ".toml":
-        raise Refusal(f"process = {str(process)!r} must be one of: {', '.join(PROCESSES)}; or a .toml file")
+        allowed = f"one of: {', '.join(PROCESSES)}; or a .toml file"
+        raise Refusal(kind=Kind.UNKNOWN, field="process", value=str(process), allowed=allowed)
     given = read_toml(path, "a file of a process", Refusal)
     if not given:  # what was cut short to nothing would be taken for the default
-        raise Refusal(f"{path.name}: states nothing; it must state base, one of: {', '.join(PROCESSES)}, or a rule")
+        remedy = f"give base, one of: {', '.join(PROCESSES)}, or a rule"
+        raise Refusal("has nothing in it", kind=Kind.MISSING, file=path, remedy=remedy)
     base = given.pop("base", "sla-resin")
     if not isinstance(base, str) or base not in PROCESSES:
-        raise Refusal(f"{path.name}: base = {base!r} must be one of: {', '.join(PROCESSES)}")
+        raise Refusal(kind=Kind.UNKNOWN, file=path, field="base", value=base, allowed=PROCESSES)
     words = {key: given.pop(key) for key in ("name", "title", "source") if key in given}
     for key, value in words.items():
         if not isinstance(value, str) or not value:
-            raise Refusal(f"{path.name}: {key} = {value!r} must be a text")
-    try:
-        rules = PrintRules(**given)
-    except DesignError as error:
-        raise Refusal(f"{path.name}: {error}") from None
+            raise Refusal(kind=Kind.WRONG_TYPE, file=path, field=key, value=value, allowed="a text")
+<<<<<<< HEAD
+    from geometry.schema.field_errors import model_of
+
+=======
+>>>>>>> geo
+    rules = model_of(PrintRules, given, str(path), "process", Refusal)
     source = words.pop("source", path.name)
-    changed = with_rules(PROCESSES[base], rules.model_dump(exclude_none=True), source, f"{path.name}: ")
+    try:
+        changed = with_rules(PROCESSES[base], rules.model_dump(exclude_none=True), source, "")
+    except Refusal as error:
+        raise Refusal.of(error, file=path) from None
     return replace(changed, **{"name": path.stem, **words})
 
 
@@ -206,7 +213,7 @@ def process_of(printing: Printing) -> PrintProcess:
 
 
 def with_rules(
-    process: PrintProcess, values: Mapping[str, Any], source: str = "given", where: str = "rules."
+    process: PrintProcess, values: Mapping[str, Any], source: str = "given", table: str = "rules."
 ) -> PrintProcess:
     """A process with some of its figures replaced.
 
@@ -215,7 +222,7 @@ def with_rules(
         values: by the keys of ``[printing.rules]``: ``wall`` is the limit of the rule ``wall``, ``wall_advised``
             what is advised; lengths mm, angles degrees. A limit beyond what is advised moves that along.
         source: written to every changed figure.
-        where: what messages put before a key.
+        table: put before a key to name its field.
 
     Raises:
         Refusal: no such key, a value that is no finite number above 0, or advice that breaks its limit.
@@ -223,13 +230,12 @@ def with_rules(
     known = [*RULES, *(f"{rule}_advised" for rule in RULES), *NUMBERS, "build_volume"]
     for key, value in values.items():
         if key not in known:
-            raise Refusal(f"rules: {key!r} must be one of: {', '.join(known)}")
+            raise Refusal(kind=Kind.UNKNOWN, field=f"{table}{key}", remedy=f"known: {', '.join(known)}")
         numbers = value if key == "build_volume" and len(value) == 3 else [value]
         for number in numbers:
             if not isinstance(number, int | float) or isinstance(number, bool) or not 0 < number < math.inf:
-                raise Refusal(
-                    f"{where}{key} = {value!r} must be {'three numbers' if len(numbers) > 1 else 'a number'} above 0"
-                )
+                allowed = f"{'three numbers' if len(numbers) > 1 else 'a number'} above 0"
+                raise Refusal(kind=Kind.OUT_OF_RANGE, field=f"{table}{key}", value=value, allowed=allowed)
     changed: dict[str, Any] = {}
     for name in RULES:
         rule: Rule = getattr(process, name)
@@ -239,7 +245,8 @@ def with_rules(
         stricter = max if rule.relation == "at least" else min
         advised = float(values.get(f"{name}_advised", stricter(rule.advised, limit)))
         if stricter(advised, limit) != advised:
-            raise Refusal(f"{where}{name}_advised = {advised:g} must be {rule.relation} {name} ({limit:g})")
+            allowed = f"{rule.relation} {name} ({limit:g})"
+            raise Refusal(kind=Kind.CONFLICT, field=f"{table}{name}_advised", value=advised, allowed=allowed)
         changed[name] = Rule(limit, advised, source, rule.relation)
     changed |= {name: float(values[name]) for name in NUMBERS if name in values}
     if "build_volume" in values:

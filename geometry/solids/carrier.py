@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import cadquery as cq
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.schema.field_errors import conflict
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import Resonator
 from geometry.schema.ports import Port
@@ -88,23 +89,23 @@ def build_carrier(resonator: Resonator, printing: Printing, shells: Sequence[cq.
     """
     kind, gap, neck = printing.carrier, printing.carrier_gap, printing.carrier_neck
     if kind == "none":
-        raise Refusal("printing.carrier = 'none' must be 'row' or 'sheet' for shells to be joined")
+        raise conflict("printing.carrier", "none", "'row' or 'sheet' for shells to be joined", unit="")
     if not shells:
-        raise Refusal("carrier: there are no shells to join; it must have at least one")
+        raise Refusal("is empty", kind=Kind.MISSING, field="shells", remedy="give the shells that a carrier joins")
     if neck > resonator.floor_thickness:
-        raise Refusal(
-            f"printing.carrier_neck = {neck:g} mm must be at most resonator.floor_thickness "
-            f"({resonator.floor_thickness:g} mm)"
-        )
+        allowed = f"at most resonator.floor_thickness ({resonator.floor_thickness:g} mm)"
+        raise conflict("printing.carrier_neck", neck, allowed)
     outer = resonator.outer_diameter / 2
     for number, shell in enumerate(shells):
         box = shell.val().BoundingBox()
         reach = max(-box.xmin, box.xmax, -box.ymin, box.ymax)
         if reach > outer + (gap - 2 * _NECK_LENGTH) / 2:
-            raise Refusal(
-                f"carrier: shell {number} reaches {reach:.4g} mm from its axis; it must stay within "
-                f"{outer + (gap - 2 * _NECK_LENGTH) / 2:.4g} mm, half of printing.carrier_gap beyond its wall"
+            most = outer + (gap - 2 * _NECK_LENGTH) / 2
+            problem = (
+                f"reaches {reach:.4g} mm from its axis; it must stay within {most:.4g} mm, half of "
+                "printing.carrier_gap beyond its wall"
             )
+            raise conflict(f"shells.{number}", problem=problem)
     pitch = 2 * outer + gap
     places = carrier_places(len(shells), kind, pitch)
     taken = {(round(x / pitch), round(y / pitch)) for x, y in places}

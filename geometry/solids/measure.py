@@ -1,4 +1,4 @@
-"""What can be measured on a CAD solid: its tessellation, genus, round holes, pins and inner voids. Lengths in mm."""
+"""Measures of a CAD solid: its tessellation, genus, round holes, pins and inner voids. Lengths in mm."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from OCP.TopExp import TopExp
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopTools import TopTools_IndexedDataMapOfShapeListOfShape
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 #: Largest angle between neighbouring facets, rad: a round body of such facets lacks angle^2 / 6 = 0.05 % of volume.
 FACET_ANGLE = 0.055
@@ -68,7 +68,7 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
         location = TopLoc_Location()
         mesh = BRep_Tool.Triangulation_s(face.wrapped, location)
         if mesh is None:
-            raise Refusal(f"face {index} of the solid cannot be tessellated")
+            raise Refusal(f"face {index} of the solid cannot be tessellated", kind=Kind.NO_RESULT)
         corners = np.array([mesh.Triangle(k).Get() for k in range(1, mesh.NbTriangles() + 1)]) - 1
         points = np.array([mesh.Node(k).Coord() for k in range(1, mesh.NbNodes() + 1)])
         if not location.IsIdentity():
@@ -158,7 +158,7 @@ class Round:
     direction: tuple[float, float, float]
     """Unit vector, of length one, along the axis."""
     hollow: bool
-    """Whether the material is outside of it."""
+    """True where the material is outside of it."""
 
 
 def rounds(solid: cq.Shape) -> list[Round]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import cadquery as cq
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.solids.measure import pinched_edges
 
 
@@ -35,7 +35,9 @@ def one_solid(shape: cq.Shape, name: str) -> cq.Workplane:
     """
     solids = shape.Solids()
     if len(solids) != 1 or not solids[0].isValid():
-        raise Refusal(f"{name}: drawn as {len(solids)} solids instead of one valid solid; its features cut it apart")
+        problem = f"is drawn as {len(solids)} solids instead of one valid solid; its features cut it apart"
+        raise Refusal(problem, kind=Kind.NO_RESULT, field=name)
     if pinched_edges(solids[0]):
-        raise Refusal(f"{name}: drawn as a solid that touches itself along a line; move what meets there")
+        problem = "is drawn as a solid that touches itself along a line"
+        raise Refusal(problem, kind=Kind.NO_RESULT, field=name, remedy="move what meets there")
     return cq.Workplane(solids[0])

@@ -8,9 +8,10 @@ from itertools import combinations
 import cadquery as cq
 
 from geometry.design.shell_rules import cavity_problems, feature_problems, ledge_height
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.plan.routing import unit
 from geometry.schema.cavity_shapes import draw_cavity, wall_distance
+from geometry.schema.field_errors import conflict
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import SOCKET_COVER, Membrane, Resonator, Shell
 from geometry.schema.ports import Port, web_problem
@@ -49,16 +50,14 @@ def build_shell(
     """
     features = features or Shell()
     for problem in cavity_problems(resonator):
-        raise Refusal(f"shell: {problem}")
+        raise problem
     check_ports(resonator, printing, ports)
     sockets = [(port_height(port, resonator), port.tube_diameter / 2 + printing.glue_gap) for port in ports]
     for problem in feature_problems(features, resonator, membrane.rim_width, sockets):
-        raise Refusal(f"shell: {problem}")
+        raise problem
     if membrane.rim_width > resonator.wall_thickness:
-        raise Refusal(
-            f"shell: membrane.rim_width = {membrane.rim_width:g} mm must be at most resonator.wall_thickness "
-            f"({resonator.wall_thickness:g} mm)"
-        )
+        allowed = f"at most resonator.wall_thickness ({resonator.wall_thickness:g} mm)"
+        raise conflict("membrane.rim_width", membrane.rim_width, allowed)
     radius, outer = resonator.cavity_diameter / 2, resonator.outer_diameter / 2
     top = resonator.cavity_height
     seat = radius + membrane.rim_width + printing.glue_gap
@@ -86,23 +85,24 @@ def check_ports(resonator: Resonator, printing: Printing, ports: Sequence[Port])
         Refusal: none or more than six, one that leaves the wall, or two that leave no wall between them.
     """
     if not 1 <= len(ports) <= MOST_PORTS:
-        raise Refusal(f"shell: has {counted(len(ports), 'port')}; it must have 1 to {MOST_PORTS}")
+        problem = f"has {counted(len(ports), 'entry')} for a shell; it must have 1 to {MOST_PORTS}"
+        raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="ports")
     radius, outer, lip = resonator.cavity_diameter / 2, resonator.outer_diameter / 2, printing.port_lip
-    for port in ports:
-        where = f"shell: the port at {port.angle:g} deg"
+    for number, port in enumerate(ports):
+        where = f"ports.{number}"
         height = port_height(port, resonator)
         hole, bore = port.tube_diameter / 2 + printing.glue_gap, port.bore_diameter / 2
         if not 0 < bore < hole:
-            raise Refusal(f"{where} has a bore of {2 * bore:g} mm; it must be above 0 and below {2 * hole:g} mm")
+            raise conflict(f"{where}.bore_diameter", 2 * bore, f"above 0 and below {2 * hole:g} mm")
         lowest = max(bore, hole + SOCKET_COVER - resonator.floor_thickness)
         highest = resonator.cavity_height - hole - SOCKET_COVER
         if not lowest - 1e-9 <= height <= highest + 1e-9:
-            raise Refusal(f"{where} lies at {height:g} mm; it must lie between {lowest:g} and {highest:g} mm")
+            raise conflict(f"{where}.height", height, f"between {lowest:g} and {highest:g} mm")
         if hole >= outer or (outer**2 - hole**2) ** 0.5 <= radius + lip:
-            raise Refusal(f"{where}: its socket of {2 * hole:g} mm is not wholly in the wall beyond the lip")
-        problem = resonator.port_problem(height, 2 * bore)
-        if problem:
-            raise Refusal(f"{where} {problem}")
+            problem = f"has a socket of {2 * hole:g} mm, which is not wholly in the wall beyond the lip"
+            raise conflict(f"{where}.tube_diameter", port.tube_diameter, problem=problem)
+        if found := resonator.port_problem(height, 2 * bore):
+            raise Refusal.of(found, field=f"{where}.{found.field}")
     for pair in combinations(ports, 2):
         heights = [port_height(port, resonator) for port in pair]
         mouths = tuple(
@@ -124,7 +124,7 @@ def refuse_thin_web(
     """
     problem = web_problem((ports[0], ports[1]), (mouths[0], mouths[1]), shoulder, glue_gap, rise)
     if problem:
-        raise Refusal(f"{name}: {problem}")
+        raise Refusal(f"of the {name} {problem}", kind=Kind.CONFLICT, field="ports")
 
 
 def port_height(port: Port, resonator: Resonator) -> float:

@@ -1,4 +1,4 @@
-"""What a shell carries beside its cavity: a glue groove, mounting feet and its number. Lengths in mm."""
+"""Features of a shell beside its cavity: a glue groove, mounting feet and its number. Lengths in mm."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from collections.abc import Sequence
 import cadquery as cq
 
 from geometry.design.shell_rules import FOOT_EDGE
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
+from geometry.schema.field_errors import conflict
 from geometry.schema.part_fields import Shell
 from geometry.schema.ports import foot_directions, largest_gap
 from geometry.solids.stroke_font import SPACE, WIDTH, strokes
@@ -78,7 +79,7 @@ def add_label(
         Refusal: the text is no number, or has no room.
     """
     if not (text.isascii() and text.isdigit() and len(text) <= 4):
-        raise Refusal(f"shell: label {text!r} must be one to four digits")
+        raise Refusal(kind=Kind.WRONG_TYPE, field="label", value=text, allowed="one to four digits")
     angle, gap = largest_gap([port for port, _ in ports])
     socket, bottom_radius = max(radius for _, radius in ports), outer_radius
     if features.label == "engraved":  # towards its bottom a digit covers more of the way round to the sockets
@@ -89,15 +90,11 @@ def add_label(
     room = min(0.8 * (span[1] - span[0]), widest / width)
     height = min(_USUAL_DIGITS, room) if features.label_height is None else features.label_height
     if height > room + 1e-9 or height < _SMALLEST_DIGITS:
-        raise Refusal(
-            f"shell.label: digits of {height:.3g} mm do not fit on the wall; {text!r} must be {_SMALLEST_DIGITS:g} to "
-            f"{room:.3g} mm high"
-        )
+        allowed = f"{_SMALLEST_DIGITS:g} to {room:.3g} mm for {text!r} to fit on the wall"
+        raise conflict("shell.label_height", round(height, 3), allowed)
     if features.label == "engraved" and features.label_relief > wall / 3:
-        raise Refusal(
-            f"shell.label_relief = {features.label_relief:g} mm must be at most {wall / 3:g} mm, a third of "
-            "resonator.wall_thickness, where digits are engraved"
-        )
+        allowed = f"at most {wall / 3:g} mm, a third of resonator.wall_thickness, where digits are engraved"
+        raise conflict("shell.label_relief", features.label_relief, allowed)
     raised = features.label == "raised"
     rim = outer_radius + features.label_relief if raised else outer_radius + 1.0
     root = outer_radius - (min(0.05, wall / 4) if raised else features.label_relief)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.plan.routing import path_length, tightest_bend, trimmed
 from geometry.schema.part_fields import Tube
 
@@ -90,7 +90,8 @@ def _sleeve(points: NDArray[np.float64], inner: float, outer: float, name: str) 
     from geometry.solids.round_solids import one_solid
 
     if tightest_bend(points) <= outer:
-        raise Refusal(f"{name}: bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm")
+        problem = f"bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field=name)
     start, along = cq.Vector(*points[0]), cq.Vector(*(points[1] - points[0]))
     circles = [cq.Wire.makeCircle(radius, start, along) for radius in (outer, inner)]
     section = cq.Face.makeFromWires(circles[0], circles[1:])

@@ -1,4 +1,4 @@
-from .contact import Contact as Contact, covered_force as covered_force, hertz_share as hertz_share
+from .contact import Contact as Contact, covered_force as covered_force, hertz_fraction as hertz_fraction
 from .contact_shapes import (
     BRUSH as BRUSH,
     FEATHER as FEATHER,
@@ -16,6 +16,7 @@ from .contact_shapes import (
     stroke as stroke,
     stylus as stylus,
 )
+from .draws import Stream as Stream
 from .finger_gestures import (
     double_tap as double_tap,
     press as press,

@@ -15,7 +15,7 @@ import numpy as np
 
 from acoustic_fem import Library
 from acoustic_fem.quantities.checks import in_range, numbers
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.random_streams import Purpose, random_words, uniform
@@ -55,23 +55,37 @@ class Contact:
     """Fluctuation of the force while it moves, rms as a share of the force, 0 to 2: noise along the path, whose
     frequencies rise with the speed."""
     label: str = ""
-    """What it is, such as ``tap``."""
+    """Kind of contact, such as ``tap``."""
 
     def __post_init__(self) -> None:
         for name in ("time", "path", "force"):
             values = numbers(f"contact.{name}", getattr(self, name))
             if not np.isfinite(values).all():
-                raise Refusal(f"contact.{name} must be finite")
+                raise Refusal("must be finite", kind=Kind.UNSUITABLE, field=f"contact.{name}")
             object.__setattr__(self, name, values)
         count = len(self.time) if self.time.ndim else 0
         if self.time.ndim != 1 or count < 2 or np.any(np.diff(self.time) <= 0):
-            raise Refusal(f"contact.time has shape {self.time.shape}; it must be at least 2 ascending times, s")
+            raise Refusal(
+                f"has shape {self.time.shape}; it must be at least 2 ascending times, s",
+                kind=Kind.WRONG_TYPE,
+                field="contact.time",
+            )
         for name, expected in (("path", (count, 2)), ("force", (count,))):
             shape = getattr(self, name).shape
             if shape != expected:
-                raise Refusal(f"contact.{name} has shape {shape}, must be {expected}: a row for each time")
+                raise Refusal(
+                    f"has shape {shape}, must be {expected}, one row for each time",
+                    kind=Kind.WRONG_TYPE,
+                    field=f"contact.{name}",
+                )
         if self.force.min() < 0:
-            raise Refusal(f"contact.force = {self.force.min():g} N must be zero or above: a contact does not pull")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="contact.force",
+                value=float(self.force.min()),
+                unit="N",
+                allowed="zero or above, because a contact does not pull",
+            )
         in_range("contact.radius", self.radius, *RADII, "mm")
         in_range("contact.roughness", self.roughness, 0.0, 2.0)
 
@@ -134,12 +148,12 @@ def covered_force(contact: Contact, array: Library | ArrayResponse) -> Array:
     distance = np.linalg.norm(contact.path[pressing, None] - place, axis=-1)
     for size in np.unique(radius):
         rows, columns = np.nonzero((distance < contact.radius + size) & (radius == size))
-        shares[pressing[rows], columns] = hertz_share(distance[rows, columns], contact.radius, float(size))
+        shares[pressing[rows], columns] = hertz_fraction(distance[rows, columns], contact.radius, float(size))
     return shares * contact.force[:, None]
 
 
 def surface_of(array: Library | ArrayResponse) -> tuple[Array, Array]:
-    """Where the membranes of an array are.
+    """Places and radii of the membranes of an array.
 
     Returns:
         Their middles, (n_point, 2) float64, mm, and radii, (n_point,) float64, mm.
@@ -149,11 +163,15 @@ def surface_of(array: Library | ArrayResponse) -> tuple[Array, Array]:
     """
     response = response_of(array)
     if response.position is None or response.membrane_radius is None:
-        raise Refusal(f"{response.name}: contacts need a library with a design: bare transfer functions have no places")
+        raise Refusal(
+            f"{response.name}: bare transfer functions have no positions of membranes",
+            kind=Kind.MISMATCH,
+            remedy="take a library that has a design",
+        )
     return response.position, response.membrane_radius
 
 
-def hertz_share(distance: Array, contact: float, membrane: float) -> Array:
+def hertz_fraction(distance: Array, contact: float, membrane: float) -> Array:
     """Share of the force of a round contact that lies over a round membrane.
 
     With u = sqrt(1 - (r / a)^2) the share of a ring is 3 u^2 du times the share of it inside the membrane's edge. The

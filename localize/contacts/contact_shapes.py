@@ -1,4 +1,4 @@
-"""What touches: fingers, styluses, feathers, brushes, balls, insects, grains and puffs of air, each drawn anew.
+"""Contacts that touch an array: fingers, styluses, feathers, brushes, balls, insects, grains, puffs; each drawn anew.
 
 Forces are light ones, under which membranes stay linear or nearly so: a cap of 6 mm of Shore A 30 gives way by a third
 of its thickness under 15 mN, one of the fingertip arrays under 1 mN, and what presses harder rests on the shells around
@@ -10,16 +10,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from acoustic_fem.quantities.checks import in_range, numbers
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact
-from localize.contacts.draws import Draws
-from localize.signals.random_streams import Kind, Purpose
+from localize.contacts.draws import Draws, Stream
+from localize.signals.random_streams import StreamKind
 
 Place = tuple[float, float]
 
@@ -38,7 +39,7 @@ _SILICONE = 1.3e6
 
 @dataclass(frozen=True)
 class Tool:
-    """What is held to the array and moved: ranges from which each contact draws its own."""
+    """Tool that is pressed on the array and moved: ranges from which each contact draws its own."""
 
     name: str
     """Name of it, the label of its strokes."""
@@ -63,108 +64,86 @@ BRUSH = Tool("brush", (3.0, 6.0), (5e-4, 5e-3), (0.2, 0.5), 0.2)
 """Soft brush of 6 to 12 mm."""
 
 
-def stroke(
-    path: ArrayLike,
-    speed: ArrayLike,
-    tool: Tool = FINGER,
-    *,
-    seed: int = 0,
-    purpose: Purpose = "evaluation",
-    sample: int = 0,
-) -> Contact:
+def stroke(path: ArrayLike, speed: ArrayLike, tool: Tool = FINGER, **stream: Unpack[Stream]) -> Contact:
     """A stroke along a path, put down at its first place and lifted at its last: what handwriting is made of.
 
     Args:
         path: corners of the path, (k, 2) mm; k at least 2.
         speed: mm/s, 0.1 to 2000: one, or (k - 1,) of the pieces between corners.
         tool: what is moved; each sample draws its radius, force, roughness and unsteadiness.
-        seed: any non-negative integer.
-        purpose: streams of different purposes never share a number.
-        sample: index of the contact in the stream.
+        stream: ``seed``, ``purpose`` and ``sample`` of its random numbers, as of :class:`localize.contacts.Stream`.
 
     Raises:
         Refusal: a path of one place, or of no length; a speed out of range.
     """
-    return _moved("stroke", path, speed, tool, (seed, purpose, sample))
+    return _moved("stroke", path, speed, tool, stream)
 
 
-def finger(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def finger(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A :data:`FINGER` that moves along a path, (n, 2) mm, at a speed, mm/s.
 
     Arguments and errors as for :func:`stroke`.
     """
-    return _moved("finger", path, speed, FINGER, (seed, purpose, sample))
+    return _moved("finger", path, speed, FINGER, stream)
 
 
-def stylus(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def stylus(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A :data:`STYLUS` that moves along a path, (n, 2) mm, at a speed, mm/s.
 
     Arguments and errors as for :func:`stroke`.
     """
-    return _moved("stylus", path, speed, STYLUS, (seed, purpose, sample))
+    return _moved("stylus", path, speed, STYLUS, stream)
 
 
-def feather(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def feather(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A :data:`FEATHER` that moves along a path, (n, 2) mm, at a speed, mm/s.
 
     Arguments and errors as for :func:`stroke`.
     """
-    return _moved("feather", path, speed, FEATHER, (seed, purpose, sample))
+    return _moved("feather", path, speed, FEATHER, stream)
 
 
-def brush(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def brush(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A :data:`BRUSH` that moves along a path, (n, 2) mm, at a speed, mm/s.
 
     Arguments and errors as for :func:`stroke`.
     """
-    return _moved("brush", path, speed, BRUSH, (seed, purpose, sample))
+    return _moved("brush", path, speed, BRUSH, stream)
 
 
-def rolling_ball(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def rolling_ball(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """A steel ball of 2 to 5 mm that rolls along a path, (n, 2) mm, at a speed, mm/s, under its own weight; arguments
     and errors as for :func:`stroke`.
 
     Its contact has the radius (3 F R / (4 E))^(1/3) of Hertz on silicone; it wobbles once a turn, by 5 to 20 %.
     """
-    draws = Draws("rolling ball", seed, purpose, sample)
+    draws = Draws("rolling ball", **stream)
     size = draws.between((2.0, 5.0)) / 2e3  # m
     weight = 7800 * 4 / 3 * math.pi * size**3 * _GRAVITY
-    time, places, pressed = _way(path, speed)
+    time, places, pressed = _along_path(path, speed)
     turns = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(places, axis=0).T))]) / (2e3 * math.pi * size)
     wobble = draws.between((0.05, 0.2)) * np.sin(2 * np.pi * (turns + draws.between((0.0, 1.0))))
     radius = 1e3 * (0.75 * weight * size / _SILICONE) ** (1 / 3)
     return Contact(time, places, weight * pressed * (1 + wobble), radius, 0.02, "rolling ball")
 
 
-def insect(
-    path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def insect(path: ArrayLike, speed: ArrayLike, **stream: Unpack[Stream]) -> Contact:
     """An insect of 2 to 50 mg that walks along a path, (n, 2) mm, at a speed, mm/s; arguments and errors as for
     :func:`stroke`.
 
     Three of its six feet, 1 to 2.5 mm around its middle, carry it by turns (the alternating tripod of Wilson 1966,
     Annual Review of Entomology 11, 103): its weight moves by 20 to 60 % twice a stride, strides being 3 to 6 mm long.
     """
-    draws = Draws("insect", seed, purpose, sample)
+    draws = Draws("insect", **stream)
     weight = draws.log_between((2e-6, 50e-6)) * _GRAVITY
-    time, places, pressed = _way(path, speed)
+    time, places, pressed = _along_path(path, speed)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(places, axis=0).T))])
     steps = 2 * along / draws.between((3.0, 6.0)) + draws.between((0.0, 1.0))
     gait = 1 + draws.between((0.2, 0.6)) * np.sin(2 * np.pi * steps)
     return Contact(time, places, weight * pressed * gait, draws.between((1.0, 2.5)), 0.3, "insect")
 
 
-def falling_grain(place: Place, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0) -> Contact:
+def falling_grain(place: Place, **stream: Unpack[Stream]) -> Contact:
     """A grain of 2 to 20 mg that falls on the array from 5 to 20 mm and bounces up to four times.
 
     The paper lets 5 mg fall from 10 mm. Each impact is half a sine of 1 to 3 ms that turns the grain's velocity round;
@@ -172,11 +151,9 @@ def falling_grain(place: Place, *, seed: int = 0, purpose: Purpose = "evaluation
 
     Args:
         place: where, mm.
-        seed: any non-negative integer.
-        purpose: streams of different purposes never share a number.
-        sample: index of the contact in the stream.
+        stream: ``seed``, ``purpose`` and ``sample`` of its random numbers, as of :class:`localize.contacts.Stream`.
     """
-    draws = Draws("falling grain", seed, purpose, sample)
+    draws = Draws("falling grain", **stream)
     mass, lasts = draws.log_between((2e-6, 20e-6)), draws.between((1e-3, 3e-3))
     back = draws.between((0.3, 0.6))
     velocity = math.sqrt(2 * _GRAVITY * draws.log_between((5e-3, 20e-3)))
@@ -193,12 +170,12 @@ def falling_grain(place: Place, *, seed: int = 0, purpose: Purpose = "evaluation
     return Contact(time, still(place, len(time)), force, draws.between((0.1, 0.3)), 0.0, "falling grain")
 
 
-def air_puff(place: Place, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0) -> Contact:
+def air_puff(place: Place, **stream: Unpack[Stream]) -> Contact:
     """A puff of air of 50 to 300 ms on a spot of 4 to 12 mm radius, with 1 to 10 mN and turbulence of 20 to 40 %.
 
     Arguments as for :func:`falling_grain`.
     """
-    draws = Draws("air puff", seed, purpose, sample)
+    draws = Draws("air puff", **stream)
     lasts, force = draws.log_between((0.05, 0.3)), draws.log_between((1e-3, 1e-2))
     radius, turbulence = draws.between((4.0, 12.0)), draws.between((0.2, 0.4))
     time = times(QUIET[0] + lasts + QUIET[1])
@@ -213,7 +190,7 @@ def times(seconds: float) -> Array:
     return np.arange(round(seconds * RATE) + 1) / RATE
 
 
-def held(kind: Kind, place: Place, time: Array, pressed: Array, tool: Tool, draws: Draws) -> Contact:
+def held(kind: StreamKind, place: Place, time: Array, pressed: Array, tool: Tool, draws: Draws) -> Contact:
     """A tool that is held to one place.
 
     Args:
@@ -245,7 +222,7 @@ def joined(contacts: list[Contact], label: str = "") -> Contact:
         Refusal: no contacts.
     """
     if not contacts:
-        raise Refusal("contacts is empty: at least one is needed to join")
+        raise Refusal("is empty: at least one is needed to join", kind=Kind.MISSING, field="contacts")
     first = contacts[0]
     begin, time = float(first.time[0]), []
     for each in contacts:
@@ -260,28 +237,36 @@ def joined(contacts: list[Contact], label: str = "") -> Contact:
     )
 
 
-def _moved(kind: Kind, path: ArrayLike, speed: ArrayLike, tool: Tool, stream: tuple[int, Purpose, int]) -> Contact:
-    draws = Draws(kind, *stream)
-    time, places, pressed = _way(path, speed)
+def _moved(kind: StreamKind, path: ArrayLike, speed: ArrayLike, tool: Tool, stream: Stream) -> Contact:
+    draws = Draws(kind, **stream)
+    time, places, pressed = _along_path(path, speed)
     radius, force = draws.between(tool.radius), draws.log_between(tool.force)
     roughness = draws.between(tool.roughness)
     label = tool.name if kind == "stroke" else kind
     return Contact(time, places, force * pressed * draws.hand(time, tool.unsteadiness), radius, roughness, label)
 
 
-def _way(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]:
+def _along_path(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]:
     """Times (n,) s, places (n, 2) mm and the course of the force (n,) of what moves along a path."""
     corners = numbers("path", path)
     if corners.ndim != 2 or corners.shape[1:] != (2,) or len(corners) < 2 or not np.isfinite(corners).all():
-        raise Refusal(f"path has shape {corners.shape}; it must be at least two places (x, y) of finite numbers, mm")
+        raise Refusal(
+            f"has shape {corners.shape}; it must be at least two places (x, y) of finite numbers, mm",
+            kind=Kind.WRONG_TYPE,
+            field="path",
+        )
     lengths = np.hypot(*np.diff(corners, axis=0).T)
     speeds = numbers("speed", speed)
     if speeds.shape not in ((), lengths.shape):
-        raise Refusal(f"speed has shape {speeds.shape}; it must be one, or {lengths.shape}, one for each piece")
+        raise Refusal(
+            f"has shape {speeds.shape}; it must be one number, or {lengths.shape}, one for each piece of the path",
+            kind=Kind.WRONG_TYPE,
+            field="speed",
+        )
     for value in speeds.flat:
         in_range("speed", value, *SPEEDS, "mm/s")
     if lengths.sum() <= 0:
-        raise Refusal("path has no length; what stands still is a press")
+        raise Refusal("has no length", kind=Kind.UNSUITABLE, field="path", remedy="press a contact that stands still")
     kept = np.concatenate([[True], lengths > 0])
     at = np.concatenate([[0.0], np.cumsum(lengths / speeds)])[kept]
     lasts = float(at[-1])
@@ -298,5 +283,5 @@ def still(place: Place, count: int) -> Array:
     """A path that stays at one place, mm: (count, 2) float64, mm."""
     spot = numbers("place", place)
     if spot.shape != (2,) or not np.isfinite(spot).all():
-        raise Refusal(f"place = {place!r:.60} must be (x, y), two finite numbers, mm")
+        raise Refusal(kind=Kind.WRONG_TYPE, field="place", value=place, allowed="(x, y), two finite numbers, mm")
     return np.tile(spot, (count, 1))

@@ -1,13 +1,14 @@
-"""What is drawn for one contact: a fixed row of numbers that it owns, handed out in order."""
+"""Random numbers of one contact: a fixed row of numbers that it owns, handed out in order."""
 
 from __future__ import annotations
 
 import math
+from typing import TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.signals.random_streams import Kind, Purpose, random_words, uniform
+from localize.signals.random_streams import Purpose, StreamKind, random_words, uniform
 
 _WORDS = 128
 TREMOR = (6.0, 12.0)
@@ -16,17 +17,28 @@ SWAY = (0.3, 3.0)
 """Band in which a hand that means to press evenly drifts, Hz; ours."""
 
 
+class Stream(TypedDict, total=False):
+    """Random numbers that a contact owns: keyword arguments of all functions that draw one."""
+
+    seed: int
+    """Seed, any non-negative integer; 0 where it is not given."""
+    purpose: Purpose
+    """Purpose: streams of different ones never share a number; "evaluation" where it is not given."""
+    sample: int
+    """Index of the contact in the stream; 0 where it is not given."""
+
+
 class Draws:
     """Numbers of one contact, the same whatever was drawn for others.
 
     Args:
         kind: of the contact.
-        seed: any non-negative integer.
-        purpose: streams of different purposes never share a number.
-        sample: index of the contact in the stream.
+        seed: as of :class:`Stream`.
+        purpose: as of the same.
+        sample: as of the same.
     """
 
-    def __init__(self, kind: Kind, seed: int, purpose: Purpose, sample: int) -> None:
+    def __init__(self, kind: StreamKind, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0) -> None:
         drawn = uniform(random_words(seed, purpose, kind, sample, 1, _WORDS))
         self._left = iter(drawn.numpy().astype(np.float64).ravel().tolist())
 

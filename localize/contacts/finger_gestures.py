@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Unpack
 
 import numpy as np
 
@@ -11,8 +12,7 @@ from acoustic_fem.quantities.checks import in_range
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact
 from localize.contacts.contact_shapes import FINGER, QUIET, Place, Tool, held, still, stroke, times
-from localize.contacts.draws import Draws
-from localize.signals.random_streams import Purpose
+from localize.contacts.draws import Draws, Stream
 
 TAP_SECONDS = (0.01, 0.1)
 """Shortest and longest tap, s."""
@@ -29,8 +29,8 @@ WAVES = {
     "tidal": ((0.24, 0.29), (0.45, 0.75), (0.050, 0.065)),
     "dicrotic": ((0.42, 0.50), (0.25, 0.45), (0.055, 0.075)),
 }
-"""Of each wave of a pulse: range of its time after the foot at 75 beats a minute, s; of its height against the first;
-of its standard deviation, s. The order and rough times are those of the radial pulse (Nichols and O'Rourke, McDonald's
+"""Ranges of each wave of a pulse: its time after the foot at 75 beats a minute, s; its height against the first; its
+standard deviation, s. The order and rough times are those of the radial pulse (Nichols and O'Rourke, McDonald's
 Blood Flow in Arteries); the ranges are ours."""
 
 
@@ -38,29 +38,23 @@ PULSE_FADE = 0.2
 """Time in which a pulse is faded in, and out, s."""
 
 
-def tap(
-    place: Place, *, tool: Tool = FINGER, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def tap(place: Place, *, tool: Tool = FINGER, **stream: Unpack[Stream]) -> Contact:
     """A tap of 10 to 100 ms, as sin^2.
 
     Args:
         place: where, mm.
         tool: with what.
-        seed: any non-negative integer.
-        purpose: streams of different purposes never share a number.
-        sample: index of the contact in the stream.
+        stream: ``seed``, ``purpose`` and ``sample`` of its random numbers, as of :class:`localize.contacts.Stream`.
     """
-    draws = Draws("tap", seed, purpose, sample)
+    draws = Draws("tap", **stream)
     lasts = draws.log_between(TAP_SECONDS)
     time = times(QUIET[0] + lasts + QUIET[1])
     return held("tap", place, time, _hump(time - QUIET[0], lasts), tool, draws)
 
 
-def double_tap(
-    place: Place, *, tool: Tool = FINGER, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> Contact:
+def double_tap(place: Place, *, tool: Tool = FINGER, **stream: Unpack[Stream]) -> Contact:
     """Two taps 120 to 350 ms apart, the second of 60 to 140 % of the first; arguments as for :func:`tap`."""
-    draws = Draws("double tap", seed, purpose, sample)
+    draws = Draws("double tap", **stream)
     lasts, apart = draws.log_between(TAP_SECONDS), draws.between(DOUBLE_TAP_SECONDS)
     second = draws.between((0.6, 1.4))
     time = times(QUIET[0] + apart + lasts + QUIET[1])
@@ -68,29 +62,19 @@ def double_tap(
     return held("double tap", place, time, pressed, tool, draws)
 
 
-def press(
-    place: Place,
-    hold: float | None = None,
-    *,
-    tool: Tool = FINGER,
-    seed: int = 0,
-    purpose: Purpose = "evaluation",
-    sample: int = 0,
-) -> Contact:
+def press(place: Place, hold: float | None = None, *, tool: Tool = FINGER, **stream: Unpack[Stream]) -> Contact:
     """A press that rises within 50 to 200 ms, is held, and falls.
 
     Args:
         place: where, mm.
         hold: how long, s, up to 100; by default 0.4 to 1.5 s are drawn.
         tool: with what.
-        seed: any non-negative integer.
-        purpose: streams of different purposes never share a number.
-        sample: index of the contact in the stream.
+        stream: ``seed``, ``purpose`` and ``sample`` of its random numbers, as of :class:`localize.contacts.Stream`.
 
     Raises:
         Refusal: a hold out of range.
     """
-    draws = Draws("press", seed, purpose, sample)
+    draws = Draws("press", **stream)
     rise, fall = draws.log_between(PRESS_SECONDS), draws.log_between(PRESS_SECONDS)
     drawn = draws.between(HOLD_SECONDS)
     hold = drawn if hold is None else in_range("hold", hold, 0.0, 100.0, "s")
@@ -100,32 +84,15 @@ def press(
     return held("press", place, time, np.sin(np.pi / 2 * np.minimum(up, down)) ** 2, tool, draws)
 
 
-def slide(
-    start: Place,
-    end: Place,
-    speed: float,
-    *,
-    tool: Tool = FINGER,
-    seed: int = 0,
-    purpose: Purpose = "evaluation",
-    sample: int = 0,
-) -> Contact:
+def slide(start: Place, end: Place, speed: float, *, tool: Tool = FINGER, **stream: Unpack[Stream]) -> Contact:
     """A straight stroke from one place, mm, to another at a speed, mm/s; further arguments and errors as
     :func:`localize.contacts.stroke`.
     """
-    made = stroke([start, end], speed, tool, seed=seed, purpose=purpose, sample=sample)
+    made = stroke([start, end], speed, tool, **stream)
     return Contact(made.time, made.path, made.force, made.radius, made.roughness, "slide")
 
 
-def pulse_wave(
-    place: Place,
-    rate: float = 75.0,
-    seconds: float = 4.0,
-    *,
-    seed: int = 0,
-    purpose: Purpose = "evaluation",
-    sample: int = 0,
-) -> Contact:
+def pulse_wave(place: Place, rate: float = 75.0, seconds: float = 4.0, **stream: Unpack[Stream]) -> Contact:
     """A finger that rests on the array, through whose skin the pulse comes: percussion, tidal and dicrotic wave.
 
     The percussion wave adds 20 to 200 uN to the force of the finger, which sways slowly by 2 to 50 uN, rms. The force
@@ -136,14 +103,12 @@ def pulse_wave(
         place: where, mm.
         rate: beats a minute, 30 to 220.
         seconds: length, 0.5 to 1000 s.
-        seed: any non-negative integer.
-        purpose: streams of different purposes never share a number.
-        sample: index of the contact in the stream.
+        stream: ``seed``, ``purpose`` and ``sample`` of its random numbers, as of :class:`localize.contacts.Stream`.
 
     Raises:
         Refusal: a rate or a length out of range.
     """
-    heart = _heart(rate, seconds, seed, purpose, sample)
+    heart = _heart(rate, seconds, **stream)
     time, pulse = times(seconds), np.zeros(len(times(seconds)))
     for foot, stretch in heart.beats:
         for later, weight, width in heart.waves.values():
@@ -154,15 +119,13 @@ def pulse_wave(
     return Contact(time, still(place, len(time)), force, heart.radius, 0.0, "pulse wave")
 
 
-def pulse_times(
-    rate: float = 75.0, seconds: float = 4.0, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
-) -> dict[str, Array]:
+def pulse_times(rate: float = 75.0, seconds: float = 4.0, **stream: Unpack[Stream]) -> dict[str, Array]:
     """Times of the waves of :func:`pulse_wave`, at a rate in beats a minute, over a length in seconds; errors as there.
 
     Returns:
         (n_beat,) float64, s, by the name of the wave; the first beats lie before the contact.
     """
-    heart = _heart(rate, seconds, seed, purpose, sample)
+    heart = _heart(rate, seconds, **stream)
     return {
         name: np.array([foot + later * stretch for foot, stretch in heart.beats])
         for name, (later, _, _) in heart.waves.items()
@@ -171,7 +134,7 @@ def pulse_times(
 
 @dataclass(frozen=True)
 class _Heart:
-    """What is drawn for one pulse."""
+    """Random numbers of one pulse."""
 
     draws: Draws
     swaying: float
@@ -183,10 +146,10 @@ class _Heart:
     """Time of the foot of each beat, s, and by how much its waves are stretched."""
 
 
-def _heart(rate: float, seconds: float, seed: int, purpose: Purpose, sample: int) -> _Heart:
+def _heart(rate: float, seconds: float, **stream: Unpack[Stream]) -> _Heart:
     in_range("rate", rate, *HEART_RATES, "beats a minute")
     in_range("seconds", seconds, 0.5, 1000.0, "s")
-    draws = Draws("pulse", seed, purpose, sample)
+    draws = Draws("pulse", **stream)
     swaying, height = draws.log_between((2e-6, 50e-6)), draws.log_between((20e-6, 200e-6))
     radius = draws.between(FINGER.radius)
     waves = {}

@@ -1,4 +1,4 @@
-"""What the microphones record while a contact moves over an array.
+"""Microphone signals while a contact moves over an array.
 
 The force on each membrane goes through its impulse response to each microphone, and the pressures of all membranes
 add, for the array is linear. The impulse responses are those of :mod:`localize.signals.propagation`: the transfer
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem import Library
 from acoustic_fem.quantities.checks import in_range
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force, surface_of
 from localize.signals.array_response import ArrayResponse, interpolated, interpolated_from_zero, response_of
@@ -46,7 +46,7 @@ _BLOCKS = 4096
 
 @dataclass(frozen=True, eq=False)
 class Take:
-    """What the microphones of an array record of a contact, and what is true of it."""
+    """Microphone signals of a contact, and the true path and force."""
 
     signals: Array
     """Pressures at the microphones; (n_microphone, n_sample) float64, Pa."""
@@ -59,9 +59,9 @@ class Take:
     force: Array
     """Force of the contact as it was heard, its roughness drawn; (n_sample,) float64, N."""
     point: NDArray[np.int64]
-    """Index of the point whose middle is nearest, from 0, -1 where nothing presses; (n_sample,) int64."""
+    """Point whose middle is nearest, from 1; 0 where nothing presses; (n_sample,) int64."""
     label: str
-    """What the contact is."""
+    """Label of the contact."""
 
 
 class ContactRecorder:
@@ -85,7 +85,7 @@ class ContactRecorder:
         array: Library | ArrayResponse,
         sample_rate: float = SAMPLE_RATE,
         *,
-        microphone_noise: NoiseChoice = 0.0,
+        microphone_noise: NoiseChoice = "design",
         ambient: float | None = None,
         seed: int = 0,
         purpose: Purpose = "evaluation",
@@ -93,7 +93,13 @@ class ContactRecorder:
         in_range("sample_rate", sample_rate, *RATES, "Hz")
         self._period = round(sample_rate / LINE_SPACING)
         if abs(self._period * LINE_SPACING - sample_rate) > 1e-9:
-            raise Refusal(f"sample_rate = {sample_rate!r} Hz must be a multiple of {LINE_SPACING:g} Hz")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="sample_rate",
+                value=sample_rate,
+                unit="Hz",
+                allowed=f"a multiple of {LINE_SPACING:g} Hz",
+            )
         self.response = response_of(array)
         self.sample_rate, self.seed, self.purpose = float(sample_rate), seed, purpose
         self._place, _ = surface_of(self.response)
@@ -101,7 +107,12 @@ class ContactRecorder:
         if ambient is not None or microphone_noise != 0.0:
             if sample_rate != SAMPLE_RATE:
                 raise Refusal(
-                    f"sample_rate = {sample_rate:g} Hz must be {SAMPLE_RATE:g} Hz where there is noise or sound"
+                    kind=Kind.CONFLICT,
+                    field="sample_rate",
+                    value=sample_rate,
+                    unit="Hz",
+                    allowed=f"{SAMPLE_RATE:g} Hz where there is noise or sound",
+                    remedy=(Field("microphone_noise"), " = 0 records without noise"),
                 )
             self._background = TouchGenerator(
                 self.response,
@@ -119,7 +130,11 @@ class ContactRecorder:
         """(n_point, n_microphone, period) Pa/N per sample; what comes before time zero stands at the end."""
         response = self.response
         if response.cavity_response is None:
-            raise Refusal(f"{response.name}: contacts need a library with a design: it tells the pressure of a force")
+            raise Refusal(
+                f"{response.name}: bare transfer functions do not give the pressure of a force",
+                kind=Kind.MISMATCH,
+                remedy="take a library that has a design",
+            )
         grid = response.frequency
         band = (float(grid[0]), min(float(grid[-1]), SAMPLE_RATE / 2))
         fade = top_faded(band).numpy().astype(np.float64)
@@ -143,7 +158,7 @@ class ContactRecorder:
         return self._on_bins[point]
 
     def take(self, contact: Contact, sample: int = 0) -> Take:
-        """What is recorded from the first time of a contact to its last.
+        """Microphone signals from the first time of a contact to its last.
 
         Args:
             contact: what presses.
@@ -170,7 +185,7 @@ class ContactRecorder:
             time=steps[::fine],
             path=path,
             force=at_samples,
-            point=np.where(at_samples > 0, nearest, -1),
+            point=np.where(at_samples > 0, nearest + 1, 0),
             label=contact.label,
         )
 
@@ -192,13 +207,13 @@ def record(
     array: Library | ArrayResponse,
     sample_rate: float = SAMPLE_RATE,
     *,
-    microphone_noise: NoiseChoice = 0.0,
+    microphone_noise: NoiseChoice = "design",
     ambient: float | None = None,
     seed: int = 0,
     purpose: Purpose = "evaluation",
     sample: int = 0,
 ) -> Take:
-    """What the microphones record of one contact; of many, :class:`ContactRecorder` is quicker.
+    """Microphone signals of one contact; for many, :class:`ContactRecorder` is quicker.
 
     ``sample_rate`` in Hz, ``ambient`` in dB SPL; arguments and errors as for :class:`ContactRecorder` and
     :meth:`ContactRecorder.take`.

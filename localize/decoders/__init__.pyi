@@ -1,4 +1,5 @@
 from .bayes import BayesDecoder as BayesDecoder
+from .decoder_options import DecoderOptions as DecoderOptions, TolerantOptions as TolerantOptions
 from .frame_covariance import (
     low_pass as low_pass,
     sampled_waves as sampled_waves,
@@ -7,7 +8,6 @@ from .frame_covariance import (
 )
 from .judgement import ResidualTest as ResidualTest
 from .likelihood import DecoderTables as DecoderTables
-from .options import DecoderOptions as DecoderOptions, TolerantOptions as TolerantOptions
 from .reconstruct import Reconstructor as Reconstructor
 from .sound_test import SoundTest as SoundTest
 from .surroundings import ROOM as ROOM, sound_levels as sound_levels

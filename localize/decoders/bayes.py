@@ -20,10 +20,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import PointDecoder
-from localize.decoders.options import DecoderOptions
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.noise_model import NoiseChoice

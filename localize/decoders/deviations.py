@@ -20,10 +20,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import TolerantOptions
 from localize.decoders.frame_covariance import DEVIATING, deviation_moments
 from localize.decoders.hypotheses import Hypotheses
 from localize.decoders.likelihood import DecoderTables
-from localize.decoders.options import TolerantOptions
 
 
 class DeviatingTables:

@@ -26,10 +26,10 @@ from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DriftOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import LibraryDecoder, in_parts
-from localize.decoders.options import DriftOptions
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
@@ -138,12 +138,26 @@ class DriftDecoder(LibraryDecoder):
         return (probability if batched else probability[0]), state
 
     def joint_log_likelihood(self, batch: Array) -> Array:
-        """As of :class:`localize.BayesDecoder`, each signal taken as the first touch; (n, n_point) float64, nats."""
+        """Log-likelihood of every point, each signal taken as the first touch, all of its frames together.
+
+        Args:
+            batch: (n, n_microphone, n_sample) float64, Pa, as :func:`localize.signals.checked_signals` gives it.
+
+        Returns:
+            (n, n_point) float64, nats, up to a constant per signal.
+        """
         by_state = self._of_touches(batch)
         return np.stack([each[:, self._believed(each, self.start).argmax()] for each in by_state])
 
     def log_likelihood(self, frames: Array) -> Array:
-        """As of :class:`localize.BayesDecoder`, each frame taken as the first touch; (n, n_point) float64, nats."""
+        """Log-likelihood of every point, each frame taken as the first touch.
+
+        Args:
+            frames: (n, n_microphone, 250) float64, Pa.
+
+        Returns:
+            (n, n_point) float64, nats, up to a constant per frame.
+        """
         return self.joint_log_likelihood(frames)
 
     def _probability(self, batch: Array) -> Array:

@@ -26,8 +26,8 @@ from acoustic_fem.scatter.as_built_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import ScatteredDesign, Tolerance
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import HypothesisOptions
 from localize.decoders.frame_covariance import DEVIATING, SourceDensity, source_density, touch_covariances
-from localize.decoders.options import HypothesisOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import ResidualOptions
 from localize.decoders.frame_covariance import (
     ambient_covariance,
     check_level,
@@ -28,7 +29,6 @@ from localize.decoders.frame_covariance import (
     whitening,
 )
 from localize.decoders.library_decoder import LibraryDecoder
-from localize.decoders.options import ResidualOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import joint_whitening
 from localize.decoders.likelihood import Bounds, Screen, assumed_noise, tables_of
-from localize.decoders.options import DecoderOptions
 from localize.decoders.surroundings import Surroundings
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import cut_frames

@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike
 
 from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.level_likelihood import BoundedSearch, LevelLikelihood
 from localize.decoders.likelihood import DecoderTables
-from localize.decoders.options import DecoderOptions
 from localize.decoders.surroundings import Surroundings
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import checked_signals, cut_frames
@@ -77,7 +77,14 @@ class LibraryDecoder(Locator):
         return self.options.calibrated_misfit if self.provenance.get("fidelity") == MEASURED else None
 
     def misfit(self, frames: Array) -> Array:
-        """As of :meth:`localize.Locator.misfit`; (n,) float64."""
+        """Residual that the best point leaves of each frame, over that of the assumed noise.
+
+        Args:
+            frames: (n, n_microphone, 250) float64, Pa.
+
+        Returns:
+            (n,) float64.
+        """
         return self.likelihood.misfit(frames)
 
     @one_thread()

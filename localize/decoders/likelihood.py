@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import SAMPLES, low_pass
-from localize.decoders.options import DecoderOptions
 from localize.signals.noise_model import NoiseSpectrum
 
 BOUND_ERROR = 8 * float(np.finfo(np.float32).eps)

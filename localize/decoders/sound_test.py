@@ -16,9 +16,9 @@ import scipy.special
 from numpy.typing import ArrayLike, NDArray
 
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import SoundOptions
 from localize.decoders.frame_covariance import ambient_covariance, check_level, check_noise, low_pass, whitening
 from localize.decoders.judgement import too_loud
-from localize.decoders.options import SoundOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum

@@ -22,13 +22,13 @@ from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign, Toler
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
+from localize.decoders.decoder_options import TolerantOptions
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.hypotheses import as_built_hypotheses, bare_library
 from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.likelihood import Bounds, Screen
-from localize.decoders.options import TolerantOptions
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import response_of
 from localize.signals.frames import cut_frames
@@ -121,7 +121,14 @@ class TolerantDecoder(LibraryDecoder):
         return self._of_recordings(frames[:, None])
 
     def misfit(self, frames: Array) -> Array:
-        """As of :meth:`localize.Locator.misfit`, by the best hypothesis; (n,) float64."""
+        """Residual that the best hypothesis leaves of each frame, over that of the assumed noise.
+
+        Args:
+            frames: (n, n_microphone, 250) float64, Pa.
+
+        Returns:
+            (n,) float64.
+        """
         heard = _ScoredRecordings(self.likelihood.screens, self._bounds, frames[:, None], self.options)
         return self._misfit(self._fitted(heard), heard)
 

@@ -22,10 +22,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import TwoTouchOptions
 from localize.decoders.frame_covariance import check_noise, low_pass, touch_covariances, whitening
 from localize.decoders.hypotheses import as_built_covariances
 from localize.decoders.likelihood import GaussianTables
-from localize.decoders.options import TwoTouchOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice

@@ -1,4 +1,4 @@
-"""What a decoder costs a microcontroller: flash, memory, stack and instructions, and whether that is within a budget.
+"""Costs of a decoder on a microcontroller: flash, memory, stack and instructions, and whether that is within a budget.
 
 Tables and variables are counted. Code, stack and instructions are those of gcc 12.2 with newlib at -O2 for a
 Cortex-M4F, counted on an emulated board with nothing given up early, whatever is heard: no decision takes more. Tests
@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.frame_covariance import SAMPLES
 from localize.embedded.decoder_tables import EmbeddedTables
 from localize.embedded.reflections import BLOCK
@@ -29,7 +29,7 @@ _STATED = re.compile(r"\s*(flash|ram|stack|instructions)\s*=\s*(\d+(?:\.\d+)?)\s
 
 @dataclass(frozen=True)
 class Cost:
-    """What a decoder costs."""
+    """Costs of a decoder."""
 
     flash: int
     """Tables, code and constants, bytes."""
@@ -45,7 +45,7 @@ class Cost:
 
 @dataclass(frozen=True)
 class Budget:
-    """What a microcontroller has left for the decoder; None where it does not matter."""
+    """Resources that a microcontroller has left for the decoder; None where a resource does not matter."""
 
     flash: int | None = None
     """Bytes."""
@@ -70,8 +70,11 @@ class Budget:
             match = _STATED.fullmatch(part)
             if match is None or match[1] in found or not float(match[2]):
                 raise Refusal(
-                    f"budget = {text!r}: {part!r} must be one of flash, ram, stack and instructions, once, with a "
-                    "number above 0, such as flash=512k,ram=16k,instructions=2.5M"
+                    f"holds {part!r}; each part must be flash, ram, stack or instructions, once, with a number above 0",
+                    kind=Kind.OUT_OF_RANGE,
+                    field="budget",
+                    value=text,
+                    remedy="write it as flash=512k,ram=16k,instructions=2.5M",
                 )
             thousand = 1000 if match[1] == "instructions" else 1024
             found[match[1]] = int(float(match[2]) * thousand ** {"": 0, "k": 1, "M": 2}[match[3]])
@@ -93,7 +96,7 @@ class Budget:
             if left is not None and needed > left:
                 over.append(f"{name} {needed} of {left}{'' if name == 'instructions' else ' bytes'}")
         if over:
-            raise Refusal(f"budget is exceeded by {what}: {', '.join(over)}")
+            raise Refusal(f"is exceeded by {what}: {', '.join(over)}", kind=Kind.UNSUITABLE, field="budget")
 
 
 def in_units(name: str, value: int) -> str:

@@ -21,7 +21,7 @@ class EmbeddedDecoder:
     tables: EmbeddedTables
     """Tables of its array."""
     cost: Cost
-    """What it costs."""
+    """Costs of the decoder."""
     files: Mapping[str, str]
     """Text of each file by name."""
 

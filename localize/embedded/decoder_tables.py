@@ -1,4 +1,4 @@
-"""What a decoder on a chip knows of its array: the numbers of its tables.
+"""Numbers that a decoder on a chip has of its array: those of its tables.
 
 The likelihood is that of :mod:`localize.decoders.bayes`. With q_k the eigenvectors of the covariance of a point where
 the noise is white, l_k their eigenvalues, and x the frame, it is, up to what all points share,
@@ -19,8 +19,9 @@ import scipy.signal
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import (
     CUTOFF,
     SAMPLES,
@@ -31,10 +32,9 @@ from localize.decoders.frame_covariance import (
     whitening,
 )
 from localize.decoders.likelihood import assumed_noise
-from localize.decoders.options import DecoderOptions
 from localize.decoders.sound_test import SoundTest
 from localize.embedded.reflections import BLOCK, reflections
-from localize.live.options import HIGH_PASS, StreamOptions
+from localize.live.stream_options import HIGH_PASS, StreamOptions
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import SAMPLE_RATE
@@ -71,7 +71,7 @@ class EmbeddedTables:
     """Reflections of each point, the directions that it leaves empty first, see
     :class:`localize.embedded.reflections.Reflections`; (n_point, n_number) float32 or int16."""
     couplings: Single
-    """What the reflections of each block have in common, (n_point, n_coupling) float32."""
+    """Common part of the reflections of each block, (n_point, n_coupling) float32."""
     steps: Single | None
     """Step and first number of each reflection, (n_point, 2 n_reflection) float32; None in single precision."""
     sound_whitening: Single | None
@@ -132,7 +132,7 @@ def embedded_tables(
         Refusal: an unknown precision, or as :class:`localize.BayesDecoder` and :class:`localize.SoundTest`.
     """
     if precision not in PRECISIONS:
-        raise Refusal(f"precision = {precision!r} must be {' or '.join(map(repr, PRECISIONS))}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="precision", value=precision, allowed=PRECISIONS)
     check_noise(microphone_noise)
     response = response_of(library)
     warn_of_uncovered(response)

@@ -8,14 +8,14 @@ from importlib.resources import files
 import numpy as np
 from numpy.typing import NDArray
 
+from localize.decoders.decoder_options import DecoderOptions, SoundOptions
 from localize.decoders.frame_covariance import DECIMATION, SAMPLES, TAPS
-from localize.decoders.options import DecoderOptions, SoundOptions
 from localize.embedded.decoder_tables import (
     EmbeddedTables,
     high_pass_coefficients,
     low_pass_taps,
 )
-from localize.live.options import StreamOptions
+from localize.live.stream_options import StreamOptions
 
 #: Sources that are the same for every array.
 SOURCES = ("touch_decoder.h", "touch_decoder.c", "touch_bench.c")

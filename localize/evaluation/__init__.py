@@ -1,6 +1,6 @@
 """How often a locator is right, and whether what it hears is of its sensor.
 
-Stands on: decoders, live, signals.
+Stands on: live, signals.
 """
 
 import lazy_loader

@@ -11,7 +11,7 @@ import scipy.stats
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
@@ -113,7 +113,7 @@ class Evaluation:
 
     @property
     def noise_in_words(self) -> str:
-        """Which noise the microphones had, as a phrase."""
+        """Noise of the microphones, as a phrase."""
         if self.noise_source == "white":
             return f"white microphone noise of {self.microphone_noise:.2g} Pa rms over 0 to 500 Hz"
         return f"the noise of the design's microphone, {self.microphone_noise:.2g} Pa rms over 1 to 500 Hz"
@@ -156,7 +156,7 @@ def evaluate(
     localizer: Locator,
     library: Library | ArrayResponse,
     touches_per_point: int = 200,
-    microphone_noise: NoiseChoice = 0.0,
+    microphone_noise: NoiseChoice = "design",
     samples: int = FRAME,
     seed: int = 0,
     *,
@@ -192,7 +192,7 @@ def evaluate(
     probability, point, interval = [], [], []
     for part in touches.stream(0, touches_per_point * response.point_count):
         probability.append(localizer.locate(part.signals[..., -samples:].numpy()))
-        point.append(part.point.numpy())
+        point.append(part.point.numpy() - 1)
         interval.append(part.interval.numpy())
     return _judged(
         np.concatenate(probability), np.concatenate(point), np.concatenate(interval), touches, samples
@@ -214,14 +214,21 @@ def check_evaluation(
     if tuple(localizer.microphones) != response.microphones or localizer.point_count != response.point_count:
         raise Refusal(
             f"the localizer is for {counted(localizer.point_count, 'point')} and microphones "
-            f"{', '.join(localizer.microphones)}; "
-            f"the library has {counted(response.point_count, 'point')} and microphones "
-            f"{', '.join(response.microphones)}"
+            f"{', '.join(localizer.microphones)}; the library has {counted(response.point_count, 'point')} and "
+            f"microphones {', '.join(response.microphones)}",
+            kind=Kind.MISMATCH,
         )
     if not 1 <= touches_per_point <= MOST_TOUCHES:
-        raise Refusal(f"touches_per_point = {touches_per_point} must be between 1 and {MOST_TOUCHES:,}")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="touches_per_point",
+            value=touches_per_point,
+            allowed=f"between 1 and {MOST_TOUCHES:,}",
+        )
     if not FRAME <= samples <= SAMPLE_LENGTH:
-        raise Refusal(f"samples = {samples} must be between {FRAME} and {SAMPLE_LENGTH}")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="samples", value=samples, allowed=f"between {FRAME} and {SAMPLE_LENGTH}"
+        )
     response.noise(microphone_noise)
 
 

@@ -1,4 +1,4 @@
-"""Whether touches are of the sensor that a decoder has: what its best point leaves of the loudest of them.
+"""Fit of a decoder to its sensor: the residual of its best point in the loudest touches.
 
 A library of another array, a sensor that is further from its design than tolerances go, and a microphone that is far
 off its level all leave more of a loud touch than a sensor as expected does, at every point. A level that is off shows
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.live.events import Decision
 from localize.signals.frames import FRAME, checked_signals
 from localize.signals.locator import Locator
@@ -49,7 +49,7 @@ class SensorFit:
     """How well the points of a decoder explain the loudest touches of a sensor."""
 
     misfit: float
-    """What the best point leaves of a frame, by what the noise leaves, a ratio; the median over the frames."""
+    """Residual of the best point in a frame over that of the noise, a ratio; the median over the frames."""
     expected: float
     """Largest such ratio of a sensor as the decoder expects it."""
     microphones: tuple[str, ...]
@@ -143,7 +143,11 @@ def sensor_fit(decoder: Locator, frames: ArrayLike, noise: ArrayLike | None = No
 def _louder(decoder: Locator, noise: NDArray[np.float64]) -> float:
     """The noise over that which the decoder was told, rms, at least 1."""
     if noise.shape != (len(decoder.microphones),):
-        raise Refusal(f"noise has shape {noise.shape}, must be ({len(decoder.microphones)},): one per microphone")
+        raise Refusal(
+            f"has shape {noise.shape}, must be ({len(decoder.microphones)},), one value for each microphone",
+            kind=Kind.WRONG_TYPE,
+            field="noise",
+        )
     return max(1.0, float(np.sqrt(np.mean(noise**2))) / decoder.noise_rms)
 
 

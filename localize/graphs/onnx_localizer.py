@@ -22,8 +22,9 @@ from localize.graphs.description import (
 )
 from localize.graphs.foreign_graph import ForeignGraph
 from localize.graphs.graph_check import BATCH, INPUT, OUTPUTS, check_interface, doubt
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.frames import FRAME, combined_probability, cut_frames
-from localize.signals.locator import ArrayFacts, Locator
+from localize.signals.locator import Locator
 
 if TYPE_CHECKING:
     from onnx import ModelProto

@@ -35,7 +35,7 @@ class Stages(torch.autograd.Function):
 
     @staticmethod
     def forward(ctx: Any, maps: Tensor, layers: Iterable[Layer], *_: Tensor) -> Tensor:
-        """What the last layer gives.
+        """Output of the last layer.
 
         Args:
             ctx: of autograd.
@@ -235,7 +235,7 @@ def _as_maps(rows: Tensor, like: Tensor) -> Tensor:
 
 @lru_cache(maxsize=4)
 def _order(shape: tuple[int, int, int, int], high: int, wide: int) -> NDArray[np.int64]:
-    """Which strips of maps of that shape lie in their patches one after the other."""
+    """Strips of maps of that shape that lie in their patches one after the other."""
     n, channels, rows, columns = shape
     strip = np.arange(n * channels * rows * columns // wide)
     return strip.reshape(n, channels, rows // high, high, columns // wide).transpose(0, 2, 4, 1, 3).ravel()
@@ -243,7 +243,7 @@ def _order(shape: tuple[int, int, int, int], high: int, wide: int) -> NDArray[np
 
 @lru_cache(maxsize=16)
 def _index(part: int, columns: int) -> Tensor:
-    """Where in a filter, channels last, each element of its matrix lies; one beyond its end for a zero."""
+    """Place of each element of its matrix in a filter, channels last; one beyond its end for a zero."""
     row, column = torch.arange(3), torch.arange(columns)
     across = (column[:, None] - column + 1)[:, None, :, None]  # of the column that is seen and the one that sees
     place = (torch.arange(part) * 3 + row[:, None, None, None, None]) * 3 + across

@@ -1,6 +1,6 @@
 """The network: features, training, files, graphs.
 
-Stands on: decoders, evaluation, graphs, layers, live, recordings, signals.
+Stands on: decoders, graphs, layers, live, recordings, signals.
 """
 
 import lazy_loader

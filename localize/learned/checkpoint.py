@@ -19,7 +19,7 @@ from torch import Tensor, nn
 
 from geometry.ground.file_checks import library_reads, read_bytes
 from geometry.ground.record import is_sealed, sealed, sha256
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import whole_file
 from localize.graphs.description import LARGEST_MODEL, described
@@ -108,15 +108,14 @@ class Checkpoint:
 
         if not self.path.exists():
             return None
-        anew = "remove it to train anew"
         held = read_bytes(self.path, "a checkpoint", CheckpointError, LARGEST_MODEL)
-        with library_reads(self.path, f"a checkpoint; {anew}", CheckpointError):
+        with library_reads(self.path, "a checkpoint", CheckpointError):
             tensors = load(held)
         said = _metadata(held)
         if said.get("format") != FORMAT:
-            raise CheckpointError(f"{self.path}: is no checkpoint of this version; {anew}")
+            raise self._refused("is no checkpoint of this version", Kind.MISMATCH)
         if not is_sealed(said, _content(tensors)):
-            raise CheckpointError(f"{self.path}: is damaged: its checksum is not that of what it holds; {anew}")
+            raise self._refused("is damaged: its SHA-256 is not that of what was written", Kind.DAMAGED)
         progress = parse_json(said["progress"], str(self.path), CheckpointError)
         described(TrainingState, said["progress"], f"{self.path}: progress", CheckpointError)
         self._compare(parse_json(said["identity"], str(self.path), CheckpointError))
@@ -143,7 +142,10 @@ class Checkpoint:
             if mine != other:
                 readable = name != "transfer_function"
                 what = f"{name} was {other}, is {mine}" if readable else f"{name} has changed"
-                raise CheckpointError(f"{self.path}: is of another training: {what}; remove it to train anew")
+                raise self._refused(f"is of another training: {what}", Kind.MISMATCH)
+
+    def _refused(self, why: str, kind: Kind) -> CheckpointError:
+        return CheckpointError(why, kind=kind, file=self.path, remedy="remove it to train anew")
 
 
 def _metadata(held: bytes) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.layers.gradients import Layer, Stages, block, merging, normalisation, patches_of_maps
 from localize.layers.partial_block import PARTIAL, PartialBlock, PatchConvolution
 from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
@@ -39,28 +39,34 @@ class NetworkShape:
     patch: tuple[int, int] = (4, 8)
     """Rows (frequency) and columns (time) of the embedding's patches."""
     merge_last: bool = False
-    """Whether a merging layer follows the last stage too."""
+    """True if a merging layer follows the last stage too."""
     features: FeatureChoice = "phasors"
     """Choice of the maps, see :mod:`localize.learned.features`."""
 
     def __post_init__(self) -> None:
-        for name, value, least in (
-            ("maps", self.maps, 1),
-            ("points", self.points, 2),
-            ("width", self.width, PARTIAL),
-            ("stages in depths", len(self.depths), 1),
-            ("smallest of depths", min(self.depths, default=1), 1),
-        ):
+        if not self.depths or min(self.depths) < 1:
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="network.depths",
+                value=self.depths,
+                allowed="at least one stage, of at least one block each",
+            )
+        for name, value, least in (("maps", self.maps, 1), ("points", self.points, 2), ("width", self.width, PARTIAL)):
             if value < least:
-                raise Refusal(f"network: {name} = {value} must be at least {least}")
+                raise Refusal(kind=Kind.OUT_OF_RANGE, field=f"network.{name}", value=value, allowed=f"at least {least}")
         if self.width % PARTIAL:
-            raise Refusal(f"network: width = {self.width} must be a multiple of {PARTIAL}")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE, field="network.width", value=self.width, allowed=f"a multiple of {PARTIAL}"
+            )
         merged = self.mergings
         for name, size, patch in (("rows", FREQUENCIES, self.patch[0]), ("columns", COLUMNS, self.patch[1])):
             if patch < 1 or size % (patch * 2**merged):
                 raise Refusal(
-                    f"network: {size} {name} of a map cannot be cut into patches of {patch} and halved "
-                    f"{merged} times; patch x {2**merged} must divide {size}"
+                    f"cannot cut {size} {name} of a map into patches of {patch} and halve them {merged} times; "
+                    f"patch x {2**merged} must divide {size}",
+                    kind=Kind.OUT_OF_RANGE,
+                    field="network.patch",
+                    value=self.patch,
                 )
 
     @property
@@ -191,8 +197,10 @@ class TouchClassifier(MapClassifier):
         self.features = PairFeatures(microphones, shape.features)
         if shape.maps != self.features.map_count:
             raise Refusal(
-                f"network: maps = {shape.maps} must be {self.features.map_count} for "
-                f"{counted(microphones, 'microphone')}"
+                kind=Kind.MISMATCH,
+                field="network.maps",
+                value=shape.maps,
+                allowed=f"{self.features.map_count} for {counted(microphones, 'microphone')}",
             )
 
     def raw_maps(self, inputs: Tensor) -> Tensor:

@@ -15,13 +15,6 @@ from torch import Tensor, nn
 from localize.learned.checkpoint import Checkpoint, Progress
 from localize.learned.classifier import MapClassifier
 
-WARM_UP = 20
-"""Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
-SETTLING = 0.25
-"""Share of a time limit after which the speed of training is judged."""
-SAVE_EVERY = 60.0
-"""Time between checkpoints within an epoch, s; there is one at the end of every epoch too."""
-
 
 @dataclass(frozen=True)
 class TrainingProgress:
@@ -34,15 +27,15 @@ class TrainingProgress:
     loss: float
     """Mean soft-target cross-entropy over the epoch, nats."""
     accuracy: float
-    """Share of held-out touches whose most probable point is the right one."""
+    """Top-1 accuracy on held-out touches, from 0 to 1."""
     seconds: float
     """Time since training began, s."""
     recorded: Mapping[str, float] = field(default_factory=dict)
-    """Share of the frames of held-out recordings that are named right, by part; empty without recordings."""
+    """Top-1 accuracy on held-out recordings, from 0 to 1, by part; empty without recordings."""
 
 
 class Schedule(Protocol):
-    """How long and how fast is trained: the fields of a plan that the loop reads."""
+    """Length and speed of a training: the fields of a plan that the loop reads."""
 
     @property
     def epochs(self) -> int:
@@ -65,13 +58,25 @@ class Schedule(Protocol):
         """Time limit, s, or None."""
 
     @property
+    def warm_up_steps(self) -> int:
+        """Number of steps over which the learning rate rises."""
+
+    @property
+    def settling_fraction(self) -> float:
+        """Fraction of a time limit after which the speed of training is estimated."""
+
+    @property
+    def checkpoint_interval(self) -> float:
+        """Time between checkpoints within an epoch, s."""
+
+    @property
     def bfloat16(self) -> bool:
-        """Whether the network computes in bfloat16 while it is trained."""
+        """True if the network computes in bfloat16 while it is trained."""
 
 
 @dataclass(frozen=True, eq=False)
-class Lesson:
-    """What a classifier is taught, and what it is asked after every epoch."""
+class TrainingTask:
+    """Samples that a classifier is trained on, and those that it is evaluated on after every epoch."""
 
     batch: Callable[[int, int], tuple[Tensor, Tensor]]
     """Inputs and classes, from 0, of step k of steps of so many samples; the same whatever was asked for before."""
@@ -89,7 +94,7 @@ class Lesson:
 
 def run_epochs(
     classifier: MapClassifier,
-    lesson: Lesson,
+    lesson: TrainingTask,
     plan: Schedule,
     checkpoint: Checkpoint | None,
     report: Callable[[TrainingProgress], None] | None,
@@ -125,26 +130,31 @@ def run_epochs(
         steps = at.step
     while at.step < steps:
         classifier.train()
-        rate = plan.learning_rate * min(1.0, (at.step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * at.turned))
+        rate = (
+            plan.learning_rate
+            * min(1.0, (at.step + 1) / plan.warm_up_steps)
+            * 0.5
+            * (1 + math.cos(math.pi * at.turned))
+        )
         for group in optimizer.param_groups:
             group["lr"] = rate
         at.losses.append(_step(classifier, optimizer, lesson, plan, at.step))
         at.step += 1
         if plan.time_limit is not None:
-            steps = _affordable(at.step, perf_counter() - started, plan.time_limit, planned)
+            steps = _affordable(at.step, perf_counter() - started, plan.time_limit, planned, plan.settling_fraction)
         # What is left of the cosine is spread evenly over the steps that are left.
         at.turned += (1 - at.turned) / (max(steps - at.step, 0) + 1)
         ended = at.step % lesson.steps_per_epoch == 0 or at.step >= steps
         if ended:
             epoch, epochs = (math.ceil(k / lesson.steps_per_epoch) for k in (at.step, max(at.step, steps)))
-            right = named_classes(classifier, lesson.held_out) == lesson.held_out_class
+            right = most_probable_classes(classifier, lesson.held_out) == lesson.held_out_class
             judged = lesson.judge()
             seconds = perf_counter() - started
             accuracy = float(right.double().mean())
             curve.append(TrainingProgress(epoch, epochs, float(np.mean(at.losses)), accuracy, seconds, judged))
             at.curve.append(list(astuple(curve[-1])))
             at.losses = []
-        if checkpoint and (ended or perf_counter() - saved > SAVE_EVERY):
+        if checkpoint and (ended or perf_counter() - saved > plan.checkpoint_interval):
             at.seconds = perf_counter() - started
             checkpoint.save(classifier, optimizer, at)
             saved = perf_counter()
@@ -153,7 +163,7 @@ def run_epochs(
     return curve, at.step * plan.batch
 
 
-def named_classes(classifier: MapClassifier, inputs: Tensor) -> Tensor:
+def most_probable_classes(classifier: MapClassifier, inputs: Tensor) -> Tensor:
     """Most probable class of each input, from 0; (n,) int64."""
     classifier.eval()
     with torch.inference_mode():
@@ -161,7 +171,7 @@ def named_classes(classifier: MapClassifier, inputs: Tensor) -> Tensor:
 
 
 def _step(
-    classifier: MapClassifier, optimizer: torch.optim.Optimizer, lesson: Lesson, plan: Schedule, number: int
+    classifier: MapClassifier, optimizer: torch.optim.Optimizer, lesson: TrainingTask, plan: Schedule, number: int
 ) -> float:
     """Loss of a step that is done."""
     inputs, label = lesson.batch(number, plan.batch)
@@ -175,9 +185,9 @@ def _step(
     return float(loss.item())
 
 
-def _affordable(step: int, seconds: float, limit: float, planned: int) -> int:
+def _affordable(step: int, seconds: float, limit: float, planned: int, settling: float) -> int:
     """How many of the planned steps there may be in all, judged by those done so far."""
     # The first ones are slow and say little; a plan that fits easily is then never touched, and repeats exactly.
-    if seconds < SETTLING * limit:
+    if seconds < settling * limit:
         return planned
     return min(planned, step + max(0, math.floor((limit - seconds) * step / seconds)))

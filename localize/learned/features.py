@@ -31,7 +31,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
@@ -76,7 +76,7 @@ def map_count(microphones: int, choice: FeatureChoice = "phasors") -> int:
         Refusal: an unknown choice.
     """
     if choice not in MAPS_PER_PAIR:
-        raise Refusal(f"features = {choice!r} must be one of: {', '.join(MAPS_PER_PAIR)}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="features", value=choice, allowed=MAPS_PER_PAIR)
     return MAPS_PER_PAIR[choice] * microphones * (microphones - 1) // 2 + OF_POWER[choice]
 
 
@@ -181,7 +181,7 @@ class PairFeatures(nn.Module):
         return maps.unflatten(0, (-1, shares.shape[1])).flatten(1, 2)
 
     def _waves(self, shares: Tensor) -> tuple[Tensor, Tensor]:
-        """What the first factor leaves, (..., 64), to real and imaginary part of the transform, (..., 64, 47)."""
+        """Result of the first factor, (..., 64), to real and imaginary part of the transform, (..., 64, 47)."""
         parts = (shares.to(self.synthesis.dtype) @ self.synthesis).unflatten(-1, (2, FREQUENCIES, TAIL))
         return parts.select(-3, 0), parts.select(-3, 1)
 

@@ -15,8 +15,9 @@ from geometry.ground.typed import Array
 from localize.graphs.description import LocalizerError, naming
 from localize.learned.classifier import NetworkShape, TouchClassifier
 from localize.learned.localizer_description import LocalizerDescription, read_model, save_model, with_weights
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.frames import combined_probability, cut_frames
-from localize.signals.locator import ArrayFacts, Locator
+from localize.signals.locator import Locator
 
 FORMAT = "acoustic-fem localizer"
 VERSION = 1

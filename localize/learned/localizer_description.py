@@ -14,7 +14,7 @@ from torch import Tensor
 
 from geometry.ground.file_checks import library_reads, read_bytes
 from geometry.ground.record import is_sealed, sealed, sha256
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import whole_file, write_text
 from localize.graphs.description import (
@@ -69,7 +69,7 @@ def _plan_model() -> type[_Plan]:
     """Schema of the fields of a plan, whose ranges it checks itself."""
     later = {"FeatureChoice": FeatureChoice, "NoiseChoice": NoiseChoice}
     kinds = get_type_hints(TrainingPlan, localns=later)
-    fields: dict[str, Any] = {each.name: (kinds[each.name], ...) for each in dataclasses.fields(TrainingPlan)}
+    fields: dict[str, Any] = {each.name: (kinds[each.name], each.default) for each in dataclasses.fields(TrainingPlan)}
     return create_model("Plan", __base__=_Plan, **fields)
 
 
@@ -97,7 +97,7 @@ class Training(Strict):
 
 
 class LocalizerDescription(Array):
-    """What ``localizer.json`` says."""
+    """Schema of ``localizer.json``."""
 
     format: str
     version: int
@@ -111,10 +111,17 @@ class LocalizerDescription(Array):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if len(self.line) != self.network.points:
-            raise Refusal(f"line and place must hold {self.network.points} values, as network.points says")
+            raise Refusal(
+                f"line and place must hold {self.network.points} values, as network.points says", kind=Kind.MISMATCH
+            )
         maps = map_count(len(self.microphones), self.network.features)
         if self.network.maps != maps:
-            raise Refusal(f"network.maps = {self.network.maps} must be {maps} for {len(self.microphones)} microphones")
+            raise Refusal(
+                kind=Kind.MISMATCH,
+                field="network.maps",
+                value=self.network.maps,
+                allowed=f"{maps} for {len(self.microphones)} microphones",
+            )
         return self
 
 
@@ -178,11 +185,15 @@ def read_model(
     check_format(values, format, version, path, refusal, what)
     said = described(model, text, path, refusal)
     if not is_sealed(values):
-        raise refusal(f"{path}: changed or damaged: its checksum is not that of what it says")
+        raise refusal("is changed or damaged: its checksum differs from the one in it", kind=Kind.DAMAGED, file=path)
     weights_path = path.parent / values["weights"]
     weights = read_bytes(weights_path, f"the weights of {what}", refusal, LARGEST_MODEL)
     if sha256(weights) != values["weights_sha256"]:
-        raise refusal(f"{weights_path}: cut short or changed: its checksum is not the one in {path.name}")
+        raise refusal(
+            f"is cut short or changed: its checksum differs from the one in {path.name}",
+            kind=Kind.DAMAGED,
+            file=weights_path,
+        )
     with library_reads(weights_path, f"the weights of {what}", refusal):
         return values, said, load(weights)
 
@@ -202,14 +213,16 @@ def with_weights(make: Callable[[], _Classifier], weights: Mapping[str, Tensor])
         wanted = make().state_dict()
     for name in sorted({*wanted, *weights}):
         if name not in wanted or name not in weights:
+            state = "not one of its layers" if name in weights else "missing"
             raise Refusal(
-                f"the weights do not fit the network: {name} is {'none of it' if name in weights else 'missing'}"
+                f"the weights do not fit the network: {name} is {state}",
+                kind=Kind.MISMATCH,
             )
         mine, other = ((tuple(each[name].shape), each[name].dtype) for each in (wanted, weights))
         if mine != other:
-            raise Refusal(f"the weights do not fit the network: {name} is {other}, must be {mine}")
+            raise Refusal(f"the weights do not fit the network: {name} is {other}, must be {mine}", kind=Kind.MISMATCH)
         if not torch.isfinite(weights[name]).all():
-            raise Refusal(f"the weights hold a value of {name} that is not finite")
+            raise Refusal(f"the weights hold a value of {name} that is not finite", kind=Kind.UNSUITABLE)
     classifier = make()
     classifier.load_state_dict(dict(weights))
     return classifier.eval()

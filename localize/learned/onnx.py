@@ -204,7 +204,7 @@ def _translated(graph: nn.Module, microphones: int) -> ModelProto:
 
 
 def _description(localizer: Locator) -> dict[str, Any]:
-    """What a file says of itself."""
+    """Description that a file carries."""
     return {
         "format": FORMAT,
         "version": VERSION,

@@ -12,10 +12,12 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array
+from localize.learned.training_plan import TrainingPlan
 from localize.live.events import Decision
-from localize.live.options import AS_IT_COMES, StreamOptions
 from localize.live.stream import TouchStream
+from localize.live.stream_options import AS_IT_COMES, StreamOptions
 from localize.recordings.recording import read_recording
 from localize.recordings.touch_manifest import (
     PARTS,
@@ -26,22 +28,20 @@ from localize.recordings.touch_manifest import (
     refuse_same_take,
     split,
 )
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
-from localize.signals.locator import ArrayFacts, Locator
+from localize.signals.locator import Locator
 from localize.signals.random_streams import choice, random_words, uniform
 from localize.signals.stimulus import SAMPLE_RATE, Device
-
-JUDGED = 64
-"""Number of frames of a held-out recording that are judged, evenly spread; all, where there are no more."""
 
 
 @dataclass(frozen=True)
 class PartAccuracy:
     """Accuracy on the held-out recordings of one part."""
 
-    right: float
-    """Share of the frames that were named right."""
+    top1: float
+    """Top-1 accuracy: fraction of the frames that are assigned to the correct point."""
     frames: int
     """Number of frames."""
     recordings: int
@@ -68,6 +68,7 @@ class RecordedFrames:
         noise_rms: Pa rms of a microphone, by which a stream tells silence.
         seed: of the split and of the order in which frames are drawn.
         device: where frames shall be.
+        judged_frames: largest number of frames of a held-out recording that are judged, evenly spread.
 
     Raises:
         TouchManifestError: as :func:`localize.recordings.touch_manifest.read_touch_manifest`; a recording without a
@@ -83,12 +84,17 @@ class RecordedFrames:
         noise_rms: float,
         seed: int,
         device: Device = "cpu",
+        judged_frames: int = TrainingPlan.judged_frames,
     ) -> None:
         found = read_touch_manifest(manifest, response.point_count)
         self.recordings = found.recordings
         self.held_out = split([(each.point, each.part, each.file) for each in self.recordings], seed)
         if not any(self.held_out):
-            raise TouchManifestError(f"{found.path}: no point has two recordings of one part; none can be held out")
+            raise TouchManifestError(
+                "no point has two recordings of one part, so that none can be held out",
+                kind=Kind.UNSUITABLE,
+                file=found.path,
+            )
         self.seed = seed
         self.point_count = response.point_count
         signals, touched = [], []
@@ -97,7 +103,11 @@ class RecordedFrames:
             heard = read_recording(each.path, response.microphones, full_scale).signals
             first = touched_frames(heard, response.microphones, noise_rms)
             if not len(first):
-                raise TouchManifestError(f"{each.path}: holds no frame that is louder than the microphones' noise")
+                raise TouchManifestError(
+                    "has no frame that is louder than the noise of the microphones",
+                    kind=Kind.UNSUITABLE,
+                    file=each.path,
+                )
             signals.append(heard.astype(np.float32))
             touched.append(first)
         refuse_same_take(found, signals, touched)
@@ -106,7 +116,7 @@ class RecordedFrames:
         self._frames = [torch.from_numpy(first + begin) for first, begin in zip(touched, begins, strict=True)]
         frames = self._frames
         self._tabulate(device)
-        judged = [_spread(frames[k]) for k, held in enumerate(self.held_out) if held]
+        judged = [_spread(frames[k], judged_frames) for k, held in enumerate(self.held_out) if held]
         self._judged = torch.cat(judged).to(device)
         own = [each for each, held in zip(self.recordings, self.held_out, strict=True) if held]
         counts = torch.tensor([len(first) for first in judged])
@@ -137,17 +147,25 @@ class RecordedFrames:
     def samples(self, start: int, count: int) -> tuple[Tensor, Tensor]:
         """Training samples ``start`` to ``start + count - 1``, the same whatever was asked for before.
 
-        Sample i is of point i modulo the number of points, the parts that were recorded of it equally often.
+        Each round of as many samples as there are points takes every point once, in an order of its own, and the parts
+        that were recorded of a point equally often.
 
         Returns:
             (count, n_microphone, 250) float32, Pa, and (count,) int64, points from 0.
         """
         words = random_words(self.seed, "training", "recorded frame", start, count, 1)
         number = uniform(words, self._signals.device)[:, 0]
-        point = torch.arange(start, start + count, device=self._signals.device) % self.point_count
+        point = self._order(start, count).to(self._signals.device)
         kind = choice(number[:, 0], self._kinds[point])
         frame = self._first[point, kind] + choice(number[:, 1], self._count[point, kind])
         return self._cut(self._drawn[frame]), point
+
+    def _order(self, start: int, count: int) -> Tensor:
+        """(count,) int64, points from 0 of samples ``start`` to ``start + count - 1``."""
+        first, last = start // self.point_count, (start + count - 1) // self.point_count
+        words = random_words(self.seed, "training", "recorded order", first, last - first + 1, self.point_count)
+        order = words.argsort(1, kind="stable").reshape(-1)
+        return torch.from_numpy(order[start - first * self.point_count :][:count])
 
     def _cut(self, first: Tensor) -> Tensor:
         index = first[:, None] + torch.arange(FRAME, device=first.device)
@@ -230,7 +248,7 @@ def touched_frames(
     return np.array(ends, np.int64) - FRAME
 
 
-def _spread(frames: Tensor) -> Tensor:
-    """At most :data:`JUDGED` of them, evenly spread."""
-    count = min(JUDGED, len(frames))
+def _spread(frames: Tensor, most: int) -> Tensor:
+    """At most so many of them, evenly spread."""
+    count = min(most, len(frames))
     return frames[torch.linspace(0, len(frames) - 1, count).round().long()]

@@ -19,11 +19,11 @@ from acoustic_fem.library.provenance import versions
 from localize.decoders.frame_covariance import whole_frame_covariance
 from localize.learned.checkpoint import Checkpoint, training_identity
 from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier
-from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
+from localize.learned.epochs import TrainingProgress, TrainingTask, most_probable_classes, run_epochs
 from localize.learned.features import map_count
 from localize.learned.localizer import Localizer
 from localize.learned.recorded_frames import RecordedFrames
-from localize.learned.training_plan import TrainingPlan
+from localize.learned.training_plan import TrainingPlan, identity_of
 from localize.signals.array_response import ArrayResponse, TransferFunctionSource, response_of, warn_of_uncovered
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseSpectrum
@@ -33,11 +33,6 @@ from localize.signals.threads import one_thread
 from localize.signals.touch_generator import SHARD, TouchGenerator, TouchSignals
 
 __all__ = ["TrainingPlan", "soft_labels", "train"]
-
-NORMALISATION_TOUCHES = 20
-"""Number of touches per point from which the normalisation of the maps is taken."""
-RUN = 16
-"""Number of consecutive touches that stay together where the touches of an epoch change their order."""
 
 
 def train(
@@ -88,7 +83,11 @@ def train(
     touches = _touches(response, plan, "training", source, seen, device)
     noise = touches.microphone_noise
     noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-    recorded = None if recordings is None else RecordedFrames(recordings, response, noise_rms, plan.seed, device)
+    recorded = (
+        None
+        if recordings is None
+        else RecordedFrames(recordings, response, noise_rms, plan.seed, device, plan.judged_frames)
+    )
     # The global state of torch's generator is left as it was found.
     with torch.random.fork_rng(devices=[]), one_thread():
         torch.manual_seed(plan.seed)
@@ -98,18 +97,18 @@ def train(
         if shape.features == "rooms" and sound is not None:
             classifier.features.take_out(whole_frame_covariance(response, noise, sound[1]))
         batches = _Batches(touches, recorded, plan, _steps_per_epoch(plan, response))
-        classifier.fit_normalisation(batches.first(NORMALISATION_TOUCHES * response.point_count))
-        identity = {**training_identity(asdict(plan), touches), **(recorded.identity() if recorded else {})}
+        classifier.fit_normalisation(batches.first(plan.normalisation_touches * response.point_count))
+        identity = {**training_identity(identity_of(plan), touches), **(recorded.identity() if recorded else {})}
         kept = None if checkpoint is None else Checkpoint(checkpoint, identity)
         target = torch.from_numpy(labels_of(response, plan)).float().to(device)
         curve, touch_count = run_epochs(
             classifier,
-            Lesson(
+            TrainingTask(
                 batches.frames,
                 _steps_per_epoch(plan, response),
                 target,
                 held_out.signals,
-                held_out.point,
+                held_out.point - 1,
                 lambda: _by_part(classifier, recorded),
             ),
             plan,
@@ -174,53 +173,62 @@ def labels_of(response: ArrayResponse, plan: TrainingPlan) -> NDArray[np.float64
 
 
 class _Batches:
-    """Simulated touches, and recorded ones where there are recordings."""
+    """Touches of each step: simulated ones, and recorded ones where there are recordings.
+
+    Touch i of a generator is of the points in turn. A step of consecutive ones would hold one part of
+    a large array, and batch normalisation would learn which. Steps are therefore dealt from blocks that hold all points
+    and are shuffled. A block is the same whatever was made before, so that a training goes on after a stop.
+    """
 
     def __init__(
         self, touches: TouchGenerator, recordings: RecordedFrames | None, plan: TrainingPlan, steps_per_epoch: int
     ) -> None:
         self.touches, self.recordings, self.plan = touches, recordings, plan
-        self._share = 0.0 if recordings is None else plan.recorded
+        self._fraction = 0.0 if recordings is None else plan.recorded
         self._steps = steps_per_epoch
-        self._made = lru_cache(maxsize=1)(self._together)
+        self._block = lru_cache(maxsize=1)(self._shuffled)
 
     def first(self, count: int) -> Tensor:
         """(count, n_microphone, 250): frames from which the maps are normalised."""
-        return self._frames(0, count, lambda size: [(0, size)])[0]
+        simulated = count - round(self._fraction * count)
+        parts = [_frames(self.touches.samples(0, simulated))] if simulated else []
+        if self.recordings is not None and simulated < count:
+            parts.append(self.recordings.samples(0, count - simulated)[0])
+        return torch.cat(parts)
 
     def frames(self, step: int, size: int) -> tuple[Tensor, Tensor]:
         """(size, n_microphone, 250) and (size,) points, from 0: batch ``step`` of batches of this size."""
-        return self._frames(step, size, lambda simulated: self._runs(step, simulated))
-
-    def _together(self, first: int, count: int) -> tuple[Tensor, Tensor]:
-        """Frames and points of consecutive touches."""
-        made = self.touches.samples(first, count)
-        return _frames(made).clone(), made.point
-
-    def _runs(self, step: int, size: int) -> list[tuple[int, int]]:
-        """First touch and number of the runs of consecutive touches of a step."""
-        if self.plan.new_touches:
-            return [(step * size, size)]
-        run = math.gcd(size, RUN)
-        epoch, within = divmod(step, self._steps)
-        order = _order(self.plan.seed, epoch, self._steps * size // run)
-        each = size // run
-        return [(int(first) * run, run) for first in order[within * each : (within + 1) * each]]
-
-    def _frames(self, step: int, size: int, runs: Callable[[int], list[tuple[int, int]]]) -> tuple[Tensor, Tensor]:
-        recorded = round(self._share * size)
-        simulated = size - recorded
-        parts = []
-        for first, count in runs(simulated) if simulated else ():
-            # New touches of several small steps are made at once, always of the same ones.
-            whole = max(count, SHARD // count * count) if self.plan.new_touches else count
-            begin = first // whole * whole
-            made = self._made(begin, whole)
-            parts.append((made[0][first - begin :][:count], made[1][first - begin :][:count]))
-        if recorded and self.recordings is not None:
+        recorded = round(self._fraction * size)
+        parts = [self._simulated(step, size - recorded)] if recorded < size else []
+        if self.recordings is not None and recorded:
             parts.append(self.recordings.samples(step * recorded, recorded))
         frames, point = zip(*parts, strict=True)
         return torch.cat(frames), torch.cat(point)
+
+    def _simulated(self, step: int, size: int) -> tuple[Tensor, Tensor]:
+        epoch, within = divmod(step, self._steps)
+        blocks = max(1, self._steps * size // (max(SHARD, self.touches.response.point_count) + size))
+        bounds = self._steps * np.arange(blocks + 1) // blocks  # of nearly one length: a short one has few points
+        block = int(np.searchsorted(bounds, within, "right")) - 1
+        first, end = int(bounds[block]), int(bounds[block + 1])
+        frames, point = self._block(epoch, first, end - first, size)
+        own = slice((within - first) * size, (within - first + 1) * size)
+        return frames[own], point[own]
+
+    def _shuffled(self, epoch: int, first: int, steps: int, size: int) -> tuple[Tensor, Tensor]:
+        """Frames and points of a block: those of so many steps of an epoch, from its step ``first`` on."""
+        begin, count = first * size, steps * size
+        runs = [(epoch * self._steps * size + begin, count)]
+        if not self.plan.new_touches:
+            run = math.gcd(size, self.plan.run_length)
+            order = _order(self.plan.seed, epoch, self._steps * size // run)
+            runs = [(int(k) * run, run) for k in order[begin // run : (begin + count) // run]]
+        made = [self.touches.samples(*run) for run in runs]
+        random = np.random.default_rng(np.random.SeedSequence(self.plan.seed, spawn_key=(0, epoch, first)))
+        shuffled = torch.from_numpy(random.permutation(count)).to(self.touches.device)
+        return torch.cat([_frames(part) for part in made])[shuffled], torch.cat([part.point - 1 for part in made])[
+            shuffled
+        ]
 
 
 @lru_cache(maxsize=1)
@@ -284,17 +292,17 @@ def _held_out(plan: TrainingPlan, touches: TouchGenerator) -> TouchSignals:
 def _by_part(classifier: TouchClassifier, recordings: RecordedFrames | None) -> dict[str, float]:
     if recordings is None:
         return {}
-    judged = recordings.judged(named_classes(classifier, recordings.judged_frames))
-    return {part: found.right for part, found in judged.items()}
+    judged = recordings.judged(most_probable_classes(classifier, recordings.judged_frames))
+    return {part: found.top1 for part, found in judged.items()}
 
 
 def _of_recordings(
     recordings: RecordedFrames | None, classifier: TouchClassifier, curve: list[TrainingProgress]
 ) -> dict[str, Any]:
-    """What the localizer keeps of its recordings: the split, the curves, and how the held-out ones are named."""
+    """Record of the recordings in a localizer: the split, the curves, and the accuracy on the held-out ones."""
     if recordings is None:
         return {}
-    judged = recordings.judged(named_classes(classifier, recordings.judged_frames))
+    judged = recordings.judged(most_probable_classes(classifier, recordings.judged_frames))
     return {
         "recordings": recordings.to_dict(),
         "held_out_recordings": {part: asdict(found) for part, found in judged.items()},

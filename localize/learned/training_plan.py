@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import ROOM_LEVELS, MicrophoneMismatch, check_ambient
 from localize.signals.noise_model import NoiseChoice
@@ -18,12 +18,14 @@ PLANS = ("usual", "paper")
 """Names of the plans of :meth:`TrainingPlan.of`."""
 
 #: Fields that every plan of a training has, and their ranges.
-WHOLE = {"epochs": (1, 10_000), "batch": (2, 65_536), "seed": (0, 2**63 - 1)}
+WHOLE = {"epochs": (1, 10_000), "batch": (2, 65_536), "seed": (0, 2**63 - 1), "warm_up_steps": (1, 1_000_000)}
 REAL = {
     "learning_rate": (1e-8, 1.0),
     "weight_decay": (0.0, 1.0),
     "microphone_noise": (0.0, 100.0),
     "time_limit": (1e-3, 1e9),
+    "settling_fraction": (0.0, 1.0),
+    "checkpoint_interval": (0.0, 1e9),
 }
 
 
@@ -45,15 +47,22 @@ def check_ranges(
     for name, (least, most) in (whole | WHOLE).items():
         value = field[name]
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-            raise Refusal(f"{name} = {value!r} must be a whole number from {least} to {most}")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=f"a whole number from {least} to {most}"
+            )
     for name, (low, high) in (real | REAL).items():
         value = field[name]
         if (name, value) in (("time_limit", None), ("microphone_noise", "design")):
             continue
         if isinstance(value, str) or not low <= value <= high:
-            raise Refusal(f"{name} = {value!r} must be between {low:g} and {high:g}")
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=f"between {low:g} and {high:g}")
     if field["network"] not in NETWORKS:
-        raise Refusal(f"network = {field['network']!r} must be one of: {', '.join(NETWORKS)}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="network", value=field["network"], allowed=NETWORKS)
+
+
+def identity_of(plan: Any) -> dict[str, Any]:
+    """Fields of a plan, a frozen data class, that its training's result depends on."""
+    return {name: value for name, value in asdict(plan).items() if name != "checkpoint_interval"}
 
 
 @dataclass(frozen=True)
@@ -67,9 +76,9 @@ class TrainingPlan:
     seconds_per_point: int = 200
     """Number of one-second touches of every point in an epoch; each touch gives one frame, its last."""
     new_touches: bool = True
-    """Whether each epoch draws new touches; else all epochs have those of the first, in another order."""
+    """True if each epoch draws new touches; else all epochs have those of the first, in another order."""
     method: Literal["exact", "stft"] = "exact"
-    """Way from the cavity to the microphones, as of :class:`localize.TouchGenerator`: exact, or products of
+    """Path from the cavity to the microphones, as of :class:`localize.TouchGenerator`: exact, or products of
     short-window transforms, which are aliased. Held-out touches are made in the same way."""
     epochs: int = 20
     """Number of epochs."""
@@ -89,7 +98,7 @@ class TrainingPlan:
     label_neighbours: Literal["line", "number"] = "line"
     """Neighbours that share a label: those on the same line, or those of the next numbers, so that the end of one line
     is a neighbour of the beginning of the next wherever that lies."""
-    microphone_noise: NoiseChoice = 1e-3
+    microphone_noise: NoiseChoice = "design"
     """Noise added to the training signals; held-out ones have the same. Pa rms over 0 to 500 Hz, white; or "design" for
     the noise of the microphone of the library's design, see :mod:`localize.signals.noise_model`."""
     microphone_gain: float = 0.0
@@ -115,8 +124,22 @@ class TrainingPlan:
     """Choice of the network's maps, see :mod:`localize.learned.features`; "rooms" is "phasors" where touches have no
     sound around them."""
     bfloat16: bool = False
-    """Whether the network computes in bfloat16 while it is trained: the paper's is a third faster where the
+    """True if the network computes in bfloat16 while it is trained: the paper's is a third faster where the
     processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
+
+    warm_up_steps: int = 20
+    """Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
+    settling_fraction: float = 0.25
+    """Fraction of a time limit after which the speed of training is estimated: the first steps are slow."""
+    checkpoint_interval: float = 60.0
+    """Time between checkpoints within an epoch, s; there is one at the end of every epoch too."""
+    normalisation_touches: int = 20
+    """Number of touches per point that the maps are normalised by."""
+    run_length: int = 16
+    """Number of consecutive touches that stay together where the touches of all epochs are those of the first: making
+    them singly takes longer."""
+    judged_frames: int = 64
+    """Largest number of frames of a held-out recording that are judged, evenly spread."""
 
     def __post_init__(self) -> None:
         from localize.learned.features import map_count
@@ -124,7 +147,12 @@ class TrainingPlan:
 
         check_ranges(
             vars(self),
-            whole={"seconds_per_point": (1, 1_000_000)},
+            whole={
+                "seconds_per_point": (1, 1_000_000),
+                "normalisation_touches": (1, 10_000),
+                "run_length": (1, 65_536),
+                "judged_frames": (1, 1_000_000),
+            },
             real={
                 "held_out_fraction": (1e-6, 10.0),
                 "label_sigma": (0.0, 100.0),
@@ -134,15 +162,25 @@ class TrainingPlan:
             },
         )
         if isinstance(self.ambient, str) and self.ambient != "rooms":
-            raise Refusal(f"ambient = {self.ambient!r} must be 'rooms', or lowest and highest level")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="ambient",
+                value=self.ambient,
+                allowed="'rooms', or the lowest and highest level, dB SPL",
+            )
         if self.ambient is not None and self.ambient != "rooms":
             check_ambient(self.ambient)
         for stimuli in self.stimuli or ("",):
             if stimuli not in STIMULI:
-                raise Refusal(f"stimuli = {self.stimuli!r} must name at least one of: {', '.join(STIMULI)}")
+                raise Refusal(
+                    kind=Kind.OUT_OF_RANGE,
+                    field="stimuli",
+                    value=self.stimuli,
+                    allowed=f"at least one of: {', '.join(STIMULI)}",
+                )
         for name, allowed in (("method", ("exact", "stft")), ("label_neighbours", ("line", "number"))):
             if getattr(self, name) not in allowed:
-                raise Refusal(f"{name} = {getattr(self, name)!r} must be one of: {', '.join(allowed)}")
+                raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=getattr(self, name), allowed=allowed)
         map_count(2, self.features)
 
     @classmethod
@@ -156,8 +194,8 @@ class TrainingPlan:
             Refusal: another name.
         """
         if name not in PLANS:
-            raise Refusal(f"plan = {name!r} must be one of: {', '.join(PLANS)}")
-        return cls.paper() if name == "paper" else cls(microphone_noise="design")
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="plan", value=name, allowed=PLANS)
+        return cls.paper() if name == "paper" else cls()
 
     @classmethod
     def paper(cls) -> TrainingPlan:

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from geometry.ground.typed import Array
 from localize.live.events import HOP
-from localize.live.options import StreamOptions
+from localize.live.stream_options import StreamOptions
 from localize.signals.disturbances import MAINS
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE

@@ -18,10 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from localize.live.events import Decision, Fault, TouchEvent, TrackedGesture, TrackedPlace
-from localize.live.options import ListenerOptions
 from localize.live.recorder import LiveRecorder
 from localize.live.sources import Block, BlockQueue, Source, SourceError
 from localize.live.stream import TouchStream
+from localize.live.stream_options import ListenerOptions
 from localize.signals.resampling import StreamResampler
 from localize.signals.stimulus import SAMPLE_RATE
 

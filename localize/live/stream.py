@@ -24,7 +24,7 @@ from localize.decoders.sound_test import SoundTest
 from localize.live.events import HOP, Decision, Fault, FaultKind
 from localize.live.frame_classifier import Fallback, FrameClassifier
 from localize.live.front_end import HighPass, Hum, NoiseFloor
-from localize.live.options import StreamOptions
+from localize.live.stream_options import StreamOptions
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
 from localize.signals.stimulus import SAMPLE_RATE

@@ -22,10 +22,11 @@ from scipy.special import softmax
 
 from geometry.ground.typed import Array
 from localize.live.events import HOP, Decision, Fault, TouchEvent
-from localize.live.options import TouchOptions
+from localize.live.stream_options import TouchOptions
 from localize.live.touch_filter import TouchFilter
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.frames import FRAME
-from localize.signals.locator import ArrayFacts, Locator
+from localize.signals.locator import Locator
 from localize.signals.stimulus import SAMPLE_RATE
 
 _LEAST_PROBABILITY = 1e-12

@@ -9,7 +9,7 @@ from typing import Any
 
 from localize.live.events import HOP, Decision, Fault, State, TouchEvent
 from localize.live.touches import Touch
-from localize.signals.locator import ArrayFacts
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.stimulus import SAMPLE_RATE
 
 

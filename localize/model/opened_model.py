@@ -29,10 +29,10 @@ from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fi
 from localize.graphs.onnx_localizer import OnnxLocalizer
 from localize.live.events import HOP, Decision, Fault
 from localize.live.listener import LiveListener
-from localize.live.options import StreamOptions, TouchOptions
 from localize.live.recorder import LiveRecorder
 from localize.live.sources import Source
 from localize.live.stream import TouchStream
+from localize.live.stream_options import StreamOptions, TouchOptions
 from localize.live.touches import TouchTracker, touches_of
 from localize.model.file_contents import FileContent, file_content
 from localize.model.located_touches import LocatedTouches
@@ -102,7 +102,17 @@ class Model:
     """Files and folders that it was read from."""
 
     def locate(self, signals: ArrayLike | Tensor) -> Array:
-        """Probability of each point, (n_point,) or (n, n_point) float64; as of :meth:`localize.Locator.locate`."""
+        """Probability of each point, whatever was located before.
+
+        Args:
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+
+        Returns:
+            (n_point,) or (n, n_point) float64.
+
+        Raises:
+            Refusal: as of :meth:`localize.Locator.locate`.
+        """
         return self.locator.locate(signals)
 
     def locate_file(self, path: str | os.PathLike[str], full_scale: float | None = None) -> LocatedTouches:
@@ -119,7 +129,7 @@ class Model:
         return self.locate_recording(self.read(path, full_scale))
 
     def read(self, path: str | os.PathLike[str], full_scale: float | None = None) -> Recording:
-        """Recording of the microphones of the model; arguments as of :meth:`locate_file`."""
+        """Recording of the microphones of the model; ``path`` and ``full_scale`` (Pa) as of :meth:`locate_file`."""
         fallback = not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
         return read_recording(path, self.locator.microphones, full_scale, fallback=fallback)
 

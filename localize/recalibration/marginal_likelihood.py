@@ -28,28 +28,16 @@ from scipy.special import logsumexp
 
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
-from localize.decoders.options import DecoderOptions
 from localize.live.front_end import high_pass_sections
+from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.signals.array_response import interpolation
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.signals.threads import one_thread
 
 Complex = NDArray[np.complex128]
 
-POWERS, TEMPERATURE = DecoderOptions().tried_powers, DecoderOptions().temperature
-STEP = 1.0
-"""Step of the integral over frequency, Hz: covariances then repeat after 1 s, four frames."""
-COARSE = 2
-"""Number of steps of the integral that the information takes as one."""
-NEAR = 25.0
-"""Distance to the best point of a frame, nats, beyond which points add nothing to it."""
-HELD = 1e-2
-"""Share of the noise that an eigenvector holds at least, at the loudest touch, to count in the information."""
-UNMOVED = 1e-4
-"""Share of the noise that a touch of power 1 must reach in a direction for it to count, where H = 1."""
 FLAT = (0.0,)
 """Slopes of touches that fill the band evenly."""
-_NEWTON_STEPS = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +46,7 @@ class Evidence:
 
     frames: Array
     """Log-likelihood of each frame, divided by the decoder's temperature; (n,) float64, nats."""
-    share: Array
+    probability: Array
     """Probability of each point, each row summing to 1; (n, n_point) float64."""
 
 
@@ -94,6 +82,7 @@ class MarginalLikelihood:
         noise: Pa rms over 0 to 500 Hz, white, above 0.
         slopes: of the amplitude of touches over frequency, as exponents of the frequency, one or more.
         high_pass: corner of the high-pass that the frames have passed, Hz; None for none.
+        options: of the calibration.
     """
 
     def __init__(
@@ -103,12 +92,14 @@ class MarginalLikelihood:
         noise: float,
         slopes: Sequence[float] = FLAT,
         high_pass: float | None = None,
+        options: RecalibrationOptions = RecalibrationOptions(),
     ) -> None:
-        self.noise = noise
-        fine = np.arange(BAND[0], min(float(frequency[-1]), SAMPLE_RATE / 2) + 1e-9, STEP)
+        self.noise, self.options = noise, options
+        self._temperature, self._powers = options.decoder.temperature, options.decoder.tried_powers
+        fine = np.arange(BAND[0], min(float(frequency[-1]), SAMPLE_RATE / 2) + 1e-9, options.frequency_step)
         turn, gain = sampled_waves(fine)
         whiten = whitening(noise)
-        amplitude = np.sqrt(source_density(fine) * STEP) * gain * passed(fine, high_pass)
+        amplitude = np.sqrt(source_density(fine) * options.frequency_step) * gain * high_pass_gain(fine, high_pass)
         by_slope = np.stack([amplitude * fine**slope for slope in slopes])
         waves = by_slope[..., None] * (turn @ whiten.T)
         white = frames @ (whiten @ low_pass()).T
@@ -118,7 +109,7 @@ class MarginalLikelihood:
         # directions that no touch moves hold noise alone, whatever the sensor
         flat = waves.reshape(-1, waves.shape[2])
         _, size, basis = np.linalg.svd(np.concatenate([flat.real, flat.imag]), full_matrices=False)
-        basis = basis[size**2 > UNMOVED]
+        basis = basis[size**2 > options.moved_fraction]
         self._waves = waves @ basis.T
         self._x = (white @ basis.T).reshape(len(frames), -1)
         self._even, self._odd = interpolation(frequency, fine)
@@ -144,7 +135,7 @@ class MarginalLikelihood:
         """
         eigen = self._eigen(h)
         found = self._score(eigen)
-        weight = found.weight / TEMPERATURE
+        weight = found.weight / self._temperature
         slope = np.zeros(h.shape, np.complex128)
         for table, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
             chosen = found.table == table
@@ -178,8 +169,9 @@ class MarginalLikelihood:
             (count, count) float64, nats per square of that unit.
         """
         total = np.zeros((len(jacobian), len(jacobian)))
+        every = self.options.information_steps
         found = self._score(self._eigen(h))
-        eigen = self._eigen(h, COARSE)
+        eigen = self._eigen(h, every)
         energy = (self._x**2).sum(1)
         for table, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
             chosen = (found.table == table) & (found.weight > 0)
@@ -189,13 +181,13 @@ class MarginalLikelihood:
             kind, point = divmod(table, len(h))
             # with a wrong sensor the likeliest power may be thousands of times that which is in the frame
             power = np.minimum(found.power[chosen], energy[found.frame[chosen]] / values.sum())[:, None]
-            held = power.max() * values > HELD
+            held = power.max() * values > self.options.held_fraction
             if not held.any():
                 continue
             # single precision halves the time, and what comes of it only steers and weighs
             along = (b @ vectors[:, held]).astype(np.float32)
             change = along.T @ (
-                self._sources(jacobian[:, point], kind, COARSE).astype(np.float32) @ vectors.astype(np.float32)
+                self._sources(jacobian[:, point], kind, every).astype(np.float32) @ vectors.astype(np.float32)
             )
             # of each touch: g / (1 + g value), of S^-1 along the eigenvectors; C is diagonal along them too
             inverse = power / (1 + power * values)
@@ -208,7 +200,7 @@ class MarginalLikelihood:
             rest = (change * seen)[..., ~held].reshape(len(jacobian), -1)
             total += 0.5 * (both @ both.T) + rest @ rest.T
             total -= 2 * (with_louder * (weight / (louder**2).sum(1))) @ with_louder.T
-        return total / TEMPERATURE
+        return total / self._temperature
 
     def _sources(self, h: Complex, kind: int, every: int = 1) -> Array:
         """B of (..., n_microphone, n_freq) transfer functions and one of the slopes, (..., 2 n_step, size)."""
@@ -233,23 +225,23 @@ class MarginalLikelihood:
     def _score(self, eigen: _Eigen) -> _Score:
         along = self._x @ eigen.vectors
         energy = along**2
-        gain = eigen.values[..., None] * POWERS
+        gain = eigen.values[..., None] * self._powers
         tried = -(energy @ (1 / (1 + gain)) + np.log1p(gain).sum(1)[:, None]).transpose(1, 0, 2)
         start = tried.argmax(-1)
-        rough = np.take_along_axis(tried, start[..., None], -1)[..., 0] / (2 * TEMPERATURE)
-        frame, table = np.nonzero(rough > rough.max(1, keepdims=True) - NEAR)
-        level, near, held = np.log(POWERS[start[frame, table]]), energy[table, frame], eigen.values[table]
-        for _ in range(_NEWTON_STEPS):
+        rough = np.take_along_axis(tried, start[..., None], -1)[..., 0] / (2 * self._temperature)
+        frame, table = np.nonzero(rough > rough.max(1, keepdims=True) - self.options.near_points)
+        level, near, held = np.log(self._powers[start[frame, table]]), energy[table, frame], eigen.values[table]
+        for _ in range(self.options.power_steps):
             share = np.exp(level)[:, None] * held
             share /= 1 + share
             first = ((near * (1 - share) - 1) * share).sum(1)
             second = ((near * (1 - 2 * share) - 1) * share * (1 - share)).sum(1)
             # steps stay within the spacing of the powers tried, and where the curve bends upwards they only climb
             step = np.where(second < 0, -first / np.minimum(second, -1e-12), np.sign(first))
-            level = np.clip(level + np.clip(step, -1, 1), np.log(POWERS[0]), np.log(POWERS[-1]))
+            level = np.clip(level + np.clip(step, -1, 1), np.log(self._powers[0]), np.log(self._powers[-1]))
         gain = np.exp(level)[:, None] * held
         fine = np.full(rough.shape, -np.inf)
-        fine[frame, table] = -(near / (1 + gain) + np.log1p(gain)).sum(1) / (2 * TEMPERATURE)
+        fine[frame, table] = -(near / (1 + gain) + np.log1p(gain)).sum(1) / (2 * self._temperature)
         value = logsumexp(fine, axis=1)
         share = np.exp(fine - value[:, None])
         by_point = share.reshape(len(share), len(self._waves), -1).sum(1)
@@ -258,7 +250,7 @@ class MarginalLikelihood:
         )
 
 
-def passed(frequency: Array, high_pass: float | None) -> Array:
+def high_pass_gain(frequency: Array, high_pass: float | None) -> Array:
     """Gain of the high-pass of :class:`localize.live.front_end.HighPass`.
 
     Args:

@@ -20,20 +20,8 @@ from numpy.typing import NDArray
 from acoustic_fem.calibration.fitted_model import UpdatedModel
 from geometry.ground.typed import Array
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
+from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.signals.threads import one_thread
-
-DISTINCT = 0.02
-"""Share of the frames that two sensors must name differently to be two."""
-BEHIND = 30.0
-"""Distance, nats, to the best sensor of a stage beyond which one is given up."""
-FARTHEST = 8.0
-"""Distance from the prior, in its standard deviations, beyond which nothing is looked for."""
-COARSE, FINE = 1e-5, 1e-6
-"""Share of the objective below which the gain of a step ends an ascent. The coarse one may leave a point in ten
-unsettled."""
-_ITERATIONS = 30
-_MODULI = (-1.0, 1.0)
-_SHIFT_ERROR = 0.1  # to which the logarithms of ratios between microphones are to meet those of the next point
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,37 +37,45 @@ class Candidate:
     named: NDArray[np.int64]
     """Most probable point of each frame, from 0; (n,) int64."""
 
-    def isdistinct(self, other: Candidate) -> bool:
-        """Whether the two maxima name different points."""
-        return bool((self.named != other.named).mean() > DISTINCT)
+    def is_distinct(self, other: Candidate, fraction: float) -> bool:
+        """True if the two maxima assign more than this fraction of the frames to different points."""
+        return bool((self.named != other.named).mean() > fraction)
 
 
 @one_thread()
-def search(model: UpdatedModel, stages: tuple[MarginalLikelihood, ...], line: NDArray[np.int64]) -> list[Candidate]:
+def search(
+    model: UpdatedModel,
+    stages: tuple[MarginalLikelihood, ...],
+    line: NDArray[np.int64],
+    options: RecalibrationOptions = RecalibrationOptions(),
+) -> list[Candidate]:
     """Distinct maxima at the last stage, the best one first.
 
     Args:
         model: the family.
         stages: the same frames at falling noise, two or more.
         line: (n_point,) int64, line of each point; points of a line follow each other.
+        options: of the calibration.
     """
     nominal = np.zeros(model.count)
-    starts = [("present", nominal), *_moduli(model)]
+    starts = [("present", nominal), *_moduli(model, options.moduli)]
     found: list[Candidate] = []
     for number, stage in enumerate(stages):
-        found = distinct([ascend(model, stage, u, start) for start, u in starts])
+        found = distinct([ascend(model, stage, u, start, options=options) for start, u in starts], options)
         starts = [(one.start, one.parameters) for one in found]
         if number == 0:
-            starts += _shifted(model, found[0].parameters, line)
-    best = ascend(model, stages[-1], found[0].parameters, found[0].start, precision=FINE)
-    return distinct([best, *found[1:]])
+            starts += _shifted(model, found[0].parameters, line, options.shift_error)
+    best = ascend(model, stages[-1], found[0].parameters, found[0].start, options.fine_gain, options)
+    return distinct([best, *found[1:]], options)
 
 
-def distinct(candidates: list[Candidate]) -> list[Candidate]:
+def distinct(candidates: list[Candidate], options: RecalibrationOptions = RecalibrationOptions()) -> list[Candidate]:
     """Candidates without repetitions and those far behind, the best one first."""
     kept: list[Candidate] = []
     for one in sorted(candidates, key=lambda candidate: -candidate.value):
-        if all(one.isdistinct(other) for other in kept) and (not kept or one.value > kept[0].value - BEHIND):
+        if all(one.is_distinct(other, options.distinct_fraction) for other in kept) and (
+            not kept or one.value > kept[0].value - options.far_behind
+        ):
             kept.append(one)
     return kept
 
@@ -89,8 +85,8 @@ def ascend(
     likelihood: MarginalLikelihood,
     u: Array,
     start: str,
-    scale: Array | None = None,
-    precision: float = COARSE,
+    precision: float | None = None,
+    options: RecalibrationOptions = RecalibrationOptions(),
 ) -> Candidate:
     """Maximum near a sensor, by L-BFGS in coordinates in which the likelihood is about as wide everywhere.
 
@@ -99,15 +95,15 @@ def ascend(
         likelihood: of the frames.
         u: (count,) float64, where to begin, in standard deviations of the priors.
         start: what to call it.
-        scale: (count, count) float64, from those coordinates to parameters; by default that at u.
-        precision: gain of a step, over the objective, below which it ends.
+        precision: gain of a step, over the objective, below which it ends; by default the coarse one.
+        options: of the calibration.
     """
-    scale = _scale(model, likelihood, u) if scale is None else scale
+    scale = _scale(model, likelihood, u)
 
     def falling(v: Array) -> tuple[float, Array]:
         here = scale @ v
         # no part is that far from what it should be, and a long step there would end in one that is none
-        possible = np.clip(here, -FARTHEST, FARTHEST)
+        possible = np.clip(here, -options.farthest, options.farthest)
         value, slope = value_and_slope(model, likelihood, possible)
         return 0.5 * float(here @ here) - value, scale.T @ (here - np.where(possible == here, slope, 0))
 
@@ -116,10 +112,14 @@ def ascend(
         np.linalg.solve(scale, u),
         jac=True,
         method="L-BFGS-B",
-        options={"maxiter": _ITERATIONS, "maxcor": 20, "ftol": precision},
+        options={
+            "maxiter": options.most_steps,
+            "maxcor": 20,
+            "ftol": precision or options.coarse_gain,
+        },
     )
-    there = np.clip(scale @ best.x, -FARTHEST, FARTHEST)
-    named = likelihood.evidence(model.transfer_function(there[None])[0]).share.argmax(1)
+    there = np.clip(scale @ best.x, -options.farthest, options.farthest)
+    named = likelihood.evidence(model.transfer_function(there[None])[0]).probability.argmax(1)
     return Candidate(start, there, -float(best.fun), named)
 
 
@@ -149,13 +149,13 @@ def _scale(model: UpdatedModel, likelihood: MarginalLikelihood, u: Array) -> Arr
     return np.asarray(vectors / np.sqrt(1 + np.maximum(values, 0)))
 
 
-def _moduli(model: UpdatedModel) -> Iterator[tuple[str, Array]]:
+def _moduli(model: UpdatedModel, moduli: tuple[float, ...]) -> Iterator[tuple[str, Array]]:
     of_all = np.eye(model.count)[model.names.index("modulus of all membranes")]
-    for deviations in _MODULI:
+    for deviations in moduli:
         yield f"modulus {deviations:+g} deviations", deviations * of_all
 
 
-def _shifted(model: UpdatedModel, u: Array, line: NDArray[np.int64]) -> Iterator[tuple[str, Array]]:
+def _shifted(model: UpdatedModel, u: Array, line: NDArray[np.int64], error: float) -> Iterator[tuple[str, Array]]:
     """Sensors that may be mistaken for the one at u: each point of a line answers as its neighbour does there."""
     h, jacobian = model.transfer_function(u[None])[0], model.jacobian(u)
     # the source's spectrum is not known: what tells points apart is one microphone by another
@@ -166,8 +166,8 @@ def _shifted(model: UpdatedModel, u: Array, line: NDArray[np.int64]) -> Iterator
             continue
         for here, there, text in ((points[:-1], points[1:], "forwards"), (points[1:], points[:-1], "backwards")):
             ratio = (h[there, 1:] / h[there, :1]) / (h[here, 1:] / h[here, :1])
-            wanted = np.log(ratio) / _SHIFT_ERROR
-            rows = (by_parameters[:, here] / _SHIFT_ERROR).reshape(model.count, -1)
+            wanted = np.log(ratio) / error
+            rows = (by_parameters[:, here] / error).reshape(model.count, -1)
             a = np.concatenate([rows.real, rows.imag], axis=1)
             b = np.concatenate([wanted.real.ravel(), wanted.imag.ravel()])
             yield f"line {number + 1} {text}", u + np.linalg.solve(a @ a.T + np.eye(model.count), a @ b)

@@ -1,8 +1,8 @@
-"""What speaks against a sensor that was found from unlabelled touches.
+"""Rejection tests of a sensor that was found from unlabelled touches.
 
-Touches that were held out of the search judge it: whether they are touches of that sensor, whether another one would
-do as well, and whether the present library does. Two things no likelihood tells: which channel is which, where a
-sensor is its own mirror image; and points that nobody touched.
+Touches that were held out of the search test it: they must be touches of that sensor, and neither another sensor nor
+the present library may explain them as well. No likelihood tells the order of the channels, where a sensor is its own
+mirror image, nor points that nobody touched; both have tests of their own.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
+from localize.recalibration.recalibration_options import RecalibrationOptions
 
 Complex = NDArray[np.complex128]
 
@@ -24,35 +25,6 @@ NEEDED = (
     "points"
 )
 """Touches that a calibration takes, in words."""
-GAIN = 2.0
-"""Number of standard errors by which held-out frames must be likelier than with the present library."""
-LEAST_GAIN = 0.1
-"""Lead, nats per held-out frame, below which the present library is as good: made sensors gained 3 or more, and one
-that was right already 0.04 by the edges of its frames."""
-RIVAL = 10.0
-"""Lead, nats, over a sensor that names other points."""
-EXPLAINED = 0.85
-"""Share of the held-out frames that must pass a residual test that takes a twentieth of their level for noise: it tells
-touches of another kind, not whether the sensor is the right one."""
-AGREEMENT = 0.95
-"""Share of the held-out frames that must keep their points when they join the fit."""
-FALSE_ALARM = 1e-3
-"""Rate of false alarms of the residual test."""
-UNLIKELY = 1e-6
-"""Probability below which the size of the parameters speaks against them. It is that low because what the model lacks
-moves them too: on the 33 parameters of 2 x 6 points right sensors lay at 9 to 60, wrong ones at 105 or more."""
-EXCHANGED = 3.0
-"""Number of standard errors by which another order of the microphones must be likelier to be called so."""
-CLEARLY = 0.1
-"""Lead of another order, nats per frame, that rounding does not reach."""
-REGAINED = 0.6
-"""Share of what the fit gains that the order alone must gain: else a gain or a part has changed, not the order. With
-channels exchanged it was 0.9 or more, with a gain 6 dB higher at most 0.43."""
-GAP = 1 / 12
-"""Share of the points of a line that may follow each other without a touch inside of it. There one always may, and one
-at each end, from where a shift of all points by one place begins."""
-UNTOUCHED = 1 / 4
-"""Share of the points of a line that may be without a touch."""
 
 
 @dataclass(frozen=True)
@@ -61,17 +33,19 @@ class Order:
 
     microphones: tuple[str, ...]
     """Names of the microphones, as the library orders them."""
-    heard: tuple[str, ...]
-    """Names of the microphones that the channels hold, one for each of these."""
+    likeliest: tuple[str, ...]
+    """Most probable microphones of the channels, one for each of these."""
     gain: float
     """Lead of this order over the one that the frames came in, nats per frame."""
     error: float
     """Standard error of the lead, nats per frame."""
+    options: RecalibrationOptions = RecalibrationOptions()
+    """Options of the calibration."""
 
     @property
     def differs(self) -> bool:
-        """Whether this order is clearly likelier than that of the channels."""
-        return self.gain > max(EXCHANGED * self.error, CLEARLY)
+        """True if this order is clearly likelier than that of the channels."""
+        return self.gain > max(self.options.exchanged_errors * self.error, self.options.exchanged_lead)
 
 
 def likeliest_order(likelihood: MarginalLikelihood, h: Complex, microphones: tuple[str, ...]) -> Order:
@@ -100,15 +74,19 @@ def likeliest_order(likelihood: MarginalLikelihood, h: Complex, microphones: tup
         tuple(microphones[k] for k in order),
         float(difference.mean()),
         float(difference.std(ddof=1) / np.sqrt(len(difference))),
+        likelihood.options,
     )
 
 
-def gaps(touches: NDArray[np.int64], line: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Points without a touch, from 0, where they are too many of a line, or too many that follow each other.
+def gaps(
+    touches: NDArray[np.int64], line: NDArray[np.int64], options: RecalibrationOptions = RecalibrationOptions()
+) -> NDArray[np.int64]:
+    """Points without a touch, from 1, where they are too many of a line, or too many that follow each other.
 
     Args:
         touches: (n_point,) int64, number of touches of each point.
         line: (n_point,) int64, line of each point; points of a line follow each other.
+        options: of the calibration.
 
     Returns:
         (n,) int64, line by line.
@@ -117,28 +95,28 @@ def gaps(touches: NDArray[np.int64], line: NDArray[np.int64]) -> NDArray[np.int6
     for number in np.unique(line):
         points = np.flatnonzero(line == number)
         is_free = touches[points] == 0
-        if is_free.mean() > UNTOUCHED:
-            found.append(points[is_free])
+        if is_free.mean() > options.untouched_fraction:
+            found.append(points[is_free] + 1)
             continue
         for run in np.split(points, np.flatnonzero(np.diff(is_free)) + 1):
             at_end = run[0] == points[0] or run[-1] == points[-1]
-            if touches[run[0]] == 0 and len(run) > (1 if at_end else max(1, GAP * len(points))):
-                found.append(run)
+            if touches[run[0]] == 0 and len(run) > (1 if at_end else max(1, options.gap_fraction * len(points))):
+                found.append(run + 1)
     return np.concatenate(found)
 
 
 def numbers(points: NDArray[np.int64]) -> str:
-    """Points as the user counts them, from 1: "3, 13-24".
+    """Points in words: "3, 13-24".
 
     Args:
-        points: (n,) int64, from 0, ascending.
+        points: (n,) int64, from 1, ascending.
     """
     runs = np.split(points, np.flatnonzero(np.diff(points) > 1) + 1)
-    return ", ".join(f"{run[0] + 1}" if len(run) == 1 else f"{run[0] + 1}-{run[-1] + 1}" for run in runs if len(run))
+    return ", ".join(f"{run[0]}" if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs if len(run))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Objections:
+class RejectionTests:
     """Figures by which a sensor is accepted or refused."""
 
     posterior: Posterior
@@ -161,6 +139,8 @@ class Objections:
     """Number of frames that name each point; (n_point,) int64."""
     line: NDArray[np.int64]
     """Line of each point, as the library numbers it; (n_point,) int64."""
+    options: RecalibrationOptions = RecalibrationOptions()
+    """Options of the calibration."""
 
     @property
     def size(self) -> float:
@@ -178,32 +158,32 @@ class Objections:
 
         All parameters count, though the touches determine fewer: what the model lacks moves the others as well.
         """
-        return float(scipy.stats.chi2.isf(UNLIKELY, self.posterior.model.count))
+        return float(scipy.stats.chi2.isf(self.options.unlikely, self.posterior.model.count))
 
     @property
     def untouched(self) -> NDArray[np.int64]:
-        """Points that no frame names, from 0; (n,) int64."""
-        return np.flatnonzero(self.touches == 0)
+        """Points that no frame is assigned to, from 1; (n,) int64."""
+        return np.flatnonzero(self.touches == 0) + 1
 
     @property
     def objection(self) -> str | None:
-        """Reason why the sensor is refused; None where it is accepted."""
-        untouched = gaps(self.touches, self.line)
+        """Reason why the sensor is rejected; None where it is accepted."""
+        untouched = gaps(self.touches, self.line, self.options)
         # an exchange looks like a bad fit too, and is the simpler reason
-        if self.order.differs and self.order.gain > REGAINED * self.gain:
+        if self.order.differs and self.order.gain > self.options.regained_fraction * self.gain:
             return (
                 f"the channels look exchanged: {', '.join(self.order.microphones)} are likelier "
-                f"{', '.join(self.order.heard)}, by {self.order.gain:.2f} +- {self.order.error:.2f} nats per held-out "
-                "frame; or it is another sensor"
+                f"{', '.join(self.order.likeliest)}, by {self.order.gain:.2f} +- {self.order.error:.2f} nats per "
+                "held-out frame; or it is another sensor"
             )
-        if self.explained < EXPLAINED:
+        if self.explained < self.options.explained_fraction:
             found = f"; farthest off: {self.posterior.farthest}" if self.size > self.largest_size else ""
             if len(untouched):
                 found += f"; no touch is named point {numbers(untouched)}"
             return (
                 f"{100 * self.explained:.0f} % of the held-out frames are touches of the sensor found, fewer than "
-                f"{100 * EXPLAINED:.0f} %: touches of another kind, such as two at a time, sound from "
-                f"outside, a damaged or another sensor, or parts beyond their tolerances{found}; needed are "
+                f"{100 * self.options.explained_fraction:.0f} %: touches of another kind, such as two at a time, sound "
+                f"from outside, a damaged or another sensor, or parts beyond their tolerances{found}; needed are "
                 f"{NEEDED}"
             )
         if self.size > self.largest_size:
@@ -216,17 +196,17 @@ class Objections:
                 f"no touch is named point {numbers(untouched)}: where touches are not spread over all points, a sensor "
                 "whose points are shifted by a place explains them as well; touch all points of the line"
             )
-        if self.rival < RIVAL or self.rival_held_out <= 0:
+        if self.rival < self.options.rival_lead or self.rival_held_out <= 0:
             return (
                 f"a sensor that names other points is only {self.rival:.1f} nats less probable, and "
                 f"{self.rival_held_out:.1f} less likely on held-out frames: the touches do not tell which it is"
             )
-        if self.agreement < AGREEMENT:
+        if self.agreement < self.options.agreement_fraction:
             return (
                 f"only {100 * self.agreement:.0f} % of the held-out frames keep their points when they join the fit: "
                 "it is not settled yet"
             )
-        if self.gain < max(GAIN * self.gain_error, LEAST_GAIN):
+        if self.gain < max(self.options.gain_errors * self.gain_error, self.options.least_gain):
             return (
                 f"held-out frames are {self.gain:.3f} +- {self.gain_error:.3f} nats likelier than with the present "
                 "library, which is as good"
@@ -235,5 +215,5 @@ class Objections:
 
     @property
     def accepted(self) -> bool:
-        """Whether nothing speaks against the sensor, so that its library is a new one."""
+        """True if no test rejects the sensor, so that its library is a new one."""
         return self.objection is None

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from itertools import combinations
 from typing import Any
 
@@ -19,44 +19,22 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
-from geometry.ground.refusal import Refusal, counted
+from acoustic_fem.quantities.checks import in_range
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
-from localize.live.options import StreamOptions
+from localize.live.stream_options import StreamOptions
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
-from localize.recalibration.parameter_search import FINE, ascend, distinct, search
-from localize.recalibration.rejections import FALSE_ALARM, NEEDED, Objections, likeliest_order
+from localize.recalibration.parameter_search import ascend, distinct, search
+from localize.recalibration.recalibration_options import RecalibrationOptions
+from localize.recalibration.rejections import NEEDED, RejectionTests, likeliest_order
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME, checked_signals
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
 
 Complex = NDArray[np.complex128]
-
-FEWEST = 100
-"""Number of frames with a touch that are needed."""
-STAGES = (0.5, 0.25, 0.12, 0.03)
-"""Noise that is assumed in each stage, over the level of the touches: half of the frames are louder at their loudest
-microphone. Fingers leave several maxima at 0.25, of which the wrong one was followed on one sensor of ten."""
-QUIET = 4.0
-"""Multiple of the microphones' noise that frames with a touch exceed somewhere."""
-ONE_SIGNAL = 1e-2
-"""Share of a channel's energy that another one, at the best gain, must leave unexplained to be another microphone.
-Copies differ by rounding and by the noise of two inputs; microphones of arrays and of a glove leave 0.36 or more."""
-SEARCHED = 300
-"""Largest number of frames that a search is made with; the last ascent takes all."""
-HELD_OUT = 0.25
-"""Share of the frames that the search does not see."""
-UNTOLD = 0.05
-"""Noise that the residual test takes for granted, over the level of the touches: recordings of rigs hold that much that
-no point explains though the sensor is known exactly, slow pressure and wander among it."""
-LOUDEST = 8.0
-"""Level of the loudest touch that the residual test passes, over the level of the touches."""
-SLOPES = (0.0, -1.0, -2.0)
-"""Slopes of the amplitude of touches over frequency that are tried, as exponents: a short tap, what is left of a step,
-and a slow press."""
-LEVELS = (1e-3 / LOUDEST, 1e3 / LOUDEST)
-"""Lowest and highest level at the loudest microphone that half of the touches may be above, Pa rms."""
 
 
 class SelfCalibrationError(Refusal):
@@ -64,7 +42,7 @@ class SelfCalibrationError(Refusal):
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class SelfCalibration(Objections):
+class SelfCalibration(RejectionTests):
     """Most probable sensor of unlabelled touches, and what speaks against it."""
 
     present: Library
@@ -109,11 +87,12 @@ class SelfCalibration(Objections):
             "agreement": self.agreement,
             "size": self.size,
             "expected_size": self.expected_size,
-            "likeliest_order": list(self.order.heard),
+            "likeliest_order": list(self.order.likeliest),
             "order_gain_per_frame": self.order.gain,
             "order_gain_error": self.order.error,
             "touches_per_point": self.touches.tolist(),
             "objection": self.objection,
+            "options": asdict(self.options),
             **self.posterior.summary(),
         }
 
@@ -122,23 +101,26 @@ class SelfCalibration(Objections):
 def self_calibrate(
     library: Library,
     frames: ArrayLike,
-    microphone_noise: float = 1e-3,
+    microphone_noise: NoiseChoice = "design",
     priors: Priors | None = None,
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
     high_pass: float | None = None,
+    options: RecalibrationOptions = RecalibrationOptions(),
 ) -> SelfCalibration:
     """Bring a library to the sensor that made unlabelled touches.
 
     Args:
         library: the nominal one, or the last calibration, of the sensor's design, covering 1 to 100 Hz.
         frames: (n, n_microphone, 250), Pa, at 1 kHz; those without a touch are passed over.
-        microphone_noise: of the microphones, Pa rms over 0 to 500 Hz, 1e-9 to 10.
+        microphone_noise: of the microphones, Pa rms over 0 to 500 Hz, 1e-9 to 10; or "design" for that of the design's
+            microphone.
         priors: how far the sensor may be from the library; by default those of a fresh one.
         seed: of the choice of the frames that are held out.
         progress: called with what is being done and the fraction done.
         high_pass: corner of the high-pass that the frames have passed, that of
             :class:`localize.live.front_end.HighPass`, 0.5 to 20 Hz; None for none.
+        options: numbers that tune the search and the tests of its result.
 
     Raises:
         SelfCalibrationError: fewer than 100 frames with a touch, or touches of a level that is none in pascals; a frame
@@ -146,58 +128,76 @@ def self_calibrate(
         Refusal: frames of a wrong shape, a silent channel, values that are not finite; a noise or a corner out of
             range; a library without the band, or of a design that the lumped batch does not take.
     """
-    if not 1e-9 <= microphone_noise <= 10:
-        raise Refusal(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
     StreamOptions(high_pass)
     response = response_of(library)
-    heard = _usable(np.asarray(frames, np.float64), response, microphone_noise)
-    _check_channels(heard, response.microphones)
+    spectrum = response.noise(microphone_noise)
+    noise = in_range(
+        "microphone_noise", spectrum.rms if isinstance(spectrum, NoiseSpectrum) else spectrum, 1e-9, 10.0, "Pa"
+    )
+    heard = _usable(np.asarray(frames, np.float64), response, noise, options)
+    _check_channels(heard, response.microphones, options.one_signal)
     level = float(np.median(heard.std(2).max(1)))
-    if not LEVELS[0] <= level <= LEVELS[1]:
+    if not options.levels[0] <= level <= options.levels[1]:
         raise SelfCalibrationError(
-            f"the touches are {level:.3g} Pa rms at their loudest microphone, where {LEVELS[0]:g} to {LEVELS[1]:g} Pa "
-            f"can be judged: are the samples pascals? Needed are {NEEDED}"
+            f"the touches have a median level of {level:.3g} Pa rms at their loudest microphone; it must be between "
+            f"{options.levels[0]:g} and {options.levels[1]:g} Pa",
+            kind=Kind.UNSUITABLE,
+            remedy=f"check that the samples are pascals; a calibration needs {NEEDED}",
         )
-    noises = [max(share * level, 2 * microphone_noise) for share in STAGES]
+    noises = [max(share * level, 2 * noise) for share in options.noise_stages]
     heard = heard[np.random.default_rng(seed).permutation(len(heard))]
     # the errors of the model grow with the touch: louder ones say no more than half of them do
     heard *= np.minimum(1.0, level / heard.std(2).max(1))[:, None, None]
-    kept, held_out = np.split(heard, [round((1 - HELD_OUT) * len(heard))])
+    kept, held_out = np.split(heard, [round((1 - options.held_out_fraction) * len(heard))])
     with warnings.catch_warnings():
         # a search also passes through sensors of which these would be right; of the one it ends at they are told
         # when its library is made, outside of here
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
         return _calibrated(
-            UpdatedModel(library, priors), response, kept, held_out, noises, level, seed, progress or _silent, high_pass
+            UpdatedModel(library, priors),
+            response,
+            kept,
+            held_out,
+            noises,
+            level,
+            seed,
+            progress or _silent,
+            high_pass,
+            options,
         )
 
 
-def touched(frames: Array, noise: float) -> NDArray[np.bool_]:
-    """Which frames hold a touch; one that is not finite is no quiet one.
+def touched(frames: Array, noise: float, quiet: float = RecalibrationOptions.quiet) -> NDArray[np.bool_]:
+    """Mask of the frames that hold a touch; one that is not finite counts as one.
 
     Args:
         frames: (n, n_microphone, 250) float64, Pa, at 1 kHz.
         noise: of the microphones, Pa rms over 0 to 500 Hz.
+        quiet: multiple of the noise that frames with a touch exceed at one microphone.
 
     Returns:
         (n,) bool.
     """
-    return np.asarray(~(frames.std(2).max(1, initial=0) <= QUIET * noise))
+    return np.asarray(~(frames.std(2).max(1, initial=0) <= quiet * noise))
 
 
-def _usable(frames: Array, response: ArrayResponse, noise: float) -> Array:
+def _usable(frames: Array, response: ArrayResponse, noise: float, options: RecalibrationOptions) -> Array:
     """Frames that hold a touch, each once."""
     if frames.ndim != 3 or frames.shape[2] != FRAME:
-        raise Refusal(f"frames have shape {frames.shape}, must be (n, n_microphone, {FRAME})")
-    number = np.flatnonzero(touched(frames, noise))
+        raise Refusal(
+            f"has shape {frames.shape}, must be (n, n_microphone, {FRAME})", kind=Kind.WRONG_TYPE, field="frames"
+        )
+    number = np.flatnonzero(touched(frames, noise, options.quiet))
     heard = frames[number]
     if len(heard):
         checked_signals(heard, response.microphones)
         _check_copies(heard, number)
-    if len(heard) < FEWEST:
+    fewest = options.fewest_frames
+    if len(heard) < fewest:
         raise SelfCalibrationError(
-            f"{len(heard)} of {counted(len(frames), 'frame')} hold a touch; a calibration needs at least {FEWEST} "
-            f"({FEWEST * FRAME / SAMPLE_RATE:g} s of touches)"
+            f"{len(heard)} of {counted(len(frames), 'frame')} hold a touch; a calibration needs at least {fewest} "
+            f"({fewest * FRAME / SAMPLE_RATE:g} s of touches)",
+            kind=Kind.UNSUITABLE,
         )
     return heard
 
@@ -210,22 +210,26 @@ def _check_copies(frames: Array, number: NDArray[np.int64]) -> None:
     if len(copies):
         raise SelfCalibrationError(
             f"{len(copies)} of {counted(len(frames), 'frame')} with a touch are copies of others, such as frame "
-            f"{number[copies[0]]} of frame {earlier[copies[0]]} (from 0): a copy of what the search saw judges "
-            "nothing; give each touch once"
+            f"{number[copies[0]] + 1} of frame {earlier[copies[0]] + 1}, so that held-out frames would not be new to "
+            "the search",
+            kind=Kind.UNSUITABLE,
+            remedy="give each touch once",
         )
 
 
-def _check_channels(frames: Array, microphones: tuple[str, ...]) -> None:
+def _check_channels(frames: Array, microphones: tuple[str, ...], one_signal: float) -> None:
     """Refuse channels that hold one signal, at whatever gain and sign."""
     channels = (frames - frames.mean(2, keepdims=True)).transpose(1, 0, 2).reshape(len(microphones), -1)
     product = channels @ channels.T
     for one, other in combinations(range(len(microphones)), 2):
         correlation = product[one, other] / np.sqrt(product[one, one] * product[other, other])
-        if 1 - correlation**2 < ONE_SIGNAL:
+        if 1 - correlation**2 < one_signal:
             raise SelfCalibrationError(
                 f"channels {microphones[one]} and {microphones[other]} hold one signal: in the frames with a touch "
                 f"{microphones[other]} is {product[one, other] / product[one, one]:.3g} times {microphones[one]}, "
-                f"their correlation {correlation:.4f}; each microphone needs a channel of its own"
+                f"with a correlation of {correlation:.4f}",
+                kind=Kind.UNSUITABLE,
+                remedy="record each microphone on a channel of its own",
             )
 
 
@@ -243,34 +247,37 @@ def _calibrated(
     seed: int,
     report: Callable[[str, float], None],
     high_pass: float | None,
+    options: RecalibrationOptions,
 ) -> SelfCalibration:
     def likelihood_of(frames: Array, noise: float) -> MarginalLikelihood:
-        return MarginalLikelihood(grid, frames, noise, SLOPES, high_pass)
+        return MarginalLikelihood(grid, frames, noise, options.slopes, high_pass, options)
 
     def responses(u: Array) -> Complex:
         return np.asarray(model.transfer_function(u[None])[0])
 
     grid, noise = response.frequency, noises[-1]
     report("search", 0.0)
-    found = search(model, tuple(likelihood_of(kept[:SEARCHED], each) for each in noises), response.line)
+    searched = kept[: options.searched_frames]
+    found = search(model, tuple(likelihood_of(searched, each) for each in noises), response.line, options)
     report("judgement", 0.7)
-    if len(kept) > SEARCHED:
+    if len(kept) > options.searched_frames:
         likelihood = likelihood_of(kept, noise)
-        found = distinct([ascend(model, likelihood, one.parameters, one.start, precision=FINE) for one in found])
+        fine = (options.fine_gain, options)
+        found = distinct([ascend(model, likelihood, one.parameters, one.start, *fine) for one in found], options)
     unseen = likelihood_of(held_out, noise)
     best, *rivals = (unseen.evidence(responses(one.parameters)) for one in found)
-    named = best.share.argmax(1)
+    named = best.probability.argmax(1)
     present = responses(np.zeros(model.count))
     difference = best.frames - unseen.evidence(present).frames
     order = likeliest_order(unseen, present, response.microphones)
     test = ResidualTest(
         replace(response, transfer_function=responses(found[0].parameters)),
-        max(UNTOLD * level, noise / 2),
-        LOUDEST * level,
+        max(options.unexplained_fraction * level, noise / 2),
+        options.loudest_ratio * level,
     )
     report("all frames", 0.8)
     whole = likelihood_of(np.concatenate([kept, held_out]), noise)
-    u = ascend(model, whole, found[0].parameters, found[0].start, precision=FINE).parameters
+    u = ascend(model, whole, found[0].parameters, found[0].start, options.fine_gain, options).parameters
     information = whole.information(responses(u), model.jacobian(u))
     report("done", 1.0)
     return SelfCalibration(
@@ -285,9 +292,10 @@ def _calibrated(
         gain_error=float(difference.std(ddof=1) / np.sqrt(len(held_out))),
         rival=min((found[0].value - one.value for one in found[1:]), default=np.inf),
         rival_held_out=min((float((best.frames - one.frames).sum()) for one in rivals), default=np.inf),
-        explained=float((test.p_value(held_out, named + 1) >= FALSE_ALARM).mean()),
-        agreement=float((unseen.evidence(responses(u)).share.argmax(1) == named).mean()),
+        explained=float((test.p_value(held_out, named + 1) >= options.false_alarm).mean()),
+        agreement=float((unseen.evidence(responses(u)).probability.argmax(1) == named).mean()),
         order=order,
-        touches=np.bincount(whole.evidence(responses(u)).share.argmax(1), minlength=response.point_count),
+        touches=np.bincount(whole.evidence(responses(u)).probability.argmax(1), minlength=response.point_count),
         line=response.line,
+        options=options,
     )

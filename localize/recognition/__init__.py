@@ -1,6 +1,6 @@
-"""What a touch is: events, textures, the user's own kinds, the pulse, and letters that are written on an array.
+"""Kinds of touch: events, textures, the user's own kinds, the pulse, and letters that are written on an array.
 
-Stands on: contacts, decoders, evaluation, graphs, learned, live, recordings, signals, tracking.
+Stands on: contacts, decoders, graphs, learned, live, recordings, signals, tracking.
 """
 
 import lazy_loader

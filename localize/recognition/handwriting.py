@@ -22,9 +22,10 @@ from localize.decoders.bayes import BayesDecoder
 from localize.decoders.frame_covariance import INTEGRATION_STEP
 from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.live.front_end import HighPass
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.recognition.letter_classifier import LETTERS, Hand, written
-from localize.recognition.pen_path import PAD, PenTracker
+from localize.recognition.pen_path import PenTracker
+from localize.recognition.recognition_options import WritingOptions
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -35,26 +36,6 @@ from localize.tracking.footprints import pitch_of
 
 WRITTEN = "letters"
 """Subject of a recognizer of letters."""
-CORNER = 15.0
-"""Corner of the high-pass, Hz: below it a membrane is heard long after it was left, above it while it is rubbed."""
-QUIET = 4.0
-"""Multiple of the microphones' noise below which a frame is silent at all of them."""
-ENDS = -35.0
-"""Level over the loudest from which a line is there, dB: it goes from the first hop that is as loud to the last."""
-LOUDEST = 0.9
-"""Share of the hops that are not louder than what counts as loudest."""
-LEAST = 5e-3
-"""Probability below which a place is left out."""
-HOP = 32
-"""Samples from frame to frame where a pad covers several points."""
-LOUD = 0.05
-"""Share of the loudest frames' level from which such a frame counts whole."""
-LEAST_COUNT = 0.1
-"""What it must count to be drawn."""
-VARIANTS = 6
-"""Pictures of each letter to train on, each a little turned, moved and stretched."""
-_WIDTH = 0.08
-"""Standard deviation of the pen that draws a picture, in its heights."""
 
 
 class LineReader:
@@ -66,24 +47,26 @@ class LineReader:
     Args:
         response: the array, with the places of its points.
         noise: of the microphones.
+        options: numbers that tune the reading.
 
     Raises:
         Refusal: an array without places.
     """
 
     @one_thread()
-    def __init__(self, response: ArrayResponse, noise: NoiseChoice) -> None:
+    def __init__(self, response: ArrayResponse, noise: NoiseChoice, options: WritingOptions = WritingOptions()) -> None:
+        self.options = options
         self._place, _ = surface_of(response)
-        self._pen = PenTracker(response) if pitch_of(response) > PAD else None
+        self._pen = PenTracker(response, options.pen) if pitch_of(response) > options.pen.pad_radius_mm else None
         self._decoder = BayesDecoder(response, noise)
         level = response.noise(noise)
         self._noise = level.rms if isinstance(level, NoiseSpectrum) else level
-        heard = np.arange(CORNER, BAND[1] + 0.5, INTEGRATION_STEP)
+        heard = np.arange(options.corner, BAND[1] + 0.5, INTEGRATION_STEP)
         self._usual = np.sqrt((np.abs(response.at(heard)) ** 2).mean((1, 2)))
 
     @one_thread()
     def line(self, signals: Array) -> Array:
-        """Where the line was, hop by hop, as far as the array knows.
+        """Places of the line, hop by hop, as far as the array knows.
 
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz, at least a frame.
@@ -95,31 +78,32 @@ class LineReader:
         """
         if self._pen is None:
             return self._mean(signals)
-        frames, first = _frames(HighPass(len(signals), CORNER).begin(signals), self._pen.hop)
-        if not (frames.std(2).max(1) > QUIET * self._noise).any():
+        frames, first = _frames(HighPass(len(signals), self.options.corner).begin(signals), self._pen.hop)
+        if not (frames.std(2).max(1) > self.options.quiet * self._noise).any():
             return np.zeros((0, 4))
         point = self._probability(frames).argmax(1)
         level = 20 * np.log10(np.sqrt((frames**2).mean((1, 2))) / self._usual[point])
-        loudest = np.quantile(level, LOUDEST)
-        there = np.flatnonzero(level > loudest + ENDS)
+        loudest = np.quantile(level, self.options.loudest_quantile)
+        there = np.flatnonzero(level > loudest + self.options.ends)
         kept = slice(max(int(there[0]) - 1, 0), int(there[-1]) + 2)
         floor = 20 * np.log10(self._noise / self._usual.mean()) - loudest
         probability = self._pen.probability(point[kept], level[kept] - loudest, float(floor))
-        hop, cell = np.nonzero(probability > LEAST)
+        hop, cell = np.nonzero(probability > self.options.least_probability)
         time = (first[kept] + FRAME / 2)[hop] / signals.shape[1]
         return np.column_stack([time, self._pen.place[cell], probability[hop, cell]])
 
     def _mean(self, signals: Array) -> Array:
         """The line as the mean of the points in each frame that is not silent."""
-        frames, first = _frames(HighPass(len(signals), HIGH_PASS).begin(signals), HOP)
+        frames, first = _frames(HighPass(len(signals), HIGH_PASS).begin(signals), self.options.hop)
         level = frames.std(2).max(1)
-        heard = level > QUIET * self._noise
+        heard = level > self.options.quiet * self._noise
         if not heard.any():
             return np.zeros((0, 4))
         probability = self._probability(frames[heard])
-        loud = np.minimum(1.0, level[heard] / (LOUD * np.quantile(level[heard], LOUDEST)))
+        loudest = np.quantile(level[heard], self.options.loudest_quantile)
+        loud = np.minimum(1.0, level[heard] / (self.options.loud * loudest))
         counts = loud * probability.max(1)
-        drawn = counts >= min(LEAST_COUNT, float(counts.max()))
+        drawn = counts >= min(self.options.least_count, float(counts.max()))
         return np.column_stack([first[heard] / signals.shape[1], probability @ self._place, counts])[drawn]
 
     def _probability(self, frames: Array) -> Array:
@@ -128,22 +112,25 @@ class LineReader:
         return np.concatenate([self._decoder.locate(np.ascontiguousarray(part)) for part in parts])
 
     def begins(self, signals: Array, first: int) -> int:
-        """Point, from 0, that is heard first from a sample on.
+        """Point, from 1, that is detected first from a sample on.
 
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
             first: the sample.
         """
         begin = max(0, min(first, signals.shape[1] - FRAME))
-        return int(self._decoder.locate(signals[:, begin : begin + FRAME]).argmax())
+        return int(self._decoder.locate(signals[:, begin : begin + FRAME]).argmax()) + 1
 
 
-def letter_maps(line: Array, random: np.random.Generator | None = None) -> Tensor:
+def letter_maps(
+    line: Array, random: np.random.Generator | None = None, pen_width: float = WritingOptions.pen_width
+) -> Tensor:
     """Maps of one line.
 
     Args:
         line: (n, 4) float64, as of :meth:`LineReader.line`.
         random: turns, moves and stretches it a little; None for as it is.
+        pen_width: standard deviation of the pen that draws the picture, in its heights.
 
     Returns:
         (2, 64, 32) float32: the line, 0 to 1, top row first; and its time, -1 to 1, where there is a line.
@@ -160,10 +147,10 @@ def letter_maps(line: Array, random: np.random.Generator | None = None) -> Tenso
         places = places @ (np.eye(2) + 0.06 * random.standard_normal((2, 2))) + 0.02 * random.standard_normal(2)
     # the line fills most of the picture: its rows are twice as close as its columns
     rows, columns = np.linspace(0.65, -0.65, FREQUENCIES), np.linspace(-0.65, 0.65, COLUMNS)
-    upright = np.exp((-0.5 * ((rows - places[:, 1:]) / _WIDTH) ** 2).astype(np.float32)) * line[:, 3:].astype(
+    upright = np.exp((-0.5 * ((rows - places[:, 1:]) / pen_width) ** 2).astype(np.float32)) * line[:, 3:].astype(
         np.float32
     )
-    across = np.exp((-0.5 * ((columns - places[:, :1]) / _WIDTH) ** 2).astype(np.float32))
+    across = np.exp((-0.5 * ((columns - places[:, :1]) / pen_width) ** 2).astype(np.float32))
     ends = [*begin[1:], len(line)]
     near = np.stack([upright[a:b].T @ across[a:b] for a, b in zip(begin, ends, strict=True)])
     time = line[begin, 0] - line[0, 0]
@@ -183,7 +170,7 @@ class LetterMaker:
     sensors: tuple[ArrayResponse, ...]
     """Sensors that are written on, one after the other."""
     seed: int = 0
-    """Of the letters."""
+    """Seed of the letters."""
     noise: NoiseChoice = "design"
     """Noise of the microphones."""
     hand: Hand = field(default_factory=Hand)

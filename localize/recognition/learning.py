@@ -16,35 +16,30 @@ from torch import Tensor
 
 from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import Checkpoint
 from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape
-from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
-from localize.recognition.handwriting import VARIANTS, WRITTEN, LetterMaker, LineReader
+from localize.learned.epochs import TrainingProgress, TrainingTask, most_probable_classes, run_epochs
+from localize.learned.training_plan import identity_of
+from localize.recognition.handwriting import WRITTEN, LetterMaker, LineReader
 from localize.recognition.letter_classifier import LETTERS, Hand
 from localize.recognition.power_maps import MAPS
 from localize.recognition.recognition_plan import RecognitionPlan
 from localize.recognition.recognizer import Recognizer
 from localize.recognition.recorded_takes import recorded_takes
-from localize.recognition.takes import PASSING, SUBJECTS, TakeMaker
+from localize.recognition.takes import SUBJECTS, TakeMaker
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.threads import one_thread
 
-HELD_OUT = 0.25
-"""Number of simulated takes that are held out, as a share of those that are trained on: 4 to 1."""
 RECORDED = "labels"
 """Subject of a recognizer that was trained on recordings, whose labels are the user's."""
-SPEEDS = (25.0, 120.0)
-"""Slowest and fastest speed at which simulated letters are written to train on, mm/s."""
-LEAST_NOISE = 1e-5
-"""Noise that waveforms are made with at least, Pa rms: a filter for no noise at all amplifies what is there."""
 
 
 @dataclass(frozen=True, eq=False)
 class Takes:
-    """What is learnt from: maps and their kinds, to train on and held out."""
+    """Data of a training: maps and their kinds, to train on and held out."""
 
     labels: tuple[str, ...]
     """Kinds."""
@@ -89,11 +84,13 @@ def train_recognizer(
     plan = plan or RecognitionPlan.of(subject)
     known = (*SUBJECTS, WRITTEN, RECORDED)
     if subject not in known:
-        raise Refusal(f"subject = {subject!r} must be one of: {', '.join(known)}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="subject", value=subject, allowed=known)
     if subject != WRITTEN and (subject == RECORDED) != (recordings is not None):
         raise Refusal(
-            f"subject = {subject!r}: a manifest of recordings goes with {RECORDED!r} or {WRITTEN!r}, and {RECORDED!r} "
-            "with nothing else"
+            f"a manifest of recordings goes with {RECORDED!r} or {WRITTEN!r}, and {RECORDED!r} needs one",
+            kind=Kind.CONFLICT,
+            field="subject",
+            value=subject,
         )
     response = response_of(library)
     warn_of_uncovered(response)
@@ -124,25 +121,25 @@ def _takes(
     recordings: str | os.PathLike[str] | None,
     making: Callable[[float], None] | None,
 ) -> tuple[Takes, bool]:
-    """What is learnt from, and whether it is of sliding at a known speed."""
+    """Data of a training, and True if they are of sliding at a known speed."""
     reconstructor = reconstructor_of(response, plan)
     reader = LineReader(response, plan.microphone_noise) if subject == WRITTEN else None
     if recordings is not None:
         noise = response.noise(plan.microphone_noise)
         rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-        found = recorded_takes(recordings, response, reader or reconstructor, rms, plan.seed)
+        found = recorded_takes(recordings, response, reader or reconstructor, rms, plan)
         identity = {f"recording {name}": said for name, said in found.files.items()}
         own = (found.maps, found.kind, found.held_out_maps, found.held_out_kind)
         return Takes(found.labels, *own, identity), found.at_usual_speed
     kinds = LETTERS if reader else SUBJECTS[subject].labels
-    held = max(1, round(HELD_OUT * plan.takes)) * len(kinds)
+    held = max(1, round(plan.held_out_fraction * plan.takes)) * len(kinds)
     if reader:
-        written = LetterMaker((reader,), (response,), plan.seed, plan.microphone_noise, Hand(speed=SPEEDS))
-        seen = written.maps("training", plan.takes * len(kinds), making, VARIANTS)
+        written = LetterMaker((reader,), (response,), plan.seed, plan.microphone_noise, Hand(speed=plan.letter_speeds))
+        seen = written.maps("training", plan.takes * len(kinds), making, plan.letter_variants)
         return Takes(kinds, *seen, *written.maps("held-out", held), {}), False
     slides = SUBJECTS[subject].speeds is not None
     # Over bare transfer functions nothing can pass, and no speed is told.
-    passing = PASSING if slides and response.membrane_radius is not None else 0.0
+    passing = plan.passing if slides and response.membrane_radius is not None else 0.0
     maker = TakeMaker(subject, reconstructor, (response,), plan.seed, plan.microphone_noise, passing=passing)
     seen = maker.maps("training", plan.takes * len(kinds), making)
     return Takes(kinds, *seen, *maker.maps("held-out", held), {}), slides
@@ -151,7 +148,7 @@ def _takes(
 def reconstructor_of(response: ArrayResponse, plan: RecognitionPlan) -> Reconstructor:
     """Filters that waveforms are made by, for the noise of a plan."""
     noise = plan.microphone_noise
-    return Reconstructor(response, noise if isinstance(noise, str) else max(noise, LEAST_NOISE))
+    return Reconstructor(response, noise if isinstance(noise, str) else max(noise, plan.least_noise))
 
 
 def learn(
@@ -182,12 +179,12 @@ def learn(
         classifier = MapClassifier(shape)
         classifier.fit_normalisation(takes.maps)
         target = (1 - plan.smoothing) * torch.eye(kinds) + plan.smoothing / kinds
-        lesson = Lesson(
+        lesson = TrainingTask(
             lambda step, size: _batch(takes, plan, step, size), steps, target, takes.held_out_maps, takes.held_out_kind
         )
         kept = None if checkpoint is None else Checkpoint(checkpoint, _identity(takes, plan, response))
         curve, count = run_epochs(classifier, lesson, plan, kept, progress)
-        named = named_classes(classifier, takes.held_out_maps)
+        named = most_probable_classes(classifier, takes.held_out_maps)
     confusion = np.zeros((kinds, kinds), np.int64)
     np.add.at(confusion, (takes.held_out_kind.numpy(), named.numpy()), 1)
     return classifier.eval(), {
@@ -223,7 +220,7 @@ def _identity(takes: Takes, plan: RecognitionPlan, response: ArrayResponse) -> d
     digest = hashlib.sha256(response.transfer_function.tobytes() + response.frequency.tobytes())
     own = hashlib.sha256(_numbers(takes.maps).tobytes() + _numbers(takes.kind).tobytes())
     return {
-        **{f"plan.{name}": json.dumps(value) for name, value in asdict(plan).items()},
+        **{f"plan.{name}": json.dumps(value) for name, value in identity_of(plan).items()},
         **takes.identity,
         "labels": ", ".join(takes.labels),
         "takes": own.hexdigest()[:16],

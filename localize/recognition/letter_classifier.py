@@ -91,7 +91,7 @@ class Hand:
     wobble: float = 0.02
     """Deviation of the line, rms, in heights of the letter; it moves smoothly along the line."""
     tool: Tool = PAD
-    """What is written with."""
+    """Tool that writes."""
 
 
 def strokes_of(letter: str, hand: Hand, random: np.random.Generator) -> list[Array]:

@@ -1,4 +1,4 @@
-"""Where a pen goes that writes on an array: heard over a membrane, guessed between two, lifted.
+"""Path of a pen that writes on an array: detected over a membrane, guessed between two, lifted.
 
 What is heard of a line tells in each hop the point that is loudest and how loud it is, against the loudest of the whole
 line: a pad presses a membrane the less the farther its middle is. Between rows it presses none and nothing is heard,
@@ -21,56 +21,25 @@ from numpy.typing import NDArray
 
 from geometry.ground.typed import Array
 from localize.contacts.contact import surface_of
+from localize.recognition.recognition_options import PenOptions
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
-from localize.tracking.footprints import pitch_of, shares_at
+from localize.tracking.footprints import fractions_at, pitch_of
 
 Single = NDArray[np.float32]
-
-PAD = 6.5
-"""Radius of what writes, mm: the middle of that of pads that are laid flat."""
-CELLS = 4
-"""Number of cells from point to point."""
-MOST = 4000
-"""Number of cells at most: of sparser arrays they are larger."""
-DIRECTIONS = 16
-"""Number of directions."""
-SPEEDS = (25.0, 35.0, 50.0, 70.0, 100.0, 140.0, 200.0)
-"""Speeds of a line that are tried, mm/s."""
-UNEVEN = ((0.85, 0.25), (1.0, 0.5), (1.15, 0.25))
-"""Steps of a hop over those of the line's speed, and how often they are taken."""
-TURN, CORNER, LIFT = 0.75, 0.12, 0.065
-"""How often, in each pitch of its way, a pen turns by one direction to either side, turns to any, and is lifted: what
-is written has its shape at any speed."""
-LAND = 1.9
-"""How often it is put down again, 1/s."""
-FLOOR = -50.0
-"""Level to which what was heard before fades at least, dB over the loudest."""
-SCATTER = 8.0
-"""Standard deviation of a level, dB."""
-ASTRAY = 0.05
-"""Share of levels that say nothing."""
-ASTRAY_POINTS = 0.03
-"""Share of named points that say nothing."""
-FADING = (12.0, 8.0)
-"""Level over the floor up to which a lifted pen may be heard, and standard deviation above it, dB."""
-SMEAR = 0.07
-"""Time over which a frame smears what it hears, standard deviation, s."""
-LONGEST = 600
-"""Number of hops that are judged together: what is kept of them takes memory."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Moves:
-    """Where a hop takes a pen of one speed."""
+    """Steps of a pen of one speed in a hop."""
 
     on: scipy.sparse.csr_array
-    """From cells and directions before to those behind; (n, n), n = DIRECTIONS n_cell, float32."""
+    """From cells and directions before to those behind; (n, n), n = n_direction n_cell, float32."""
     back: scipy.sparse.csr_array
     """Its transpose."""
     turned: Single
-    """From directions before to those behind; (DIRECTIONS, DIRECTIONS) float32."""
+    """From directions before to those behind; (n_direction, n_direction) float32."""
     lifted: float
     """Probability that the pen is lifted."""
 
@@ -80,16 +49,18 @@ class PenTracker:
 
     Args:
         response: of a library with a design.
+        options: numbers that tune the model of the pen.
 
     Raises:
         Refusal: bare transfer functions.
     """
 
-    def __init__(self, response: ArrayResponse) -> None:
+    def __init__(self, response: ArrayResponse, options: PenOptions = PenOptions()) -> None:
+        self.options = options
         place, _ = surface_of(response)
         self._pitch = pitch = pitch_of(response)
         room = np.ptp(place, axis=0)
-        self._step = step = max(pitch / CELLS, float(np.sqrt(np.prod(room + pitch / 2) / MOST)))
+        self._step = step = max(pitch / options.cells, float(np.sqrt(np.prod(room + pitch / 2) / options.most_cells)))
         self.hop = 16 * round(np.clip(step / 1.1, 1, 4))
         """Samples from hop to hop: a pen goes about a cell."""
         ends = zip(place.min(0) - step, place.max(0) + step, strict=True)
@@ -97,14 +68,14 @@ class PenTracker:
         self._shape = (len(axes[0]), len(axes[1]))
         self.place = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 2)
         """Middles of the cells; (n_cell, 2) float64, mm."""
-        share = shares_at(response, PAD, self.place) ** 2
+        share = fractions_at(response, options.pad_radius_mm, self.place) ** 2
         self._power = share / share.max()
-        self._landed = float(1 - np.exp(-LAND * self.hop / SAMPLE_RATE))
+        self._landed = float(1 - np.exp(-options.land * self.hop / SAMPLE_RATE))
         self._moves = cache(self._moves_at)
         self._loudness = cache(self._loudness_at)
 
     def probability(self, point: NDArray[np.int64], level: Array, floor: float) -> Single:
-        """Where the pen is, hop by hop.
+        """Probability of the place of the pen, hop by hop.
 
         Args:
             point: that is heard in the frame about each hop, from 0; (n_hop,) int64.
@@ -114,22 +85,25 @@ class PenTracker:
         Returns:
             (n_hop, n_cell) float32: probability of each cell; what is missing to one is that the pen is lifted.
         """
-        parts = [slice(k, k + LONGEST) for k in range(0, len(point), LONGEST)]
-        return np.concatenate([self._probability(point[each], level[each], max(FLOOR, floor)) for each in parts])
+        longest, floor = self.options.longest, max(self.options.floor, floor)
+        parts = [slice(k, k + longest) for k in range(0, len(point), longest)]
+        return np.concatenate([self._probability(point[each], level[each], floor) for each in parts])
 
     def _probability(self, point: NDArray[np.int64], level: Array, floor: float) -> Single:
+        speeds = self.options.speeds
+
         @cache
         def tried(number: int) -> tuple[float, Single, Single, Array]:
-            down, lifted = self._judged(point, level, floor, SPEEDS[number])
-            return *self._forward(down, lifted, self._moves(SPEEDS[number])), down, lifted
+            down, lifted = self._judged(point, level, floor, speeds[number])
+            return *self._forward(down, lifted, self._moves(speeds[number])), down, lifted
 
-        best, around = -1, len(SPEEDS) // 2 - 1
+        best, around = -1, len(speeds) // 2 - 1
         while around != best:  # uphill from the middle: the likelihood has one maximum
             best = around
-            near = range(max(0, best - 1), min(len(SPEEDS), best + 2))
+            near = range(max(0, best - 1), min(len(speeds), best + 2))
             around = max(near, key=lambda number: tried(number)[0])
         _, belief, down, lifted = tried(best)
-        return self._backward(down, lifted, self._moves(SPEEDS[best]), belief)
+        return self._backward(down, lifted, self._moves(speeds[best]), belief)
 
     def _judged(self, point: NDArray[np.int64], level: Array, floor: float, speed: float) -> tuple[Single, Array]:
         """Log-likelihoods of the cells, (n_hop, n_cell), and of a lifted pen, (n_hop,), by frames that overlap."""
@@ -138,27 +112,29 @@ class PenTracker:
         whole = power.sum(1) + rest
         count = power.shape[1]
         level = np.maximum(level, floor)
-        off = (level[:, None] - 10 * np.log10(whole)) / SCATTER
-        named = (1 - ASTRAY_POINTS) * ((power + rest / count) / whole[:, None])[:, point].T + ASTRAY_POINTS / count
-        down = _robust(off) + np.log(named)
-        after = np.maximum(level - floor - FADING[0], 0.0) / FADING[1]
+        off = (level[:, None] - 10 * np.log10(whole)) / self.options.scatter
+        astray = self.options.astray_points
+        named = (1 - astray) * ((power + rest / count) / whole[:, None])[:, point].T + astray / count
+        down = _robust(off, self.options.astray) + np.log(named)
+        after = np.maximum(level - floor - self.options.fading[0], 0.0) / self.options.fading[1]
         newest = self.hop / FRAME
-        return (newest * down).astype(np.float32), newest * (_robust(after) - np.log(count))
+        return (newest * down).astype(np.float32), newest * (_robust(after, self.options.astray) - np.log(count))
 
     def _loudness_at(self, speed: float) -> Array:
         """Power with which each point is heard of each cell, at most 1; (n_cell, n_point)."""
-        wide = SMEAR * speed / self._step
+        wide = self.options.smear * speed / self._step
         each = [scipy.ndimage.gaussian_filter(of.reshape(self._shape), wide, mode="nearest") for of in self._power.T]
         return np.stack([of.ravel() for of in each], 1)
 
     def _moves_at(self, speed: float) -> _Moves:
         rows, columns = self._shape
+        directions = self.options.directions
         number = np.arange(rows * columns).reshape(self._shape)
         before, behind, values = [], [], []
-        for direction in range(DIRECTIONS):
-            angle = 2 * np.pi * direction / DIRECTIONS
+        for direction in range(directions):
+            angle = 2 * np.pi * direction / directions
             way = np.array([np.cos(angle), np.sin(angle)]) * speed * self.hop / SAMPLE_RATE / self._step
-            for uneven, often in UNEVEN:
+            for uneven, often in self.options.uneven:
                 whole = np.floor(uneven * way).astype(int)
                 part = uneven * way - whole
                 for i, j in np.ndindex(2, 2):
@@ -173,20 +149,21 @@ class PenTracker:
                     behind.append(came.ravel() + direction * number.size)
                     values.append(np.full(left.size, weight, np.float32))
         ends, weights = (np.concatenate(behind), np.concatenate(before)), np.concatenate(values)
-        shape = (DIRECTIONS * number.size, DIRECTIONS * number.size)
+        shape = (directions * number.size, directions * number.size)
         on, back = (scipy.sparse.csr_array((weights, each), shape) for each in (ends, ends[::-1]))
         pitches = speed * self.hop / SAMPLE_RATE / self._pitch
-        same = np.eye(DIRECTIONS)
-        rate = TURN * (np.roll(same, 1, 1) + np.roll(same, -1, 1) - 2 * same) + CORNER * (1 / DIRECTIONS - same)
+        same = np.eye(directions)
+        rate = self.options.turn * (np.roll(same, 1, 1) + np.roll(same, -1, 1) - 2 * same)
+        rate += self.options.corner * (1 / directions - same)
         turned = scipy.linalg.expm(pitches * rate).astype(np.float32)
-        return _Moves(on, back, turned, float(1 - np.exp(-LIFT * pitches)))
+        return _Moves(on, back, turned, float(1 - np.exp(-self.options.lift * pitches)))
 
     def _forward(self, down: Single, lifted: Array, moves: _Moves) -> tuple[float, Single]:
-        """Log-likelihood of a line, and probabilities by the hops so far, (n_hop, DIRECTIONS, n_cell)."""
-        belief = np.empty((len(down), DIRECTIONS, len(self.place)), np.float32)
+        """Log-likelihood of a line, and probabilities by the hops so far, (n_hop, n_direction, n_cell)."""
+        belief = np.empty((len(down), self.options.directions, len(self.place)), np.float32)
         top = np.maximum(down.max(1), lifted)
         near, apart = np.exp(down - top[:, None].astype(np.float32)), np.exp(lifted - top)
-        state = np.zeros((DIRECTIONS, len(self.place)), np.float32)
+        state = np.zeros((self.options.directions, len(self.place)), np.float32)
         up, total = 1.0, float(top.sum())
         for k in range(len(down)):
             landed = up * self._landed / state.size
@@ -223,6 +200,6 @@ class PenTracker:
         return found
 
 
-def _robust(off: Array) -> Array:
+def _robust(off: Array, astray: float) -> Array:
     """Logarithm of how likely deviations are, in their standard deviations, of which some say nothing."""
-    return np.asarray(np.log((1 - ASTRAY) * np.exp(-0.5 * off**2) + ASTRAY))
+    return np.asarray(np.log((1 - astray) * np.exp(-0.5 * off**2) + astray))

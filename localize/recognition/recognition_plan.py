@@ -40,7 +40,23 @@ class RecognitionPlan:
     network: str = "patches"
     """Name of the network's shape, one of :data:`localize.learned.classifier.NETWORKS`."""
     bfloat16: bool = False
-    """Whether the network computes in bfloat16 while it is trained."""
+    """True if the network computes in bfloat16 while it is trained."""
+    warm_up_steps: int = 20
+    """Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
+    settling_fraction: float = 0.25
+    """Fraction of a time limit after which the speed of training is estimated: the first steps are slow."""
+    checkpoint_interval: float = 60.0
+    """Time between checkpoints within an epoch, s; there is one at the end of every epoch too."""
+    held_out_fraction: float = 0.25
+    """Number of simulated takes that are held out, as a fraction of those that are trained on: 4 to 1."""
+    passing: float = 1 / 3
+    """Fraction of the simulated textures in which the contact passes the point; in the others it stays on it."""
+    letter_speeds: tuple[float, float] = (25.0, 120.0)
+    """Slowest and fastest speed at which simulated letters are written, mm/s."""
+    letter_variants: int = 6
+    """Number of pictures of each letter, each a little turned, moved and stretched."""
+    least_noise: float = 1e-5
+    """Least noise that waveforms are made with, Pa rms: a filter for no noise at all amplifies rounding."""
 
     @classmethod
     def of(cls, subject: str) -> RecognitionPlan:
@@ -53,5 +69,13 @@ class RecognitionPlan:
 
     def __post_init__(self) -> None:
         check_ranges(
-            vars(self), whole={"takes": (5, 1_000_000)}, real={"smoothing": (0.0, 0.5), "salt_and_pepper": (0.0, 0.5)}
+            vars(self),
+            whole={"takes": (5, 1_000_000), "letter_variants": (1, 1000)},
+            real={
+                "smoothing": (0.0, 0.5),
+                "salt_and_pepper": (0.0, 0.5),
+                "held_out_fraction": (1e-6, 10.0),
+                "passing": (0.0, 1.0),
+                "least_noise": (1e-12, 1.0),
+            },
         )

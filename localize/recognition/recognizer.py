@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from pydantic import Field
 from torch import Tensor
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.graphs.description import Digest, Strict, naming
 from localize.learned.classifier import MapClassifier, NetworkShape
 from localize.learned.localizer_description import Network, read_model, save_model, with_weights
@@ -33,7 +33,7 @@ class RecognizerError(Refusal):
 
 
 class _Description(Strict):
-    """What ``recognizer.json`` says."""
+    """Schema of ``recognizer.json``."""
 
     format: str
     version: int
@@ -68,7 +68,7 @@ class Recognizer:
     microphones: tuple[str, ...]
     """Names of the microphones of the array."""
     at_usual_speed: bool
-    """Whether it expects waveforms of sliding as they are at 12 mm/s."""
+    """True if it expects waveforms of sliding as they are at 12 mm/s."""
     plan: Mapping[str, Any] = field(repr=False)
     """Fields of the plan, seed included."""
     training: Mapping[str, Any] = field(repr=False)
@@ -77,7 +77,7 @@ class Recognizer:
     """Design, fidelity, air, frequencies and versions."""
 
     def recognize(self, waveforms: ArrayLike) -> NDArray[np.float64]:
-        """What kind of touch a waveform is of.
+        """Probability of each kind of touch for a waveform.
 
         Args:
             waveforms: (n, 1024) float64 or (1024,), Pa or any other unit, at 1 kHz; of sliding, at 12 mm/s.
@@ -91,9 +91,9 @@ class Recognizer:
         given = np.asarray(waveforms, np.float64)
         batch = np.atleast_2d(given)
         if batch.ndim != 2 or batch.shape[1] != WINDOW:
-            raise Refusal(f"waveforms have shape {given.shape}, must be (n, {WINDOW})")
+            raise Refusal(f"has shape {given.shape}, must be (n, {WINDOW})", kind=Kind.WRONG_TYPE, field="waveforms")
         if not np.isfinite(batch).all():
-            raise Refusal("waveforms must be finite")
+            raise Refusal("must be finite", kind=Kind.UNSUITABLE, field="waveforms")
         probability = self.of_maps(maps_of(batch))
         return probability if given.ndim == 2 else probability[0]
 
@@ -145,8 +145,9 @@ def load_recognizer(folder: str | os.PathLike[str]) -> Recognizer:
         shape = said.network.shape()
         if (shape.points, shape.maps) != (len(said.labels), MAPS):
             raise Refusal(
-                f"network: points = {shape.points} and maps = {shape.maps} must be {len(said.labels)}, the labels, and "
-                f"{MAPS}"
+                f"network.points = {shape.points} and network.maps = {shape.maps} must be {len(said.labels)}, the "
+                f"number of labels, and {MAPS}",
+                kind=Kind.MISMATCH,
             )
         classifier = with_weights(lambda: MapClassifier(shape), weights)
     return Recognizer(

@@ -10,13 +10,16 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.learned.recorded_frames import touched_frames
-from localize.live.options import StreamOptions
-from localize.recognition.handwriting import VARIANTS, LineReader, letter_maps
+from localize.live.stream_options import StreamOptions
+from localize.recognition.handwriting import LineReader, letter_maps
 from localize.recognition.power_maps import MAPS, WINDOW, maps_of
+from localize.recognition.recognition_options import CutOptions
+from localize.recognition.recognition_plan import RecognitionPlan
 from localize.recognition.takes import at_usual_speed, prepared
 from localize.recognition.textures import SPEED
 from localize.recordings.recording import read_recording
@@ -30,22 +33,8 @@ from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
-APART = 0.4
-"""Silence from which two touches are two, s: the taps of a double tap lie closer."""
-LETTERS_APART = 1.5
-"""Silence from which two letters are two, s: a pen is lifted for less between the strokes of one, and over the shells
-between the points nothing is heard."""
-BEFORE = (0.05, 0.2, 0.35, 0.5)
-"""Times before a short touch at which windows begin to train on, s; one is named by the second."""
-AROUND = 150
-"""Samples around a stretch that belong to its touch: a stream hears with a high-pass."""
-WITHIN = (0.01, 0.99)
-"""Shares of a touch's energy between which its windows lie."""
-HOP = WINDOW // 4
-"""Samples from window to window of a long touch."""
 
-
-def heard_frames(signals: Array, microphones: tuple[str, ...], noise_rms: float) -> NDArray[np.int64]:
+def detected_frames(signals: Array, microphones: tuple[str, ...], noise_rms: float) -> NDArray[np.int64]:
     """First samples of the frames with a touch, hum and slow drift being left out.
 
     Args:
@@ -68,8 +57,12 @@ class Stretch:
     end: int
     """Sample behind the last one."""
 
+    def stretched(self, factor: float) -> Stretch:
+        """The stretch where time runs by this factor more slowly."""
+        return Stretch(round(self.begin * factor), round(self.end * factor))
 
-def stretches(frames: NDArray[np.int64], apart: float = APART) -> list[Stretch]:
+
+def stretches(frames: NDArray[np.int64], apart: float = CutOptions.apart) -> list[Stretch]:
     """Stretches in which something is heard.
 
     Args:
@@ -86,30 +79,34 @@ def stretches(frames: NDArray[np.int64], apart: float = APART) -> list[Stretch]:
     return [Stretch(min(each.begin, each.end), max(each.begin, each.end)) for each in found]
 
 
-def cut(waveform: Array, stretch: Stretch, before: tuple[float, ...] = BEFORE[1:2]) -> Array:
+def cut(
+    waveform: Array, stretch: Stretch, before: tuple[float, ...] | None = None, options: CutOptions = CutOptions()
+) -> Array:
     """Windows of a touch: of what holds all but two percent of its energy.
 
     Args:
         waveform: (n_sample,) float64 of the whole recording, NaN where there is none.
         stretch: of the touch.
-        before: where windows of a short touch begin, s before it.
+        before: where windows of a short touch begin, s before it; by default as touches are classified.
+        options: how touches are cut.
 
     Returns:
         (n, 1024) float64; a short touch has one for each value of ``before``, a long one as many as fit.
     """
+    before = options.before[1:2] if before is None else before
     known = np.flatnonzero(np.isfinite(waveform))
     if len(known) < WINDOW:
         return np.zeros((0, WINDOW))
     least, most = int(known[0]), int(known[-1]) + 1 - WINDOW
-    begin, end = max(stretch.begin - AROUND, least), min(stretch.end + AROUND, most + WINDOW)
+    begin, end = max(stretch.begin - options.around, least), min(stretch.end + options.around, most + WINDOW)
     if end <= begin:
         return np.zeros((0, WINDOW))
     energy = np.cumsum(waveform[begin:end] ** 2)
-    first, last = begin + np.searchsorted(energy, np.array(WITHIN) * energy[-1])
+    first, last = begin + np.searchsorted(energy, np.array(options.within) * energy[-1])
     starts = [first - round(time * SAMPLE_RATE) for time in before]
     if last - first > WINDOW - before[0] * SAMPLE_RATE:
-        begins = first - round(BEFORE[1] * SAMPLE_RATE)
-        starts = list(range(begins, max(begins, last - WINDOW) + 1, HOP))
+        begins = first - round(options.before[1] * SAMPLE_RATE)
+        starts = list(range(begins, max(begins, last - WINDOW) + 1, options.hop))
     places = np.unique(np.clip(starts, least, most))
     return waveform[places[:, None] + np.arange(WINDOW)]
 
@@ -120,7 +117,8 @@ def windows_of(
     frames: NDArray[np.int64],
     point: int,
     speed: float | None,
-    before: tuple[float, ...] = BEFORE[1:2],
+    before: tuple[float, ...] | None = None,
+    options: CutOptions = CutOptions(),
 ) -> Array:
     """Windows of all touches of a recording, in the order of time.
 
@@ -128,20 +126,25 @@ def windows_of(
         reconstructor: of the library.
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
         frames: (n,) int64, first samples of the frames with a touch.
-        point: that is touched, from 0.
+        point: that is touched, from 1.
         speed: of what slides, mm/s, which brings it to 12 mm/s.
         before: as of :func:`cut`.
+        options: how touches are cut.
 
     Returns:
         (n, 1024) float64, Pa.
     """
     waveform, stretched = stretched_waveform(reconstructor, signals, point, speed)
-    found = [Stretch(round(each.begin * stretched), round(each.end * stretched)) for each in stretches(frames)]
-    return np.concatenate([np.zeros((0, WINDOW)), *(cut(waveform, each, before) for each in found)])
+    found = [each.stretched(stretched) for each in stretches(frames, options.apart)]
+    return np.concatenate([np.zeros((0, WINDOW)), *(cut(waveform, each, before, options) for each in found)])
 
 
 def written_maps(
-    reader: LineReader, signals: Array, frames: NDArray[np.int64], variants: int = 0
+    reader: LineReader,
+    signals: Array,
+    frames: NDArray[np.int64],
+    variants: int = 0,
+    options: CutOptions = CutOptions(),
 ) -> tuple[Tensor, list[Stretch]]:
     """Maps of all letters of a recording, in the order of time.
 
@@ -150,17 +153,20 @@ def written_maps(
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
         frames: (n,) int64, first samples of the frames with a touch.
         variants: pictures of each letter, each a little different; 0 for one as it is.
+        options: how letters are cut.
 
     Returns:
         (n, 2, 64, 32) float32, and where each letter lies.
     """
     maps, found = [], []
-    for each in stretches(frames, LETTERS_APART):
+    for each in stretches(frames, options.letters_apart):
         begin = max(0, min(each.begin, signals.shape[1] - FRAME))
         line = reader.line(signals[:, begin : max(each.end, begin + FRAME)])
         if len(line):
             random = np.random.default_rng(begin)
-            maps += [letter_maps(line, random) for _ in range(variants)] if variants else [letter_maps(line)]
+            width = reader.options.pen_width
+            drawn: list[np.random.Generator | None] = [random] * variants or [None]
+            maps += [letter_maps(line, each_random, width) for each_random in drawn]
             found.append(each)
     return torch.stack(maps) if maps else torch.zeros(0, MAPS, FREQUENCIES, COLUMNS), found
 
@@ -173,13 +179,13 @@ def stretched_waveform(
     Args:
         reconstructor: of the library.
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
-        point: that is touched, from 0.
+        point: that is touched, from 1.
         speed: of what slides, mm/s, which brings it to 12 mm/s.
 
     Returns:
         (m,) float64, Pa, NaN where there is none; and m over the number of samples.
     """
-    waveform = reconstructor.waveform(prepared(signals), point + 1).pressure[0]
+    waveform = reconstructor.waveform(prepared(signals), point).pressure[0]
     if speed is None:
         return waveform, 1.0
     known, stretched = np.isfinite(waveform), speed / SPEED
@@ -202,9 +208,9 @@ class RecordedTakes:
     held_out_kind: Tensor
     """Their kinds, from 0; (m,) int64."""
     at_usual_speed: bool
-    """Whether all recordings state a speed, and were brought to 12 mm/s."""
+    """True if all recordings give a speed, and were brought to 12 mm/s."""
     files: dict[str, str]
-    """What is said of each recording in a checkpoint: checksum, point, label and side, by file."""
+    """Facts of each recording in a checkpoint: checksum, point, label and side, by file."""
 
 
 def recorded_takes(
@@ -212,7 +218,8 @@ def recorded_takes(
     response: ArrayResponse,
     through: Reconstructor | LineReader,
     noise_rms: float,
-    seed: int,
+    plan: RecognitionPlan,
+    options: CutOptions = CutOptions(),
 ) -> RecordedTakes:
     """Windows of recorded kinds of touch; a fifth of the recordings of each kind is held out.
 
@@ -221,7 +228,8 @@ def recorded_takes(
         response: the array.
         through: filters of its library; or the reader, of letters.
         noise_rms: Pa rms of a microphone, by which silence is told.
-        seed: of the split.
+        plan: of the training, whose seed the split depends on.
+        options: how touches are cut.
 
     Raises:
         TouchManifestError: as :func:`localize.recordings.touch_manifest.read_labelled_manifest`; some recordings with a
@@ -232,23 +240,29 @@ def recorded_takes(
     labels = tuple(sorted({each.label for each in found.recordings}))
     moving = {each.speed is not None for each in found.recordings}
     if len(moving) > 1:
-        raise TouchManifestError(f"{found.path}: some recordings state a speed and some do not; all must, or none")
+        raise TouchManifestError(
+            "some recordings give a speed and some do not; all must, or none", kind=Kind.CONFLICT, file=found.path
+        )
     if isinstance(through, LineReader) and moving == {True}:
-        raise TouchManifestError(f"{found.path}: recordings of letters must state no speed: it is of no use")
-    held = split([(0, each.label, each.file) for each in found.recordings], seed, labels)
+        raise TouchManifestError(
+            "recordings of letters must not give a speed, because nothing is done with it",
+            kind=Kind.CONFLICT,
+            file=found.path,
+        )
+    held = split([(0, each.label, each.file) for each in found.recordings], plan.seed, labels)
     signals, touched, parts = [], [], []
     for each, judged in zip(found.recordings, held, strict=True):  # what is judged is cut as what is to be told
         full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
         heard = read_recording(each.path, response.microphones, full_scale).signals
-        frames = heard_frames(heard, response.microphones, noise_rms)
+        frames = detected_frames(heard, response.microphones, noise_rms)
         if isinstance(through, LineReader):
-            own = written_maps(through, heard, frames, 0 if judged else VARIANTS)[0]
+            own = written_maps(through, heard, frames, 0 if judged else plan.letter_variants, options)[0]
         else:
-            before = BEFORE[1:2] if judged else BEFORE
-            own = maps_of(windows_of(through, heard, frames, each.point - 1, each.speed, before))
+            before = options.before[1:2] if judged else options.before
+            own = maps_of(windows_of(through, heard, frames, each.point, each.speed, before, options))
         if not len(own):
             sought = "letter" if isinstance(through, LineReader) else f"window of {WINDOW} samples"
-            raise TouchManifestError(f"{each.path}: holds no {sought} in which something is heard")
+            raise TouchManifestError(f"has no {sought} with a touch in it", kind=Kind.UNSUITABLE, file=each.path)
         signals.append(heard.astype(np.float32))
         touched.append(frames)
         parts.append((own, torch.full((len(own),), labels.index(each.label))))

@@ -13,12 +13,13 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.live.front_end import HighPass
 from localize.recognition.event_kinds import EVENTS, event_pressure
 from localize.recognition.power_maps import WINDOW, maps_of
+from localize.recognition.recognition_options import TakeOptions
 from localize.recognition.textures import PROFILES, SPEED, passing_pressure, texture_pressure
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import MAINS
@@ -30,29 +31,13 @@ from localize.signals.threads import one_thread
 
 LEAD = FRAME
 """Samples before a window that the filter of the waveform needs."""
-CORNER = 1.0
-"""Corner of the high-pass of all signals that waveforms are made of, Hz."""
-LOWEST = (0.2, 0.5)
-"""Frequencies between which what is heard is faded out, Hz."""
-HUM = (3e-5, 5e-3)
-"""Lowest and highest amplitude of the mains in simulated takes, Pa."""
-DRIFT = (1e-3, 2e-2)
-"""Lowest and highest amplitude of the wander of the zero in simulated takes, Pa."""
 SLOWEST, FASTEST = 0.75 * SPEED, 1.7 * SPEED
 """Lowest and highest speed of textures that are trained on, mm/s."""
-OFF_MIDDLE = 100.0
-"""Samples by which a window of what passes a point is off the time at which it is nearest, at most."""
-PASSING = 1 / 3
-"""Share of the textures that are trained on in which the contact passes the point."""
-_EASE = 2000
-"""Samples before and behind a take in which its pressure comes and goes."""
-_TOP = 0.8
-"""Share of the band of a response above which what is heard is faded out."""
 
 
 @dataclass(frozen=True)
 class Subject:
-    """What kinds of touch there are of one sort, and how they are made."""
+    """Kinds of touch of one sort, and how they are made."""
 
     labels: tuple[str, ...]
     """Names of the kinds."""
@@ -81,55 +66,64 @@ SUBJECTS: Mapping[str, Subject] = {
     "events": Subject(tuple(EVENTS), _event),
     "textures": Subject(tuple(profile.name for profile in PROFILES), _texture, (SLOWEST, FASTEST)),
 }
-"""What a recogniser can be trained on without recordings, by name."""
+"""Subjects that a recognizer can be trained on without recordings, by name."""
 
 
-def heard(
-    response: ArrayResponse, point: int, pressure: Array, noise: NoiseChoice, random: np.random.Generator
+def simulated_signals(
+    response: ArrayResponse,
+    point: int,
+    pressure: Array,
+    noise: NoiseChoice,
+    random: np.random.Generator,
+    options: TakeOptions = TakeOptions(),
 ) -> Array:
-    """What the microphones of a sensor record of a pressure in one cavity.
+    """Microphone signals of a pressure in one cavity of a sensor.
 
     Args:
         response: the sensor; what lies beyond its frequencies is not heard.
-        point: from 0.
+        point: from 1.
         pressure: (n_sample,) float64, Pa at 1 kHz.
         noise: of the microphones.
         random: draws the noise.
+        options: of the recorder.
 
     Returns:
         (n_microphone, n_sample) float64, Pa, as :func:`prepared`, hum and drift of a recorder included.
     """
-    ease = np.hanning(2 * _EASE)[:_EASE]
+    ease = np.hanning(2 * options.ease)[: options.ease]
     whole = np.concatenate([pressure[0] * ease, pressure, pressure[-1] * ease[::-1]])
     total = scipy.fft.next_fast_len(len(whole), real=True)
-    inside, response_inside = _faded_response(response, total)
+    inside, response_inside = _faded_response(response, total, options)
     spectrum = np.zeros((len(response.microphones), total // 2 + 1), np.complex128)
-    spectrum[:, inside] = response_inside[point] * scipy.fft.rfft(whole, total)[inside]
-    signals = scipy.fft.irfft(spectrum, total)[:, _EASE : _EASE + len(pressure)]
-    signals += _noise_of(response, noise, len(pressure), random) + _of_recorder(len(pressure), len(signals), random)
-    return prepared(signals)
+    spectrum[:, inside] = response_inside[point - 1] * scipy.fft.rfft(whole, total)[inside]
+    signals = scipy.fft.irfft(spectrum, total)[:, options.ease : options.ease + len(pressure)]
+    signals += _noise_of(response, noise, len(pressure), random) + _of_recorder(
+        len(pressure), len(signals), random, options
+    )
+    return prepared(signals, options)
 
 
-def prepared(signals: Array) -> Array:
+def prepared(signals: Array, options: TakeOptions = TakeOptions()) -> Array:
     """Signals of which waveforms are made, simulated and recorded alike: without what lies below 1 Hz.
 
     Args:
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz, at least a frame.
+        options: of the takes.
 
     Returns:
         Same shape, float64, Pa.
     """
-    return HighPass(len(signals), CORNER).begin(signals)
+    return HighPass(len(signals), options.corner).begin(signals)
 
 
-def _of_recorder(count: int, channels: int, random: np.random.Generator) -> Array:
+def _of_recorder(count: int, channels: int, random: np.random.Generator, options: TakeOptions) -> Array:
     """(n_microphone, count) Pa: mains with their third harmonic, and a slow wander of each channel's zero."""
     time = np.arange(count) / SAMPLE_RATE
     mains = MAINS[int(random.integers(2))] + random.uniform(-0.1, 0.1)
     phase = random.uniform(0, 2 * np.pi, 2)
     hum = np.sin(2 * np.pi * mains * time + phase[0]) + np.sin(6 * np.pi * mains * time + phase[1]) / 3
     wander = np.sin(2 * np.pi * random.uniform(0.05, 0.5, (channels, 1)) * time + random.uniform(0, 6.3, (channels, 1)))
-    return np.asarray(_drawn(HUM, random) * hum + _drawn(DRIFT, random) * wander)
+    return np.asarray(_drawn(options.hum, random) * hum + _drawn(options.drift, random) * wander)
 
 
 def _drawn(of: tuple[float, float], random: np.random.Generator) -> float:
@@ -137,14 +131,16 @@ def _drawn(of: tuple[float, float], random: np.random.Generator) -> float:
 
 
 @functools.lru_cache(maxsize=16)
-def _faded_response(response: ArrayResponse, total: int) -> tuple[NDArray[np.bool_], NDArray[np.complex128]]:
-    """Which lines of a real transform of that length are heard, and the transfer functions there."""
+def _faded_response(
+    response: ArrayResponse, total: int, options: TakeOptions
+) -> tuple[NDArray[np.bool_], NDArray[np.complex128]]:
+    """Mask of the lines of a real transform of that length that reach microphones, and the transfer functions there."""
     line = scipy.fft.rfftfreq(total, 1 / SAMPLE_RATE)
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
-    inside = (line > LOWEST[0]) & (line < top)
+    inside = (line > options.fade_in[0]) & (line < top)
     grid = line[inside]
-    fade = np.clip((grid - LOWEST[0]) / (LOWEST[1] - LOWEST[0]), 0, 1) * np.clip(
-        (top - grid) / (top * (1 - _TOP)), 0, 1
+    fade = np.clip((grid - options.fade_in[0]) / (options.fade_in[1] - options.fade_in[0]), 0, 1) * np.clip(
+        (top - grid) / (top * (1 - options.top_fraction)), 0, 1
     )
     return inside, response.at(grid) * fade
 
@@ -167,12 +163,12 @@ def waveform_windows(reconstructor: Reconstructor, signals: Array, point: int) -
     Args:
         reconstructor: of the library.
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
-        point: from 0.
+        point: from 1.
 
     Returns:
         (n,) float64, Pa.
     """
-    pressure = reconstructor.waveform(signals, point + 1).pressure[0]
+    pressure = reconstructor.waveform(signals, point).pressure[0]
     return pressure[reconstructor.window - 1 - reconstructor.latency : len(pressure) - reconstructor.latency]
 
 
@@ -190,7 +186,7 @@ def at_usual_speed(waveform: Array, speed: float) -> Array:
         Refusal: a speed that is not between 1 and 100 mm/s.
     """
     if not 1.0 <= speed <= 100.0:
-        raise Refusal(f"speed = {speed:g} mm/s must be between 1 and 100 mm/s")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="speed", value=speed, unit="mm/s", allowed="between 1 and 100 mm/s")
     place = np.arange(int(len(waveform) * speed / SPEED)) * (SPEED / speed)
     spline = scipy.interpolate.make_interp_spline(np.arange(len(waveform)), waveform, k=3)
     return np.asarray(spline(np.minimum(place, len(waveform) - 1)))
@@ -207,13 +203,13 @@ class TakeMaker:
     sensors: tuple[ArrayResponse, ...]
     """Sensors that are touched, one after the other."""
     seed: int = 0
-    """Of the takes."""
-    noise: NoiseChoice = 1e-3
+    """Seed of the takes."""
+    noise: NoiseChoice = "design"
     """Noise of the microphones."""
     speeds: tuple[float, float] | None = None
     """Lowest and highest speed of a texture, mm/s; by default those that are trained on."""
     speed_known: bool = True
-    """Whether waveforms are brought to the usual speed."""
+    """True if waveforms are brought to the usual speed."""
     speed_error: float = 0.01
     """Standard deviation of the speed that is known, a share of it."""
     blunter: float = 1.0
@@ -221,12 +217,20 @@ class TakeMaker:
     passing: float = 0.0
     """Share of the takes of what slides in which it passes the point, and does not stay on its membrane."""
 
+    options: TakeOptions = TakeOptions()
+    """Numbers of the recorder and of the contacts."""
+
     def __post_init__(self) -> None:
         if self.passing and any(each.membrane_radius is None for each in self.sensors):
-            raise Refusal(f"passing = {self.passing:g} must be 0 of bare transfer functions, which have no membranes")
+            raise Refusal(
+                kind=Kind.CONFLICT,
+                field="passing",
+                value=self.passing,
+                allowed="0 for bare transfer functions, which have no membranes",
+            )
 
     def signals(self, purpose: Purpose, number: int) -> tuple[Array, int, int, float]:
-        """Signals of one take, (n_microphone, n_sample) Pa; its kind and point, from 0; and its speed, mm/s."""
+        """Signals of one take, (n_microphone, n_sample) Pa; its kind, from 0; point, from 1; and speed, mm/s."""
         subject = SUBJECTS[self.subject]
         key = (PURPOSES.index(purpose), tuple(SUBJECTS).index(self.subject), number)
         random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=key))
@@ -240,10 +244,12 @@ class TakeMaker:
         pressure = subject.make(kind, speed, random, self.blunter)
         if chance is not None and chance.random() < self.passing:
             assert sensor.membrane_radius is not None  # checked when the maker was made
-            middle = len(pressure) - WINDOW / 2 * SPEED / speed + chance.uniform(-OFF_MIDDLE, OFF_MIDDLE)
+            off = self.options.off_middle
+            middle = len(pressure) - WINDOW / 2 * SPEED / speed + chance.uniform(-off, off)
             radius = float(sensor.membrane_radius[point])
             pressure = passing_pressure(PROFILES[kind], len(pressure), speed, chance, radius, middle)
-        return heard(sensor, point, pressure, self.noise, random), kind, point, speed
+        made = simulated_signals(sensor, point + 1, pressure, self.noise, random, self.options)
+        return made, kind, point + 1, speed
 
     def waveform(self, purpose: Purpose, number: int) -> tuple[Array, int]:
         """Window that one take is told by, (1024,) float64 Pa, and its kind, from 0."""

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
-from localize.contacts.contact import hertz_share
+from localize.contacts.contact import hertz_fraction
 from localize.recognition.event_kinds import band_noise
 from localize.recognition.letter_classifier import PAD
 from localize.signals.stimulus import SAMPLE_RATE
@@ -138,7 +138,7 @@ def passing_pressure(
     """
     felt, share = _felt(profile, count, speed, random, 1.0)
     along = (np.arange(count) - middle) * speed / SAMPLE_RATE
-    covered = hertz_share(np.hypot(along, random.uniform(*BESIDE)), random.uniform(*PADS), membrane)
+    covered = hertz_fraction(np.hypot(along, random.uniform(*BESIDE)), random.uniform(*PADS), membrane)
     level = np.exp(random.uniform(np.log(0.05), np.log(1.0)))
     return np.asarray(level / share * covered / covered.max() * np.maximum(1 + share * felt, 0.0))
 
@@ -146,9 +146,9 @@ def passing_pressure(
 def _felt(
     profile: Profile, count: int, speed: float, random: np.random.Generator, blunter: float
 ) -> tuple[Array, float]:
-    """What of the force changes, (count,), over the rms of what the ridges do; and that rms over the mean force."""
+    """Change of the force, (count,), over the rms of the part of the ridges; and that rms over the mean force."""
     if not 1.0 <= speed <= 100.0:
-        raise Refusal(f"speed = {speed:g} mm/s must be between 1 and 100 mm/s")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="speed", value=speed, unit="mm/s", allowed="between 1 and 100 mm/s")
     wander = 1 + 0.01 * band_noise(count, 0.2, 2.0, random)
     place = np.cumsum(speed * wander) / SAMPLE_RATE + random.uniform(0.0, 10.0)
     height = felt_height(profile, place, blunter * random.uniform(*RADIUS))

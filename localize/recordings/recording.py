@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.sound.clipping import clipped_samples
 from acoustic_fem.sound.sound_file import MATRIX, Sound, SoundFileError, read_sound
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.resampling import at_one_kilohertz, check_full_scale
 from localize.signals.stimulus import SAMPLE_RATE
@@ -91,7 +91,7 @@ def read_recording(
     try:
         sound = read_sound(path, default_rate=SAMPLE_RATE)
     except SoundFileError as error:
-        raise RecordingError(str(error)) from None
+        raise RecordingError.of(error) from None
     names, rate = _in_order(path, sound, microphones), sound.rate
     scale, limit = 1.0, full_scale
     if path.suffix.lower() == ".wav":
@@ -105,16 +105,22 @@ def read_recording(
         _check(path, channel, rate, microphone)
         if channel.max() == channel.min():
             if not fallback:
-                raise RecordingError(f"{path}: channel {microphone} is silent: its value never changes")
+                raise RecordingError(
+                    f"channel {microphone} is silent: its value never changes", kind=Kind.UNSUITABLE, file=path
+                )
             fallback = False  # that one
         cut = clipped_samples(channel, limit)
         if cut.any():
             first = int(cut.argmax())
             level, time = abs(channel[first]), first / rate
-            said = f"{path}: channel {microphone} is clipped at {level:.4g} Pa, first at {time:.3f} s"
+            clipping = RecordingError(
+                f"channel {microphone} is clipped at {level:.4g} Pa, first at {time:.3f} s",
+                kind=Kind.UNSUITABLE,
+                file=path,
+            )
             if not fallback:
-                raise RecordingError(said)
-            warnings.warn(f"{said}: it is left out where it is", RecordingWarning, stacklevel=2)
+                raise clipping
+            warnings.warn(f"{clipping}; its clipped samples are left out", RecordingWarning, stacklevel=2)
             fallback, clipped = False, (number, np.flatnonzero(cut))
         signals.append(at_one_kilohertz(channel[None], rate)[0])
     _check_apart(path, sound.channels, names, microphones)
@@ -124,7 +130,7 @@ def read_recording(
     if loudest > LOUDEST:
         warnings.warn(
             f"{path}: reaches {loudest:.3g} Pa, more than the {LOUDEST:g} Pa that microphones take; samples must be "
-            "pascals, of WAV files fractions of the full scale",
+            "pascals, or fractions of the full scale in a WAV file",
             RecordingWarning,
             stacklevel=2,
         )
@@ -154,10 +160,14 @@ def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple
             heard = [other for other, each in zip(microphones, seen, strict=True) if each[:dead].mean() >= CONTINUOUS]
             if heard:
                 how = what.format(dead * FRAME / SAMPLE_RATE)
-                said = f"{path}: channel {name} {how} channel {heard[0]}; all channels must be of one time"
+                apart = RecordingError(
+                    f"channel {name} {how} channel {heard[0]}; all channels must begin and end together",
+                    kind=Kind.UNSUITABLE,
+                    file=path,
+                )
                 if dead >= math.ceil(LATE * SAMPLE_RATE / FRAME) and not fallback:
-                    raise RecordingError(said)
-                warnings.warn(said, RecordingWarning, stacklevel=3)
+                    raise apart
+                warnings.warn(str(apart), RecordingWarning, stacklevel=3)
 
 
 def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequence[str]:
@@ -165,17 +175,28 @@ def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequenc
     names = list(sound.channels)
     wanted = ", ".join(microphones)
     if sound.numbered and len(names) != len(microphones):
-        raise RecordingError(f"{path}: has {counted(len(names), 'channel')}, must have {len(microphones)}: {wanted}")
+        raise RecordingError(
+            f"has {counted(len(names), 'channel')}, must have {len(microphones)}: {wanted}",
+            kind=Kind.MISMATCH,
+            file=path,
+        )
     if not sound.numbered and sorted(names) != sorted(microphones):
         rows = f", or be the rows of {MATRIX}" if path.suffix.lower() in (".npz", ".mat") else ""
-        raise RecordingError(f"{path}: its channels are {', '.join(names)}; they must be {wanted}{rows}")
+        raise RecordingError(
+            f"its channels are {', '.join(names)}; they must be {wanted}{rows}", kind=Kind.MISMATCH, file=path
+        )
     return names if sound.numbered else microphones
 
 
 def _check_rate(path: Path, rate: float) -> None:
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
         raise RecordingError(
-            f"{path}: sample rate = {rate:g} Hz must be between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
+            kind=Kind.OUT_OF_RANGE,
+            file=path,
+            field="sample rate",
+            value=rate,
+            unit="Hz",
+            allowed=f"between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz",
         )
 
 
@@ -185,17 +206,19 @@ def _check_apart(
     """Refuse one channel that stands for two microphones: each has noise of its own."""
     for (first, one), (second, other) in combinations(zip(names, microphones, strict=True), 2):
         if np.array_equal(channels[first], channels[second]):
-            raise RecordingError(f"{path}: channels {one} and {other} are the same signal, sample by sample")
+            raise RecordingError(
+                f"channels {one} and {other} are the same signal, sample by sample", kind=Kind.UNSUITABLE, file=path
+            )
 
 
-def check_length(path: Path, samples: int, rate: float, refusal: Callable[[str], Refusal]) -> None:
+def check_length(path: Path, samples: int, rate: float, refusal: type[Refusal]) -> None:
     """Refuse a file of less than one frame.
 
     Args:
         path: of the file.
         samples: number of samples of every channel.
         rate: of the samples, Hz.
-        refusal: makes the error of a message.
+        refusal: class of the error.
 
     Raises:
         Refusal: by ``refusal``.
@@ -203,8 +226,9 @@ def check_length(path: Path, samples: int, rate: float, refusal: Callable[[str],
     least = math.ceil(FRAME * rate / SAMPLE_RATE)
     if samples < least:
         raise refusal(
-            f"{path}: has {counted(samples, 'sample')}, must have at least {least} "
-            f"({FRAME / SAMPLE_RATE:g} s at {rate:g} Hz)"
+            f"has {counted(samples, 'sample')}, must have at least {least} ({FRAME / SAMPLE_RATE:g} s at {rate:g} Hz)",
+            kind=Kind.UNSUITABLE,
+            file=path,
         )
 
 
@@ -212,4 +236,4 @@ def _check(path: Path, channel: NDArray[np.float64], rate: float, name: str) -> 
     check_length(path, len(channel), rate, RecordingError)
     bad = np.flatnonzero(~np.isfinite(channel))
     if len(bad):
-        raise RecordingError(f"{path}: channel {name} is not finite at {bad[0] / rate:.3f} s")
+        raise RecordingError(f"channel {name} is not finite at {bad[0] / rate:.3f} s", kind=Kind.UNSUITABLE, file=path)

@@ -1,4 +1,4 @@
-"""Which recordings hold one take: the same signals shifted, cut, at another gain, sample rate or resolution.
+"""Search for recordings that hold one take: the same signals shifted, cut, at another gain, sample rate or resolution.
 
 Two stretches of each recording, from its first touch on and up to its last, are looked for in all others: at 250 Hz in
 the mean of the microphones, everywhere at once (cross-correlation by FFT, normalised by the energy of each window), and

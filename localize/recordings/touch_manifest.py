@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
 from geometry.ground.file_checks import LARGEST_DATA, read_bytes
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
 from geometry.schema.field_errors import model_of
 from localize.recordings.same_take import find_same_take
@@ -130,13 +130,15 @@ def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManif
     for number, (each, digest) in enumerate(zip(file.recordings, digests, strict=True)):
         if each.part is None:
             raise TouchManifestError(
-                f"{path}: recordings.{number}.part is missing; it must be one of {', '.join(PARTS)}"
+                kind=Kind.MISSING, file=path, field=f"recordings.{number}.part", allowed=f"one of {', '.join(PARTS)}"
             )
         found.append(TouchRecording(each.file, path.parent / each.file, each.point, each.part, digest))
     without = sorted(set(range(1, points + 1)) - {each.point for each in found})
     if without:
         raise TouchManifestError(
-            f"{path}: no recording of point {', '.join(map(str, without))}; every point must have one to train on"
+            f"has no recording of point {', '.join(map(str, without))}; every point must have one to train on",
+            kind=Kind.MISSING,
+            file=path,
         )
     return TouchManifest(path, tuple(found), file.full_scale)
 
@@ -157,31 +159,47 @@ def read_labelled_manifest(path: str | os.PathLike[str], points: int) -> TouchMa
     found = []
     for number, (each, digest) in enumerate(zip(file.recordings, digests, strict=True)):
         if each.label is None:
-            raise TouchManifestError(f"{path}: recordings.{number}.label must be given: the kind of touch")
+            raise TouchManifestError(
+                kind=Kind.MISSING, file=path, field=f"recordings.{number}.label", allowed="a name for the kind of touch"
+            )
         found.append(LabelledRecording(each.file, path.parent / each.file, each.point, each.label, each.speed, digest))
     counts = Counter(each.label for each in found)
     for label, count in counts.items():
         if count < 2:
-            raise TouchManifestError(f"{path}: label {label!r} has one recording, must have at least 2: one is judged")
+            raise TouchManifestError(
+                f"label {label!r} has one recording, must have at least 2, because one is held out",
+                kind=Kind.UNSUITABLE,
+                file=path,
+            )
     if len(counts) < 2:
-        raise TouchManifestError(f"{path}: all recordings have one label; there must be at least 2 to tell apart")
+        raise TouchManifestError(
+            "all recordings have the same label; there must be at least 2 labels to tell apart",
+            kind=Kind.UNSUITABLE,
+            file=path,
+        )
     return TouchManifest(path, tuple(found), file.full_scale)
 
 
 def _read(path: Path, points: int) -> tuple[_File, list[str]]:
-    """What a manifest states, and the checksums of its files."""
+    """Content of a manifest, and the checksums of its files."""
     file = model_of(_File, read_toml(path, "a manifest", TouchManifestError), str(path), "manifest", TouchManifestError)
     seen: dict[str, str] = {}
     for number, each in enumerate(file.recordings):
         if each.point > points:
             raise TouchManifestError(
-                f"{path}: recordings.{number}.point = {each.point} must be from 1 to {points}, the points of the array"
+                kind=Kind.OUT_OF_RANGE,
+                file=path,
+                field=f"recordings.{number}.point",
+                value=each.point,
+                allowed=f"from 1 to {points}, the points of the array",
             )
         digest = hashlib.sha256(
             read_bytes(path.parent / each.file, "a recording", TouchManifestError, LARGEST_DATA)
         ).hexdigest()
         if digest in seen:
-            raise TouchManifestError(f"{path}: {each.file} is the same recording as {seen[digest]}")
+            raise TouchManifestError(
+                f"{each.file} is the same recording as {seen[digest]}", kind=Kind.CONFLICT, file=path
+            )
         seen[digest] = each.file
     return file, list(seen)
 
@@ -205,13 +223,14 @@ def refuse_same_take(
     if same is not None:
         one, other = (manifest.recordings[number].file for number in (same.first, same.second))
         raise TouchManifestError(
-            f"{manifest.path}: {other} is the same take as {one}: the correlation of a stretch of them is "
-            f"{same.correlation:.4f}"
+            f"{other} is the same take as {one}: the correlation of a stretch of them is {same.correlation:.4f}",
+            kind=Kind.CONFLICT,
+            file=manifest.path,
         )
 
 
 def split(recordings: Sequence[tuple[int, str, str]], seed: int, parts: Sequence[str] = PARTS) -> tuple[bool, ...]:
-    """Which recordings are held out: a fifth of those of each point and part, at least one where there are two.
+    """Mask of the held-out recordings: a fifth of those of each point and part, at least one where there are two.
 
     One that is alone of its point and part is trained on. The split of a point and part depends on the seed and on the
     names of its own recordings, not on their order or on other recordings.

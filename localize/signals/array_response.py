@@ -22,7 +22,7 @@ from acoustic_fem.network.microphone import vent_ratio
 from geometry.design.design_file import write_design
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.arrangement import place_housings
-from localize.signals.locator import ArrayFacts
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
@@ -52,7 +52,7 @@ class ArrayResponse:
     """Pressure at a microphone per pressure outside, the same on all membranes; (n_microphone, n_freq) complex128,
     Pa/Pa; None where there is no design."""
     sealed: bool = False
-    """Whether all pressures of the array are equal at 0 Hz, as those of a design are; if not, the spline is left to
+    """True if all pressures of the array are equal at 0 Hz, as those of a design are; if not, the spline is left to
     itself there."""
     vent_ratio: NDArray[np.complex128] | None = None
     """Admittance of the microphone's compliances over that of its vent, see
@@ -70,22 +70,31 @@ class ArrayResponse:
         h, f = self.transfer_function, self.frequency
         if h.ndim != 3 or h.shape[1:] != (len(self.microphones), len(f)):
             raise Refusal(
-                f"transfer_function has shape {h.shape}, must be (n_point, n_microphone, n_freq) = "
-                f"(n, {len(self.microphones)}, {len(f)})"
+                f"has shape {h.shape}, must be (n_point, n_microphone, n_freq) = "
+                f"(n, {len(self.microphones)}, {len(f)})",
+                kind=Kind.WRONG_TYPE,
+                field="transfer_function",
             )
         if len(self.line) != len(h) or len(self.place) != len(h):
-            raise Refusal(f"line and place must each have one value for each of the {len(h)} points")
+            raise Refusal(
+                f"line and place must each have one value for each of the {len(h)} points", kind=Kind.MISMATCH
+            )
         if len(h) < 2 or len(self.microphones) < 2:
             raise Refusal(
-                f"{counted(len(h), 'point')} and {counted(len(self.microphones), 'microphone')}: localizing needs at "
-                "least 2 of each"
+                f"{counted(len(h), 'point')} and {counted(len(self.microphones), 'microphone')} are too few; "
+                "localizing needs at least 2 of each",
+                kind=Kind.UNSUITABLE,
             )
         if len(f) < 4 or f[0] <= 0 or np.any(np.diff(f) <= 0):
-            raise Refusal("frequency must hold at least 4 increasing values above 0 Hz")
+            raise Refusal(
+                "must hold at least 4 increasing values above 0 Hz", kind=Kind.OUT_OF_RANGE, field="frequency"
+            )
         if f[0] > BAND[0] + 1e-6 or f[-1] < BAND[1] - 1e-6:
             raise Refusal(
-                f"frequency runs from {f[0]:g} to {f[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz, "
-                "the band of the stimuli"
+                f"runs from {f[0]:g} to {f[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz, "
+                "the band of the stimuli",
+                kind=Kind.OUT_OF_RANGE,
+                field="frequency",
             )
         for name, expected in (
             ("ambient_response", h.shape[1:]),
@@ -96,13 +105,18 @@ class ArrayResponse:
         ):
             value = getattr(self, name)
             if value is not None and (value.shape != expected or not np.isfinite(value).all()):
-                raise Refusal(f"{name} must hold finite values of shape {expected}, has shape {value.shape}")
+                raise Refusal(
+                    f"has shape {value.shape}; it must hold finite values of shape {expected}",
+                    kind=Kind.WRONG_TYPE,
+                    field=name,
+                )
         bad = np.argwhere(~np.isfinite(h))
         if len(bad):
             point, microphone, k = bad[0]
             raise Refusal(
-                f"transfer_function of point {point + 1} at microphone {self.microphones[microphone]} is not finite "
-                f"at {f[k]:g} Hz"
+                f"of point {point + 1} at microphone {self.microphones[microphone]} is not finite at {f[k]:g} Hz",
+                kind=Kind.UNSUITABLE,
+                field="transfer_function",
             )
 
     @property
@@ -172,10 +186,22 @@ class ArrayResponse:
         """
         if choice == "design":
             if self.own_noise is None:
-                raise Refusal("microphone_noise = 'design' needs a library with a design; else give Pa rms")
+                raise Refusal(
+                    "needs a library with a design",
+                    kind=Kind.MISMATCH,
+                    field="microphone_noise",
+                    value=choice,
+                    remedy="give the noise in Pa rms",
+                )
             return self.own_noise
         if not 0 <= choice < np.inf:
-            raise Refusal(f"microphone_noise = {choice} must be 'design' or a finite number, zero or above")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="microphone_noise",
+                value=choice,
+                unit="Pa",
+                allowed="'design' or a finite number of Pa rms, zero or above",
+            )
         return float(choice)
 
     def at(self, frequency: NDArray[np.float64]) -> NDArray[np.complex128]:

@@ -1,4 +1,4 @@
-"""What the microphones record beside the touch: sound from outside, and the unlikeness of the microphones themselves.
+"""Disturbances that microphones record beside the touch: sound from outside, and the scatter of the microphones.
 
 Sound: its wavelength, 3.4 m at 100 Hz, is far above the size of an array, so that it presses on all membranes alike.
 The network tells what reaches each microphone (:meth:`acoustic_fem.Library.touch_response`, summed over the points). It
@@ -16,7 +16,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.signals.random_streams import Purpose, between, complex_normal, random_words, uniform
 from localize.signals.stimulus import SAMPLE_LENGTH, SAMPLE_RATE, Device
 
@@ -52,7 +52,13 @@ class MicrophoneMismatch:
     def __post_init__(self) -> None:
         for name, most, unit in (("gain", 20.0, " dB"), ("vent", 1.0, "")):
             if not 0 <= getattr(self, name) <= most:
-                raise Refusal(f"mismatch: {name} = {getattr(self, name)} must be between 0 and {most:g}{unit}")
+                raise Refusal(
+                    kind=Kind.OUT_OF_RANGE,
+                    field=f"mismatch.{name}",
+                    value=getattr(self, name),
+                    unit=unit,
+                    allowed=f"between 0 and {most:g} {unit}".rstrip(),
+                )
 
     def factors(
         self, seed: int, purpose: Purpose, start: int, count: int, microphones: int, vent_ratio: Tensor
@@ -88,7 +94,10 @@ def check_ambient(ambient: tuple[float, float]) -> None:
     """
     if not -100 <= ambient[0] <= ambient[1] <= 140:
         raise Refusal(
-            f"ambient = ({ambient[0]:g}, {ambient[1]:g}) dB SPL must be lowest and highest level, between -100 and 140"
+            kind=Kind.OUT_OF_RANGE,
+            field="ambient",
+            value=ambient,
+            allowed="the lowest and the highest level, between -100 and 140 dB SPL",
         )
 
 

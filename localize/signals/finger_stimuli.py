@@ -1,4 +1,4 @@
-"""What fingers do to the pressure in a cavity, in Pa: taps and presses, friction, a pulse wave, and recordings.
+"""Pressure that fingers make in a cavity, in Pa: taps and presses, friction, a pulse wave, and recordings.
 
 Scale: a membrane that sweeps the volume V of a sealed cavity of volume V_0 raises its pressure by about P_0 V / V_0,
 P_0 = 101 kPa being the isothermal bulk modulus of the air; under a cap of 8 mm over 150 mm^3 a tenth of a micrometre
@@ -26,7 +26,7 @@ from torch import Tensor
 
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.sound_file import read_wav
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
 from localize.signals.resampling import at_one_kilohertz, check_full_scale
@@ -276,13 +276,19 @@ def _read_wav(path: Path) -> np.ndarray:
     """(n_sample,) float64 at 1 kHz, one being the largest value the format holds."""
     sound = read_wav(path)
     if len(sound.channels) != 1:
-        raise Refusal(f"{path}: has {counted(len(sound.channels), 'channel')}, must have one: the pressure in a cavity")
+        raise Refusal(
+            f"has {counted(len(sound.channels), 'channel')}, must have one: the pressure in a cavity",
+            kind=Kind.MISMATCH,
+            file=path,
+        )
     (pressure,) = sound.channels.values()
     if not np.isfinite(pressure).all():
-        raise Refusal(f"{path}: holds values that are not finite")
+        raise Refusal("holds values that are not finite", kind=Kind.UNSUITABLE, file=path)
     if not len(pressure) or not np.ptp(pressure) > 0:
-        raise Refusal(f"{path}: is silent: its value never changes")
+        raise Refusal("is silent: its value never changes", kind=Kind.UNSUITABLE, file=path)
     resampled = at_one_kilohertz(pressure[None], sound.rate)[0]
     if len(resampled) < SAMPLE_LENGTH:
-        raise Refusal(f"{path}: lasts {len(pressure) / sound.rate:.3g} s, must last at least 1 s")
+        raise Refusal(
+            f"lasts {len(pressure) / sound.rate:.3g} s, must last at least 1 s", kind=Kind.UNSUITABLE, file=path
+        )
     return resampled

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import softmax
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.stimulus import SAMPLE_RATE
 
 if TYPE_CHECKING:
@@ -51,18 +51,24 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
     batch = np.ascontiguousarray(given, np.float64)
     if batch.ndim not in (2, 3):
         raise Refusal(
-            f"signals have shape {batch.shape}, must be (n_microphone, n_sample) or (n, n_microphone, n_sample)"
+            f"has shape {batch.shape}, must be (n_microphone, n_sample) or (n, n_microphone, n_sample)",
+            kind=Kind.WRONG_TYPE,
+            field="signals",
         )
     batched = batch.ndim == 3
     batch = batch if batched else batch[None]
     if batch.shape[1] != len(microphones):
         raise Refusal(
-            f"signals have {counted(batch.shape[1], 'channel')}, must have {len(microphones)}: {', '.join(microphones)}"
+            f"has {counted(batch.shape[1], 'channel')}, must have {len(microphones)}: {', '.join(microphones)}",
+            kind=Kind.MISMATCH,
+            field="signals",
         )
     if batch.shape[2] < FRAME:
         raise Refusal(
-            f"signals have {counted(batch.shape[2], 'sample')}, must have at least {FRAME} "
-            f"({FRAME / SAMPLE_RATE:g} s at {SAMPLE_RATE:g} Hz)"
+            f"has {counted(batch.shape[2], 'sample')}, must have at least {FRAME} "
+            f"({FRAME / SAMPLE_RATE:g} s at {SAMPLE_RATE:g} Hz)",
+            kind=Kind.UNSUITABLE,
+            field="signals",
         )
     # One look at all values: of a single frame checks take as long as some decoders.
     span = batch.max(-1) - batch.min(-1)
@@ -80,7 +86,7 @@ def _refuse_channels(batch: NDArray[np.float64], microphones: Sequence[str], bat
         if broken.any():
             sample, channel = np.argwhere(broken)[0].tolist()
             where = f" of signal {sample}" if batched else ""
-            raise Refusal(f"channel {microphones[channel]}{where} {what}")
+            raise Refusal(f"channel {microphones[channel]}{where} {what}", kind=Kind.UNSUITABLE, field="signals")
 
 
 def combined_probability(log_probability: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -1,61 +1,23 @@
-"""What every localizer says of its array, and how it is asked: the one interface of networks, graphs and decoders."""
+"""One interface of networks, graphs and decoders: what a localizer says of itself, and how it is asked."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.signals.array_facts import ArrayFacts
+from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import checked_signals
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-    from localize.signals.array_response import ArrayResponse
-
-
-@dataclass(frozen=True, eq=False)
-class ArrayFacts:
-    """Facts of one array that a localizer keeps: enough to read its answers and to compare it with a library."""
-
-    design: str
-    """Name of the design."""
-    microphones: tuple[str, ...]
-    """Names of the microphones, in the order of the signals."""
-    line: NDArray[np.int64]
-    """Line of each point, as the library numbers it; (n_point,) int64."""
-    place: NDArray[np.int64]
-    """Place of each point along its line, as the library numbers it; (n_point,) int64."""
-    provenance: Mapping[str, Any] = field(default_factory=dict, repr=False)
-    """Design, fidelity, air, frequencies and versions."""
-    noise_rms: float = 0.0
-    """Noise of a microphone that the localizer was made for, Pa rms over 0 to 500 Hz; 0 where none was given."""
-
-    @property
-    def point_count(self) -> int:
-        """Number of sensing points."""
-        return len(self.line)
-
-    @property
-    def assumptions(self) -> str:
-        """What a decoder of the library as it is assumes of the sensor, in words."""
-        if self.provenance.get("fidelity", MEASURED) == MEASURED:
-            return f"that the sensor is as its library has it{self.in_air}"
-        return f"that the sensor is exactly as it was designed{self.in_air}, without manufacturing tolerances"
-
-    @property
-    def in_air(self) -> str:
-        """Air of the library, in words that follow others; empty where it is not known."""
-        medium = self.provenance.get("medium")
-        return f", in air of {medium['pressure'] / 1e3:.1f} kPa" if medium else ""
 
 
 class Locator:
@@ -101,7 +63,7 @@ class Locator:
         """Probability of each point of touches in the order in which they came, and the state of the sensor after them.
 
         Args:
-            signals: as of :meth:`locate`.
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, as of :meth:`locate`.
             state: :attr:`start`, or what the call before gave.
 
         Returns:

@@ -22,7 +22,7 @@ Purpose = Literal["training", "held-out", "evaluation"]
 PURPOSES: tuple[Purpose, ...] = get_args(Purpose)
 """All purposes; streams of different ones never share a number."""
 # Their numbers are part of the keys: new ones come last.
-Kind = Literal[
+StreamKind = Literal[
     "stimulus",
     "microphone",
     "ambient",
@@ -48,8 +48,9 @@ Kind = Literal[
     "pulse",
     "stroke",
     "roughness",
+    "recorded order",
 ]
-_KINDS: tuple[Kind, ...] = get_args(Kind)
+_KINDS: tuple[StreamKind, ...] = get_args(StreamKind)
 
 
 #: Words that are made into numbers together.
@@ -57,7 +58,9 @@ _TOGETHER = 2**14
 _LEAST, _MOST = np.float32(2.0**-26), np.float32(1 - 2.0**-24)
 
 
-def random_words(seed: int, purpose: Purpose, kind: Kind, start: int, count: int, words: int) -> NDArray[np.uint64]:
+def random_words(
+    seed: int, purpose: Purpose, kind: StreamKind, start: int, count: int, words: int
+) -> NDArray[np.uint64]:
     """Random words of consecutive samples; sample i always gets the same ones.
 
     Args:

@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 import scipy.signal
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -168,4 +168,10 @@ def check_full_scale(full_scale: float | None) -> None:
     """
     least, most = FULL_SCALES
     if full_scale is not None and not least <= full_scale <= most:
-        raise Refusal(f"full_scale = {full_scale} Pa must be between {least:g} and {most:g}")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="full_scale",
+            value=full_scale,
+            unit="Pa",
+            allowed=f"between {least:g} and {most:g} Pa",
+        )

@@ -1,4 +1,4 @@
-"""Whether a localizer and a library are of one array: the same microphones, points and design."""
+"""Check that a localizer and a library are of one array: the same microphones, points and design."""
 
 from __future__ import annotations
 
@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 
 from geometry.design.design_file import read_completed
-from geometry.ground.refusal import Refusal
-from localize.signals.locator import ArrayFacts
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import PathLike
+from localize.signals.array_facts import ArrayFacts
 
 _NOT_OF_THE_ARRAY = ("name", "description", "air", "printing")
 """Fields that may differ: what an array is called, where it is, and how its parts are printed."""
 
 
-def check_same_array(localizer: ArrayFacts, library: ArrayFacts, source: object) -> None:
+def check_same_array(localizer: ArrayFacts, library: ArrayFacts, source: PathLike) -> None:
     """Refuse a library whose microphones or points are not those of a localizer.
 
     Args:
@@ -28,23 +29,31 @@ def check_same_array(localizer: ArrayFacts, library: ArrayFacts, source: object)
     """
     own, other = (", ".join(each.microphones) for each in (localizer, library))
     if own != other:
-        raise Refusal(f"{source}: is of another array than the localizer: its microphones are {other}, must be {own}")
+        raise Refusal(
+            f"is of another array than the localizer: its microphones are {other}, must be {own}",
+            kind=Kind.MISMATCH,
+            file=source,
+        )
     if len(localizer.line) != len(library.line):
         raise Refusal(
-            f"{source}: is of another array than the localizer: it has {len(library.line)} points, must have "
-            f"{len(localizer.line)}"
+            f"is of another array than the localizer: it has {len(library.line)} points, must have "
+            f"{len(localizer.line)}",
+            kind=Kind.MISMATCH,
+            file=source,
         )
     different = (np.asarray(localizer.line) != library.line) | (np.asarray(localizer.place) != library.place)
     if different.any():
         point = int(np.flatnonzero(different)[0])
         here, there = (f"place {each.place[point]} of line {each.line[point]}" for each in (library, localizer))
         raise Refusal(
-            f"{source}: is of another array than the localizer, or its points are numbered otherwise: point "
-            f"{point + 1} is {here}, must be {there}"
+            f"is of another array than the localizer, or its points are numbered otherwise: point {point + 1} is "
+            f"{here}, must be {there}",
+            kind=Kind.MISMATCH,
+            file=source,
         )
 
 
-def check_same_design(localizer: ArrayFacts, library: ArrayFacts, source: object) -> None:
+def check_same_design(localizer: ArrayFacts, library: ArrayFacts, source: PathLike) -> None:
     """Refuse a library of another design than a localizer's, as far as both say of which they are.
 
     Args:
@@ -58,7 +67,7 @@ def check_same_design(localizer: ArrayFacts, library: ArrayFacts, source: object
     check_same_array(localizer, library, source)
     difference = design_difference(localizer, library)
     if difference:
-        raise Refusal(f"{source}: is of another design than the localizer: {difference}")
+        raise Refusal(f"is of another design than the localizer: {difference}", kind=Kind.MISMATCH, file=source)
 
 
 def design_difference(localizer: ArrayFacts, library: ArrayFacts) -> str | None:

@@ -17,7 +17,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals import disturbances, stimulus
 from localize.signals.array_response import (
     ArrayResponse,
@@ -46,14 +46,14 @@ class TouchSignals:
     signals: Tensor
     """Pressures at the microphones; (n, n_microphone, SAMPLE_LENGTH) float32, Pa."""
     point: Tensor
-    """Index of the touched point of each sample, from 0; (n,) int64."""
+    """Touched point of each sample, from 1; (n,) int64."""
     interval: Tensor
     """Index of each sample into ``stimulus.COMPONENT_INTERVALS``, -1 where the stimulus is no sum of sinusoids; (n,)
     int64."""
 
 
 class TouchGenerator:
-    """Endless stream of touches; sample i touches point i modulo the number of points.
+    """Endless stream of touches; sample i, from 0, is of point i modulo the number of points, plus 1.
 
     With a source of many sensors, each sensor in turn is touched at all of its points; only the sensors of the
     samples at hand are read.
@@ -86,7 +86,7 @@ class TouchGenerator:
         response: ArrayResponse,
         seed: int,
         purpose: Purpose,
-        microphone_noise: NoiseChoice = 0.0,
+        microphone_noise: NoiseChoice = "design",
         source: TransferFunctionSource | None = None,
         sensors: range | None = None,
         *,
@@ -97,7 +97,7 @@ class TouchGenerator:
         device: Device = "cpu",
     ) -> None:
         if method not in ("exact", "stft"):
-            raise Refusal(f"method = {method!r} must be one of: exact, stft")
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="method", value=method, allowed=("exact", "stft"))
         self.response = response
         self.seed = seed
         self.purpose: Purpose = purpose
@@ -140,7 +140,11 @@ class TouchGenerator:
     def _nominal(self, name: str, values: NDArray[np.complex128] | None) -> Tensor:
         """A response of the nominal array on the lines."""
         if values is None:
-            raise Refusal(f"{name} needs a library with a design: bare transfer functions do not tell what it does")
+            raise Refusal(
+                "needs a library with a design: bare transfer functions do not tell its effect",
+                kind=Kind.MISMATCH,
+                field=name,
+            )
         grid = self.response.frequency
         lines = np.clip(stimulus.line_frequencies()[: self._stop], None, grid[-1])
         return self._on_lines_of(interpolated(values, grid, lines))
@@ -167,7 +171,7 @@ class TouchGenerator:
         sample = (self.seed, self.purpose, start, count)
         stimuli = self.stimuli(*sample, self._band, self.device)
         channels = len(self.response.microphones)
-        spectrum, point = stimuli.spectrum[:, : self._stop], self._points(start, count)
+        spectrum = stimuli.spectrum[:, : self._stop]
         recorded = None
         if self._source is None and self.mismatch is None and self.method == "exact":
             signals = microphone_signals(spectrum, self._on_lines, start=start)
@@ -184,7 +188,7 @@ class TouchGenerator:
             signals = signals + stimulus.coloured_noise(*sample, channels, self.microphone_noise.power, self.device)
         elif self.microphone_noise:
             signals = signals + stimulus.white_noise(*sample, channels, self.microphone_noise, self.device)
-        return TouchSignals(signals=signals, point=point, interval=stimuli.interval)
+        return TouchSignals(signals=signals, point=self._points(start, count) + 1, interval=stimuli.interval)
 
     def _sound(
         self, sample: tuple[int, Purpose, int, int], levels: tuple[float, float], recorded: Tensor | None
@@ -216,14 +220,23 @@ def _check_source(source: TransferFunctionSource, response: ArrayResponse, senso
     grid = source.frequency
     if grid[0] > BAND[0] + 1e-6 or grid[-1] < BAND[1] - 1e-6:
         raise Refusal(
-            f"source: frequency runs from {grid[0]:g} to {grid[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz"
+            f"runs from {grid[0]:g} to {grid[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz",
+            kind=Kind.OUT_OF_RANGE,
+            field="source.frequency",
         )
     if sensors.step != 1 or not 0 <= sensors.start < sensors.stop <= source.sensor_count:
-        raise Refusal(f"sensors = {sensors} must be consecutive ones of the source's {source.sensor_count}")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="sensors",
+            value=sensors,
+            allowed=f"consecutive ones of the source's {source.sensor_count}",
+        )
     shape = source.sensors(sensors.start, 1).shape[1:3]
     expected = (response.point_count, len(response.microphones))
     if shape != expected:
         raise Refusal(
-            f"source: its sensors have {counted(shape[0], 'point')} and {counted(shape[1], 'microphone')}; the array "
-            f"has {expected[0]} and {expected[1]}"
+            f"its sensors have {counted(shape[0], 'point')} and {counted(shape[1], 'microphone')}; the array has "
+            f"{expected[0]} and {expected[1]}",
+            kind=Kind.MISMATCH,
+            field="source",
         )

@@ -1,4 +1,4 @@
-"""Where a contact is on the surface, between the points too, and the path that it takes.
+"""Place of a contact on the surface, between the points too, and the path that it takes.
 
 Stands on: contacts, decoders, live, signals.
 """

@@ -13,18 +13,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force
 from localize.signals.array_response import ArrayResponse
 from localize.signals.stimulus import BAND
-
-STEP = 0.1
-"""Least distance of two places of a grid, in pitches: at 0.2 half as many taps of a wide finger are named right."""
-ALIKE = 1e-3
-"""Difference of the ratios of shares up to which footprints are one."""
-TOP = 150.0
-"""Frequency up to which footprints are told apart, Hz: above it the decoders' low-pass leaves nothing."""
+from localize.tracking.tracking_options import FootprintOptions
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +31,8 @@ class Footprints:
     """Row and column of each place in the grid; (n_place, 2) int64."""
     footprint: NDArray[np.int64]
     """Footprint of each place; (n_place,) int64."""
-    share: Array
-    """Shares of each footprint on the membranes, of Euclidean norm 1; (n_footprint, n_point) float64."""
+    fraction: Array
+    """Fractions of the force on the membranes, of Euclidean norm 1; (n_footprint, n_point) float64."""
     step: float
     """Distance of two neighbours of the grid, mm."""
 
@@ -54,7 +48,7 @@ def pitch_of(response: ArrayResponse) -> float:
     return float(np.median((apart + np.diag(np.full(len(apart), np.inf))).min(1)))
 
 
-def shares_at(response: ArrayResponse, radius: float, place: Array) -> Array:
+def fractions_at(response: ArrayResponse, radius: float, place: Array) -> Array:
     """Share of the force of a contact that each membrane takes.
 
     Args:
@@ -73,26 +67,31 @@ def shares_at(response: ArrayResponse, radius: float, place: Array) -> Array:
     return covered_force(still, response)[:-1]
 
 
-def footprints_over(response: ArrayResponse, radius: float, most: int) -> Footprints:
+def footprints_over(
+    response: ArrayResponse, radius: float, most: int, options: FootprintOptions = FootprintOptions()
+) -> Footprints:
     """Footprints all over an array, as finely as their number allows.
 
     Args:
         response: of a library with a design.
         radius: of the contact, mm.
         most: number of footprints at most, unless the points are more.
+        options: of the grid.
 
     Raises:
         Refusal: bare transfer functions, or a radius out of range.
     """
-    step = STEP * _checked(response)
+    step = options.grid_step * _checked(response)
     while True:
-        found = _footprints(response, radius, step)
-        if len(found.share) <= max(most, response.point_count) or step >= pitch_of(response):
+        found = _footprints(response, radius, step, options.alike)
+        if len(found.fraction) <= max(most, response.point_count) or step >= pitch_of(response):
             return found
         step *= 1.25
 
 
-def footprint_response(response: ArrayResponse, share: Array, top: float = TOP) -> ArrayResponse:
+def footprint_response(
+    response: ArrayResponse, share: Array, top: float = FootprintOptions.top_frequency
+) -> ArrayResponse:
     """Footprints in place of the points of an array: pressure at the microphones over that which their force makes in
     a cavity of the mean point.
 
@@ -134,11 +133,15 @@ def _checked(response: ArrayResponse) -> float:
         Refusal: bare transfer functions.
     """
     if response.position is None or response.cavity_response is None:
-        raise Refusal(f"{response.name}: places need a library with a design: bare transfer functions know of none")
+        raise Refusal(
+            f"{response.name}: bare transfer functions have no positions of points",
+            kind=Kind.MISMATCH,
+            remedy="track contacts with a library that has a design",
+        )
     return pitch_of(response)
 
 
-def _footprints(response: ArrayResponse, radius: float, step: float) -> Footprints:
+def _footprints(response: ArrayResponse, radius: float, step: float, alike: float) -> Footprints:
     assert response.position is not None
     assert response.membrane_radius is not None
     # A finger beyond the outermost points by more than half a pitch is not on the array.
@@ -152,8 +155,8 @@ def _footprints(response: ArrayResponse, radius: float, step: float) -> Footprin
     ]
     node = np.stack(np.meshgrid(*(np.arange(len(axis)) for axis in axes), indexing="ij"), -1).reshape(-1, 2)
     place = np.column_stack([axis[node[:, k]] for k, axis in enumerate(axes)])
-    share = shares_at(response, radius, place)
+    share = fractions_at(response, radius, place)
     covered = share.sum(1) > 0
     share = share[covered] / np.linalg.norm(share[covered], axis=1, keepdims=True)
-    _, first, footprint = np.unique(np.round(share / ALIKE), axis=0, return_index=True, return_inverse=True)
+    _, first, footprint = np.unique(np.round(share / alike), axis=0, return_index=True, return_inverse=True)
     return Footprints(place[covered], node[covered], footprint.reshape(-1), share[first], step)

@@ -25,7 +25,6 @@ from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import (
     DECIMATION,
     SAMPLES,
-    TAPS,
     check_level,
     check_noise,
     floor_covariance,
@@ -37,37 +36,23 @@ from localize.decoders.frame_covariance import (
 from localize.decoders.likelihood import vertex
 from localize.live.events import HOP
 from localize.live.front_end import high_pass_sections
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, interpolated
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.tracking.footprints import Footprints, footprint_response
+from localize.tracking.tracking_options import TrackingOptions
 
-AHEAD = 24
-"""Number of decimated samples, 96 ms, over which a footprint is taken to be pressed: of half as many it is heard too
-little, of twice as many a fast finger has left."""
-BEFORE = SAMPLES - AHEAD
-"""Number of the frame's decimated samples before them."""
-HEARD = 100
-"""Number of decimated samples, 0.4 s, for which a hop is still heard."""
 EARLY = 3
 """Number of decimated samples by which the limited band makes responses begin before their source."""
 STEP = HOP // DECIMATION
 """Number of decimated samples of a hop."""
-LATENCY = (TAPS // 2 + DECIMATION * (AHEAD - 1) - (HOP - DECIMATION) / 2) / SAMPLE_RATE
-"""Time from the middle of the hop that is judged to the end of its frame, s."""
-POWERS = 10 ** np.arange(-6.0, 4.01, 0.5)
-"""Powers of a source that are tried, Pa^2 in a cavity."""
-MISFIT = 1e-2
-"""Share of a frame's level that is noise at least: libraries are not exact."""
-FORGOTTEN = 1e-3
-"""Power below which a past hop is not counted, in terms of the noise and sound in a sample, hum apart."""
 _PERIOD = 4000
 
 
 @dataclass(frozen=True, eq=False)
-class HeardHop:
-    """What one frame says of its hop."""
+class ScoredHop:
+    """Scores of all footprints in one hop."""
 
     gain: Array
     """Log-likelihood of each footprint over that of nothing new, zero or above; (n_footprint,) float64, nats."""
@@ -86,6 +71,7 @@ class MovingScorer:
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: level of the sound around, dB SPL; None for quiet.
         high_pass: corner of the high-pass that frames come through, Hz; None for none.
+        options: of the tracker.
 
     Raises:
         Refusal: as of :class:`localize.BayesDecoder`.
@@ -95,10 +81,12 @@ class MovingScorer:
         self,
         response: ArrayResponse,
         footprints: Footprints,
-        microphone_noise: NoiseChoice = 1e-3,
+        microphone_noise: NoiseChoice = "design",
         ambient: float | None = None,
         high_pass: float | None = HIGH_PASS,
+        options: TrackingOptions = TrackingOptions(),
     ) -> None:
+        self.options = options
         check_noise(microphone_noise)
         check_level(response, ambient)
         noise = response.noise(microphone_noise)
@@ -107,11 +95,14 @@ class MovingScorer:
         self._hiss = float(self._noise[0, 0] - floor_covariance(noise)[0, 0] + frame_noise_covariance(noise)[0])
         self._channels = len(response.microphones)
         self._reduce = low_pass()
-        response = footprint_response(response, _of_two(footprints.share))
-        taps = impulse_responses(response, high_pass)[: len(footprints.share)]
+        response = footprint_response(response, _of_two(footprints.fraction), options.footprints.top_frequency)
+        taps = impulse_responses(response, high_pass, options.heard_samples)[: len(footprints.fraction)]
         self._count = len(taps)
-        self._now = _spread(taps, np.arange(AHEAD)).transpose(2, 3, 0, 1).reshape(self._size, -1)
-        self._past = _spread(taps, np.arange(-HEARD, 0)).reshape(self._count, HEARD, self._size)
+        self._now = (
+            _spread(taps, np.arange(options.ahead), options.before).transpose(2, 3, 0, 1).reshape(self._size, -1)
+        )
+        past = _spread(taps, np.arange(-options.heard_samples, 0), options.before)
+        self._past = past.reshape(self._count, options.heard_samples, self._size)
         self.reset()
 
     @property
@@ -120,47 +111,49 @@ class MovingScorer:
 
     def reset(self) -> None:
         """Forget what was heard."""
-        self._heard = np.zeros((HEARD, self._count))  # power of past sources
+        self._heard = np.zeros((self.options.heard_samples, self._count))  # power of past sources
 
-    def score(self, frame: Array) -> HeardHop:
-        """What a frame says, (n_microphone, 250) float64, Pa."""
+    def score(self, frame: Array) -> ScoredHop:
+        """Scores of a frame, (n_microphone, 250) float64, Pa."""
         x = (frame @ self._reduce.T).reshape(-1)
-        floor = MISFIT**2 * float(np.mean(x**2))
+        floor = self.options.misfit**2 * float(np.mean(x**2))
         known = self._noise + floor * np.eye(self._size)
-        sample, number = np.nonzero(self._heard > FORGOTTEN * (floor + self._hiss))
+        sample, number = np.nonzero(self._heard > self.options.forgotten * (floor + self._hiss))
         if len(sample):
             columns = self._past[number, sample] * np.sqrt(self._heard[sample, number])[:, None]
             known = known + columns.T @ columns
         root = np.linalg.cholesky(known)
         both = scipy.linalg.solve_triangular(root, np.column_stack([x, self._now]), lower=True, check_finite=False)
-        white, responses = both[:, 0], both[:, 1:].reshape(self._size, self._count, AHEAD).transpose(1, 2, 0)
+        white, responses = both[:, 0], both[:, 1:].reshape(self._size, self._count, -1).transpose(1, 2, 0)
         value, vector = np.linalg.eigh(responses @ responses.transpose(0, 2, 1))
         value = np.clip(value, 0.0, None)
         part = np.einsum("pij,pi->pj", vector, responses @ white)
-        gained = POWERS[:, None, None] * value
-        each = 0.5 * (POWERS[:, None, None] * part**2 / (1 + gained)).sum(2) - 0.5 * np.log1p(gained).sum(2)
-        power = POWERS[each.argmax(0)][:, None]
+        powers = self.options.tried_powers
+        gained = powers[:, None, None] * value
+        each = 0.5 * (powers[:, None, None] * part**2 / (1 + gained)).sum(2) - 0.5 * np.log1p(gained).sum(2)
+        power = powers[each.argmax(0)][:, None]
         share = power / (1 + power * value)
         newest = vector[:, :STEP]
         source = np.einsum("pij,pj->pi", newest, share * part)
         unsure = np.einsum("pij,pj->pi", newest**2, share)
         gain = np.maximum(vertex(each.T), 0.0)
-        return HeardHop(gain, np.where(gain > 0, (source**2 + unsure).mean(1), 0.0), source.mean(1))
+        return ScoredHop(gain, np.where(gain > 0, (source**2 + unsure).mean(1), 0.0), source.mean(1))
 
     def decide(self, power: Array) -> None:
         """Take the powers of all footprints in the hop that was scored, (n_footprint,) Pa^2, for known."""
         self._heard = np.concatenate([self._heard[STEP:], np.tile(power, (STEP, 1))])
 
 
-def impulse_responses(response: ArrayResponse, high_pass: float | None) -> Array:
+def impulse_responses(response: ArrayResponse, high_pass: float | None, heard_samples: int) -> Array:
     """Responses of the decimated samples to one sample of a source at 250 Hz, behind the high-pass of a stream.
 
     Args:
         response: of the footprints.
         high_pass: corner, Hz; None for none.
+        heard_samples: number of decimated samples behind the source.
 
     Returns:
-        (n_footprint, n_microphone, EARLY + HEARD) float64, from EARLY samples before the source on.
+        (n_footprint, n_microphone, EARLY + heard_samples) float64, from EARLY samples before the source on.
     """
     frequency = np.fft.rfftfreq(_PERIOD, 1 / SAMPLE_RATE).astype(np.float64)
     top = SAMPLE_RATE / DECIMATION / 2
@@ -174,16 +167,16 @@ def impulse_responses(response: ArrayResponse, high_pass: float | None) -> Array
     spectrum = np.zeros((*response.transfer_function.shape[:2], len(frequency)), np.complex128)
     spectrum[..., inside] = gain * interpolated(response.transfer_function, response.frequency, frequency[inside])
     taps = np.fft.irfft(spectrum, _PERIOD)[..., ::DECIMATION] * DECIMATION
-    return np.asarray(np.concatenate([taps[..., -EARLY:], taps[..., :HEARD]], -1))
+    return np.asarray(np.concatenate([taps[..., -EARLY:], taps[..., :heard_samples]], -1))
 
 
-def _spread(taps: Array, source: NDArray[np.int64]) -> Array:
-    """Responses of a frame's samples to sources at given samples after its :data:`BEFORE` first ones.
+def _spread(taps: Array, source: NDArray[np.int64], before: int) -> Array:
+    """Responses of a frame's samples to sources at given samples after its ``before`` first ones.
 
     Returns:
         (n_footprint, n_source, n_microphone, SAMPLES) float64.
     """
-    lag = np.arange(SAMPLES) - BEFORE - source[:, None] + EARLY
+    lag = np.arange(SAMPLES) - before - source[:, None] + EARLY
     heard = (lag >= 0) & (lag < taps.shape[2])
     return np.asarray(np.where(heard, taps[:, :, np.where(heard, lag, 0)], 0.0).transpose(0, 2, 1, 3))
 

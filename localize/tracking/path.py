@@ -16,28 +16,14 @@ from acoustic_fem import Library
 from geometry.ground.typed import Array
 from localize.contacts.contact import MOVING
 from localize.live.events import Decision, TrackedPlace
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 from localize.tracking.footprints import footprints_over, pitch_of, pressure_of_force
-from localize.tracking.moving import AHEAD, LATENCY, STEP, HeardHop, MovingScorer
+from localize.tracking.moving import STEP, MovingScorer, ScoredHop
 from localize.tracking.smoothing import HOP_TIME, Cells, smoothed
-
-MOST = 100
-"""Number of footprints at most, unless points are more: their number makes the time of a frame."""
-PAUSE = 1.0
-"""Time without a sound of it after which a path has ended, s."""
-LOUD = 10.0
-"""Log-likelihood over that of nothing new from which on a hop is heard, nats."""
-FAINT, FAINTEST = 0.05, 0.08
-"""Amplitudes over the largest within a quarter and within a whole second below which a hop is not heard."""
-SURE = 0.1
-"""Standard deviation of the place in the loudest hop on a membrane, in pitches."""
-FORCE_BAND = (5.0, 50.0)
-"""Frequencies over which the pressure of a force is averaged, Hz."""
-SHORTEST = 3
-"""Number of hops that are heard at least in a path."""
+from localize.tracking.tracking_options import TrackingOptions
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,8 +41,8 @@ class Track:
     force: Array
     """Force on the membranes as far as it changes faster than the high-pass of the stream, by the membranes of the
     design; (n,) float64, N; not a number where nothing is heard."""
-    heard: NDArray[np.bool_]
-    """Whether the contact is heard there; between, the path goes on from one membrane to the next; (n,) bool."""
+    detected: NDArray[np.bool_]
+    """True where the contact is detected; between, the path goes on from one membrane to the next; (n,) bool."""
     pitch: float
     """Distance of the points of the array, mm."""
 
@@ -70,6 +56,7 @@ class PathTracker:
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: level of the sound around, dB SPL; None for quiet.
         high_pass: that of the stream, Hz; None for none.
+        options: numbers that tune the tracker.
 
     Raises:
         Refusal: bare transfer functions; a radius out of range; as :class:`localize.BayesDecoder`.
@@ -83,17 +70,19 @@ class PathTracker:
         microphone_noise: NoiseChoice = "design",
         ambient: float | None = None,
         high_pass: float | None = HIGH_PASS,
+        options: TrackingOptions = TrackingOptions(),
     ) -> None:
+        self.options = options
         self.response = response = response_of(library)
         """Array on which the paths are."""
-        footprints = footprints_over(response, radius, MOST)
-        self._scorer = MovingScorer(response, footprints, microphone_noise, ambient, high_pass)
+        footprints = footprints_over(response, radius, options.most_footprints, options.footprints)
+        self._scorer = MovingScorer(response, footprints, microphone_noise, ambient, high_pass, options)
         self.pitch = pitch_of(response)
         """Distance of the points, mm."""
-        self._cells = Cells.of(footprints, self.pitch)
-        inside = (response.frequency >= FORCE_BAND[0]) & (response.frequency <= FORCE_BAND[1])
+        self._cells = Cells.of(footprints, self.pitch, options)
+        inside = (response.frequency >= options.force_band[0]) & (response.frequency <= options.force_band[1])
         # The source is told along shares of norm 1; their sum is the force on the membranes.
-        self._newtons = footprints.share.sum(1) / float(pressure_of_force(response)[inside].mean())
+        self._newtons = footprints.fraction.sum(1) / float(pressure_of_force(response)[inside].mean())
         self.tracks: list[Track] = []
         """Paths that have ended."""
         self._begin()
@@ -101,7 +90,7 @@ class PathTracker:
     def _begin(self) -> None:
         self._belief = np.full(len(self._cells.middle), 1 / len(self._cells.middle))
         self._times: list[float] = []
-        self._hops: list[HeardHop] = []
+        self._hops: list[ScoredHop] = []
         self._silent = 0
 
     @one_thread()
@@ -109,25 +98,25 @@ class PathTracker:
         """Take the next event of a stream and say where the contact is; nothing of what is no decision."""
         if not isinstance(event, Decision):
             return []
-        time = event.time - LATENCY
+        time = event.time - self.options.latency
         if self._times and not 0 < time - self._times[-1] < 1.5 * HOP_TIME:
             self._end()
             self._scorer.reset()
         if event.frame is None:
             count = len(self._cells.middle)
-            hop = HeardHop(np.zeros(count), np.zeros(count), np.zeros(count))
+            hop = ScoredHop(np.zeros(count), np.zeros(count), np.zeros(count))
         else:
             hop = self._scorer.score(event.frame)
-        heard = float(hop.gain.max()) > LOUD
+        heard = float(hop.gain.max()) > self.options.detection_lead
         if not self._times and not heard:
             self._scorer.decide(hop.power * 0)
             return []
-        self._belief = self._cells.forward(self._belief, STEP / AHEAD * hop.gain)
+        self._belief = self._cells.forward(self._belief, STEP / self.options.ahead * hop.gain)
         self._scorer.decide(self._belief * hop.power)
         self._times.append(time)
         self._hops.append(hop)
         self._silent = 0 if heard else self._silent + 1
-        if self._silent * HOP_TIME > PAUSE:
+        if self._silent * HOP_TIME > self.options.pause:
             self._end()
             return []
         if not heard:
@@ -135,7 +124,7 @@ class PathTracker:
         middle = self._belief @ self._cells.middle
         away = ((self._cells.middle - middle) ** 2).sum(1) / 2 + self._cells.extent**2
         deviation = float(np.sqrt(self._belief @ away))
-        return [TrackedPlace(time, (float(middle[0]), float(middle[1])), deviation, LATENCY)]
+        return [TrackedPlace(time, (float(middle[0]), float(middle[1])), deviation, self.options.latency)]
 
     def finish(self) -> list[TrackedPlace]:
         """End the path that the stream ends in, if there is one; there is no place to tell then."""
@@ -149,23 +138,24 @@ class PathTracker:
                 self.tracks.append(track)
         self._begin()
 
-    def _track(self, time: Array, hops: list[HeardHop]) -> Track | None:
+    def _track(self, time: Array, hops: list[ScoredHop]) -> Track | None:
         """Path of the hops of a contact; None of a few that are heard by chance."""
         gain, power, source = (np.stack([getattr(hop, name) for hop in hops]) for name in ("gain", "power", "source"))
-        belief = self._cells.forward_backward(STEP / AHEAD * gain)
+        belief = self._cells.forward_backward(STEP / self.options.ahead * gain)
         amplitude = np.sqrt((belief * power).sum(1))
         near, wide = (scipy.ndimage.maximum_filter1d(amplitude, round(2 * each / HOP_TIME)) for each in (0.25, 1.0))
-        heard = ((belief * gain).sum(1) > LOUD) & (amplitude > FAINT * near) & (amplitude > FAINTEST * wide)
-        if heard.sum() < SHORTEST:
+        heard = (belief * gain).sum(1) > self.options.detection_lead
+        heard &= (amplitude > self.options.faint * near) & (amplitude > self.options.faintest * wide)
+        if heard.sum() < self.options.fewest_hops:
             return None
         place = belief @ self._cells.middle
         apart = ((self._cells.middle[None] - place[:, None]) ** 2).sum(2) / 2
         # A membrane is pressed less the farther its middle is.
         off = 2 * (belief @ self._cells.extent) * (1 - amplitude / np.maximum(near, 1e-300))
-        sure = np.minimum(SURE * self.pitch, belief @ self._cells.extent)
+        sure = np.minimum(self.options.place_deviation * self.pitch, belief @ self._cells.extent)
         # Frames of neighbouring hops share what they hear.
-        deviation = np.sqrt(AHEAD / STEP * ((sure + off) ** 2 + (belief * apart).sum(1)))
+        deviation = np.sqrt(self.options.ahead / STEP * ((sure + off) ** 2 + (belief * apart).sum(1)))
         ends = slice(int(heard.argmax()), len(heard) - int(heard[::-1].argmax()))
-        place, deviation, speed = smoothed(place[ends], np.where(heard, deviation, np.inf)[ends])
+        place, deviation, speed = smoothed(place[ends], np.where(heard, deviation, np.inf)[ends], self.options)
         force = np.where(heard, (belief * source * self._newtons).sum(1), np.nan)
         return Track(time[ends], place, deviation, speed, force[ends], heard[ends], self.pitch)

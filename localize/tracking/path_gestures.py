@@ -16,28 +16,17 @@ from geometry.ground.typed import Array
 from localize.live.events import Decision, TrackedGesture, TrackedPlace
 from localize.tracking.path import PathTracker, Track
 from localize.tracking.smoothing import HOP_TIME
+from localize.tracking.tracking_options import GestureOptions
 
 Kind = Literal["tap", "double tap", "hold", "swipe", "circle", "stroke"]
 
-STILL = 0.75
-"""Way from its first place, in pitches, up to which a contact stays where it is."""
-APART = (0.08, 0.5)
-"""Shortest and longest time from one tap of two to the other, s: what stays for longer is a hold."""
-QUIET = 0.2
-"""Share of its largest amplitude below which a contact that stays has come to rest."""
-ASIDE = 0.2
-"""Way from the line between its ends up to which a path is a swipe, over their distance."""
-TURNED = 270.0
-"""Angle that a circle turns by, degrees, at least."""
-CLOSED = 0.5
-"""Distance of the ends of a circle over its width, at most."""
 DIRECTIONS = ("right", "up", "left", "down")
 """Directions of swipes, from that of x on anticlockwise; up is that of y."""
 
 
 @dataclass(frozen=True)
 class Gesture:
-    """What a contact did."""
+    """Gesture of a contact."""
 
     start: float
     """Time at which it began, s."""
@@ -51,21 +40,21 @@ class Gesture:
     """Length of the path, mm; 0 of a contact that stays."""
 
 
-def gesture_of(track: Track) -> Gesture:
-    """Gesture of a path."""
+def gesture_of(track: Track, options: GestureOptions = GestureOptions()) -> Gesture:
+    """Gesture of a path, by the numbers of some options."""
     start, end = float(track.time[0]), float(track.time[-1])
-    heard = track.place[track.heard]
-    if np.linalg.norm(heard - heard[0], axis=1).max() < STILL * track.pitch:
-        return Gesture(start, end, _staying(track))
+    heard = track.place[track.detected]
+    if np.linalg.norm(heard - heard[0], axis=1).max() < options.still * track.pitch:
+        return Gesture(start, end, _staying(track, options))
     steps = np.diff(track.place, axis=0)
     length = float(np.linalg.norm(steps, axis=1).sum())
     way = track.place[-1] - track.place[0]
     straight = float(np.linalg.norm(way))
-    if straight > 0 and _aside(heard, track.place[0], way / straight) < ASIDE * straight:
+    if straight > 0 and _aside(heard, track.place[0], way / straight) < options.aside * straight:
         quarter = round(float(np.degrees(np.arctan2(way[1], way[0]))) / 90) % 4
         return Gesture(start, end, "swipe", DIRECTIONS[quarter], length)
     turned = _turned(track.place)
-    if abs(turned) >= TURNED and straight < CLOSED * float(np.ptp(track.place, axis=0).max()):
+    if abs(turned) >= options.turned and straight < options.closed * float(np.ptp(track.place, axis=0).max()):
         return Gesture(start, end, "circle", "anticlockwise" if turned > 0 else "clockwise", length)
     return Gesture(start, end, "stroke", "", length)
 
@@ -75,11 +64,12 @@ class GestureTracker:
 
     Args:
         places: tracker of the paths; new.
+        options: numbers that tell gestures apart.
     """
 
-    def __init__(self, places: PathTracker) -> None:
-        self._places = places
-        self._told = 0
+    def __init__(self, places: PathTracker, options: GestureOptions = GestureOptions()) -> None:
+        self._places, self.options = places, options
+        self._reported = 0
         self._time = 0.0
 
     def take(self, event: object) -> list[TrackedPlace | TrackedGesture]:
@@ -93,8 +83,8 @@ class GestureTracker:
         return [*self._places.finish(), *self._ended()]
 
     def _ended(self) -> list[TrackedGesture]:
-        new = [gesture_of(track) for track in self._places.tracks[self._told :]]
-        self._told += len(new)
+        new = [gesture_of(track, self.options) for track in self._places.tracks[self._reported :]]
+        self._reported += len(new)
         return [
             TrackedGesture(self._time, each.start, each.end, each.kind, each.direction, each.length) for each in new
         ]
@@ -107,21 +97,21 @@ def _aside(place: Array, start: Array, way: Array) -> float:
     return float(np.linalg.norm(from_start - along[:, None] * way, axis=1).max())
 
 
-def _staying(track: Track) -> Literal["tap", "double tap", "hold"]:
-    """What a contact that stays does, by the force that is heard."""
+def _staying(track: Track, options: GestureOptions) -> Literal["tap", "double tap", "hold"]:
+    """Gesture of a contact that stays, by the force that is detected."""
     force = np.nan_to_num(track.force)
-    loud = np.abs(force) > QUIET * np.abs(force).max()
+    loud = np.abs(force) > options.quiet * np.abs(force).max()
     edges = np.flatnonzero(np.diff(np.concatenate([[False], loud, [False]]).astype(int)))
     bursts = [slice(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-    if (bursts[-1].start - bursts[0].start) * HOP_TIME > APART[1]:
+    if (bursts[-1].start - bursts[0].start) * HOP_TIME > options.apart[1]:
         return "hold"
     rises = [burst for burst in bursts if _begins_up(force[burst])]
     apart = np.diff([burst.start for burst in rises]) * HOP_TIME
-    return "double tap" if (apart >= APART[0]).any() else "tap"
+    return "double tap" if (apart >= options.apart[0]).any() else "tap"
 
 
 def _begins_up(force: Array) -> bool:
-    """Whether the first large value of a burst is that of a force that rises."""
+    """True if the first large value of a burst is that of a force that rises."""
     return bool(force[np.abs(force) > 0.5 * np.abs(force).max()][0] > 0)
 
 

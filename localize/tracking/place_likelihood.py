@@ -32,22 +32,8 @@ from localize.signals.disturbances import MAINS
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, SAMPLE_RATE
-from localize.tracking.footprints import footprint_response, pitch_of, shares_at
-
-LOWEST = 0.25
-"""Lowest frequency of a contact, Hz: fingers come down and stay."""
-TOP = 250.0
-"""Highest frequency that is looked at, Hz."""
-FALL = 6.0
-"""Power density of a contact above 100 Hz falls with this power of the frequency, as that of a tap's sin^2."""
-FAINTEST = 1e-6
-"""Energy over that of the noise below which a source of power 1 is left out."""
-POWERS = 10 ** np.arange(-4.0, 6.01, 0.1)
-"""Powers of a contact that are tried."""
-SCALES = 10 ** np.arange(0.0, 4.01, 0.05)
-"""Factors by which noise may be more than is told."""
-_NEXT = 1e-3
-"""Distance of places from which slopes are taken, in pitches."""
+from localize.tracking.footprints import footprint_response, fractions_at, pitch_of
+from localize.tracking.tracking_options import PositionOptions
 
 
 class Slope(NamedTuple):
@@ -58,7 +44,7 @@ class Slope(NamedTuple):
     gradient: Array
     """Slope of it; (2,) float64, nats/mm."""
     information: Array
-    """What is known of the place, the inverse of a covariance; (2, 2) float64, 1/mm^2."""
+    """Information on the place, the inverse of a covariance; (2, 2) float64, 1/mm^2."""
 
 
 class PlaceLikelihood:
@@ -69,28 +55,35 @@ class PlaceLikelihood:
         radius: of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: level of the sound around, dB SPL; None for quiet.
+        options: numbers that tune the search.
     """
 
     def __init__(
-        self, response: ArrayResponse, radius: float, microphone_noise: NoiseChoice, ambient: float | None
+        self,
+        response: ArrayResponse,
+        radius: float,
+        microphone_noise: NoiseChoice,
+        ambient: float | None,
+        options: PositionOptions = PositionOptions(),
     ) -> None:
-        self._response, self._radius = response, radius
+        self._response, self._radius, self.options = response, radius, options
         self.pitch = pitch_of(response)
-        top = min(TOP, float(response.frequency[-1]))
+        top = min(options.top_frequency, float(response.frequency[-1]))
         # Cosines of a frame, 2 Hz apart: white noise stays white, and what lies above the library's end is left out.
         cosines = scipy.fft.dct(np.eye(FRAME), norm="ortho", axis=0)[: int(2 * FRAME * top / SAMPLE_RATE)]
         count = len(response.microphones)
-        whole = _noise_covariance(response, response.noise(microphone_noise), ambient)
+        whole = _noise_covariance(response, response.noise(microphone_noise), ambient, options.top_frequency)
         both = np.kron(np.eye(count), cosines)
         lower = np.linalg.cholesky(both @ whole @ both.T)
         self._reduce = scipy.linalg.solve_triangular(lower, both, lower=True).T.copy()
         self._heard = self._sources(top)
 
     def _sources(self, top: float) -> Array:
-        """What the microphones hear of each membrane, as a sum of white sources; (n_point, n_source, n)."""
+        """Response of the microphones to each membrane, as a sum of white sources; (n_point, n_source, n)."""
         response = footprint_response(self._response, np.eye(self._response.point_count), top)
-        frequency = np.arange(LOWEST, min(top, float(response.frequency[-1])) + 1e-9, INTEGRATION_STEP)
-        amplitude = np.sqrt(_contact_density(frequency) * INTEGRATION_STEP)
+        lowest, top = self.options.lowest_frequency, min(top, float(response.frequency[-1]))
+        frequency = np.arange(lowest, top + 1e-9, INTEGRATION_STEP)
+        amplitude = np.sqrt(_contact_density(frequency, self.options.fall) * INTEGRATION_STEP)
         turn = np.exp(2j * np.pi * frequency[:, None] * np.arange(FRAME) / SAMPLE_RATE)
         heard = response.at(frequency)
         gram = np.zeros((2 * len(frequency),) * 2)
@@ -98,7 +91,7 @@ class PlaceLikelihood:
             waves = random_waves(of_point, amplitude, turn) @ self._reduce
             gram += waves @ waves.T
         energy, axes = np.linalg.eigh(gram)
-        axes = axes[:, energy > FAINTEST]
+        axes = axes[:, energy > self.options.faintest]
         return np.stack([axes.T @ (random_waves(each, amplitude, turn) @ self._reduce) for each in heard])
 
     def white(self, frames: Array) -> Array:
@@ -106,7 +99,7 @@ class PlaceLikelihood:
         return np.asarray(frames.reshape(len(frames), -1) @ self._reduce)
 
     def reaches(self, place: Array) -> bool:
-        """Whether a contact at a place (2,) mm reaches a membrane."""
+        """True if a contact at a place (2,) mm reaches a membrane."""
         return len(self._shares(place[None])[0]) > 0
 
     def slope(self, place: Array, x: Array, power: Array) -> Slope | None:
@@ -114,7 +107,7 @@ class PlaceLikelihood:
 
         None where the contact reaches no membrane.
         """
-        step = _NEXT * self.pitch
+        step = self.options.slope_step * self.pitch
         on, share = self._shares(place + step * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]]))
         if not len(on):
             return None
@@ -137,9 +130,9 @@ class PlaceLikelihood:
     def likeliest(self, place: Array, x: Array) -> tuple[float, Array]:
         """Log-likelihood of a place (2,) mm at the likeliest power of each frame, nats, and these powers, (n,)."""
         power, energy, rest = self._spectrum(place, x)
-        gain = np.outer(POWERS, power)
+        gain = np.outer(self.options.tried_powers, power)
         value = 0.5 * (energy @ (gain / (1 + gain)).T - np.log1p(gain).sum(1))
-        return float((value.max(1) - 0.5 * (energy.sum(1) + rest)).sum()), POWERS[value.argmax(1)]
+        return float((value.max(1) - 0.5 * (energy.sum(1) + rest)).sum()), self.options.tried_powers[value.argmax(1)]
 
     def along(self, places: Array, x: Array) -> Array:
         """Log-likelihoods of places (n, 2) mm, of white frames together, with noise as the best of them has it; (n,)
@@ -152,44 +145,46 @@ class PlaceLikelihood:
     def noise_scale(self, place: Array, x: Array) -> Array:
         """Factor by which noise is more than is told, of each frame, if a contact is at a place (2,) mm; (n,)."""
         power, energy, rest = self._spectrum(place, x)
-        gain = np.outer(POWERS[::3], power)
+        gain = np.outer(self.options.tried_powers[::3], power)
         fit, lost = gain / (1 + gain), np.log1p(gain).sum(1)
         # (scale, power, frame)
-        wide = SCALES[:, None, None] ** 2
+        wide = self.options.noise_scales[:, None, None] ** 2
         value = (fit @ energy.T - (energy.sum(1) + rest)) / wide - lost[:, None]
-        best = 0.5 * value.max(1) - x.shape[1] * np.log(SCALES)[:, None]
-        return np.asarray(SCALES[best.argmax(0)])
+        best = 0.5 * value.max(1) - x.shape[1] * np.log(self.options.noise_scales)[:, None]
+        return np.asarray(self.options.noise_scales[best.argmax(0)])
 
     def _spectrum(self, place: Array, x: Array) -> tuple[Array, Array, Array]:
         """Powers of the sources of a place, (n_source,), energies of frames along them, (n, n_source), and the rest."""
         on, share = self._shares(place[None])
         sources = np.tensordot(share[0], self._heard[on], 1)
         power, axes = np.linalg.eigh(sources @ sources.T)
-        power = np.maximum(power, FAINTEST * 1e-6)
+        power = np.maximum(power, self.options.faintest * 1e-6)
         energy = (x @ sources.T @ axes) ** 2 / power
         return power, energy, (x**2).sum(1) - energy.sum(1)
 
     def _shares(self, place: Array) -> tuple[NDArray[np.int64], Array]:
         """Membranes that are covered from any of the places (n, 2) mm, and their shares, of norm 1; (n, n_covered)."""
-        share = shares_at(self._response, self._radius, place)
+        share = fractions_at(self._response, self._radius, place)
         on = np.flatnonzero(share.any(0))
         return on, share[:, on] / np.maximum(np.linalg.norm(share[:, on], axis=1, keepdims=True), 1e-12)
 
 
-def _contact_density(frequency: Array) -> Array:
+def _contact_density(frequency: Array, fall: float) -> Array:
     """Power density of a contact of power 1, Pa^2/Hz."""
-    fallen = (BAND[1] / np.maximum(frequency, BAND[1])) ** FALL
+    fallen = (BAND[1] / np.maximum(frequency, BAND[1])) ** fall
     return np.asarray(SOURCE_RMS**2 / (BAND[1] - BAND[0]) * fallen)
 
 
-def _noise_covariance(response: ArrayResponse, noise: float | NoiseSpectrum, ambient: float | None) -> Array:
+def _noise_covariance(
+    response: ArrayResponse, noise: float | NoiseSpectrum, ambient: float | None, top: float
+) -> Array:
     """Covariance of noise, hum and sound in the samples of a frame, microphone by microphone, Pa^2."""
     lag = np.arange(FRAME)[:, None] / SAMPLE_RATE
     if isinstance(noise, NoiseSpectrum):
         at_lag = np.cos(2 * np.pi * lag * np.arange(len(noise.power))) @ noise.power
     else:
         at_lag = noise**2 * (lag[:, 0] == 0)
-    lines = np.outer(np.arange(1, int(TOP / max(MAINS)) + 1), MAINS).ravel()
+    lines = np.outer(np.arange(1, int(top / max(MAINS)) + 1), MAINS).ravel()
     at_lag = at_lag + HUM**2 * np.cos(2 * np.pi * lag * lines).sum(1)
     alone = np.kron(np.eye(len(response.microphones)), scipy.linalg.toeplitz(at_lag))
     if ambient is None:

@@ -16,25 +16,6 @@ import numpy as np
 from geometry.ground.typed import Array
 from localize.tracking.place_likelihood import PlaceLikelihood
 
-FIRST = 1e-3
-"""Share of a frame's level that is noise in the first stage."""
-RATIO = 3.0
-"""Factor by which noise is less from stage to stage."""
-KEPT = (24, 12, 6, 4, 3)
-"""Number of places that go on after each stage."""
-STEPS, LAST_STEPS = 6, 12
-"""Steps along the slope in a stage, and in the last one."""
-REACH = 0.3
-"""Longest step, in pitches."""
-SAME = 5e-3
-"""Distance up to which places are one, in pitches."""
-ALONG = (0.1, -0.1, 0.25, -0.25)
-"""Distances along the ridge at which better places are looked for, in pitches."""
-WIDER = 4.0
-"""Factor of the noise with which they go back to the ridge."""
-ROUNDS = 3
-"""Number of times at most that this is done."""
-
 
 @dataclass(frozen=True)
 class _Candidate:
@@ -57,17 +38,17 @@ def found_place(likelihood: PlaceLikelihood, x: Array, start: Array, wide: Array
     Returns:
         Place, (2,) mm, and covariance about it, (2, 2) mm^2.
     """
-    search = _Search(likelihood, x)
+    search, options = _Search(likelihood, x), likelihood.options
     loudness = np.sqrt((x**2).mean(1))
-    scale = np.maximum(1.0, FIRST * loudness)
+    scale = np.maximum(1.0, options.first_noise * loudness)
     still = ~np.isnan(wide).any((1, 2))
     moving = start[~still]
-    stages = 1 + int(np.ceil(np.log(scale.max()) / np.log(RATIO) - 1e-9))
+    stages = 1 + int(np.ceil(np.log(scale.max()) / np.log(options.noise_ratio) - 1e-9))
     for stage in range(stages if len(moving) else 0):
         last = stage == stages - 1
-        now = np.maximum(1.0, scale / RATIO**stage)
-        each = [search.climbed(place, now, LAST_STEPS if last else STEPS) for place in moving]
-        best = search.distinct(each)[: KEPT[min(stage, len(KEPT) - 1)]]
+        now = np.maximum(1.0, scale / options.noise_ratio**stage)
+        each = [search.climbed(place, now, options.last_steps if last else options.steps) for place in moving]
+        best = search.distinct(each)[: options.kept_places[min(stage, len(options.kept_places) - 1)]]
         moving = np.array([one.place for one in best])
     none = np.ones(len(x))
     ends = [search.climbed(place, none, 0) for place in moving]
@@ -76,7 +57,7 @@ def found_place(likelihood: PlaceLikelihood, x: Array, start: Array, wide: Array
     shared = [search.still(*each, none) for each in zip(start[still], wide[still], strict=True)]
     top = max([*ends, *shared], key=lambda one: one.score)
     noise = likelihood.noise_scale(top.place, x)
-    final = [search.climbed(one.place, noise, STEPS) for one in ends]
+    final = [search.climbed(one.place, noise, options.steps) for one in ends]
     final += [search.still(one.place, one.covariance, noise) for one in shared]
     place, covariance = _mixed(search.distinct(final))
     return place, _widened(covariance, float(noise.max()), likelihood.pitch)
@@ -96,9 +77,10 @@ class _Search:
 
     def __init__(self, likelihood: PlaceLikelihood, x: Array) -> None:
         self._likelihood, self._x, self._pitch = likelihood, x, likelihood.pitch
+        self._options = likelihood.options
 
     def climbed(self, place: Array, noise: Array, steps: int) -> _Candidate:
-        """Where the slope leads from a place, with so many times the noise in each frame, (n_frame,)."""
+        """Place to which the slope leads from a place, with so many times the noise in each frame, (n_frame,)."""
         x = self._x / noise[:, None]
         _, power = self._likelihood.likeliest(place, x)
         now = self._likelihood.slope(place, x, power)
@@ -109,7 +91,7 @@ class _Search:
             damped = now.information + np.diag(damping * np.maximum(diagonal, 1e-9 * diagonal.max()) + 1e-9)
             step = np.linalg.solve(damped, now.gradient)
             length = float(np.linalg.norm(step))
-            step *= min(1.0, REACH * self._pitch / max(length, 1e-300))
+            step *= min(1.0, self._options.longest_step * self._pitch / max(length, 1e-300))
             after = self._likelihood.slope(place + step, x, power)
             if after is None or after.value <= now.value:
                 damping = max(10 * damping, 1e-2)
@@ -134,22 +116,22 @@ class _Search:
         """The best first, without those that are nearly the same."""
         kept: list[_Candidate] = []
         for one in sorted(found, key=lambda one: -one.score):
-            if all(np.linalg.norm(one.place - other.place) > SAME * self._pitch for other in kept):
+            if all(np.linalg.norm(one.place - other.place) > self._options.same_place * self._pitch for other in kept):
                 kept.append(one)
         return kept
 
     def along_ridge(self, best: _Candidate) -> _Candidate:
         """The best place on the ridge that a maximum lies on."""
         told = np.ones(len(self._x))
-        for _ in range(ROUNDS):
+        for _ in range(self._options.ridge_rounds):
             way = np.linalg.eigh(best.covariance)[1][:, 1]
             found = [best]
-            for far in ALONG:
+            for far in self._options.along_ridge:
                 place = best.place + far * self._pitch * way
                 if not self._likelihood.reaches(place):
                     continue
-                back = self.climbed(place, WIDER * told, STEPS)
-                found.append(self.climbed(back.place, told, LAST_STEPS))
+                back = self.climbed(place, self._options.wider_noise * told, self._options.steps)
+                found.append(self.climbed(back.place, told, self._options.last_steps))
             better = max(found, key=lambda one: one.score)
             if better.score < best.score + 0.5:
                 return better

@@ -1,4 +1,4 @@
-"""Where a contact is, between the points: the likelihood of its footprints, refined to any place around the best.
+"""Place of a contact between the points: the likelihood of its footprints, refined to any place around the best.
 
 Each footprint (:mod:`localize.tracking.footprints`) is scored as the decoder of points scores a point. From the best
 of them the place is looked for by :mod:`localize.tracking.place_search`: of a finger as wide as the pitch all points of
@@ -14,34 +14,27 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem import Library
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import LibraryDecoder
-from localize.decoders.options import DecoderOptions
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 from localize.tracking.footprints import footprint_response, footprints_over, pitch_of
-from localize.tracking.place_likelihood import LOWEST, PlaceLikelihood
+from localize.tracking.place_likelihood import PlaceLikelihood
 from localize.tracking.place_search import found_place
+from localize.tracking.tracking_options import PositionOptions
 
 if TYPE_CHECKING:
     from torch import Tensor
 
 RADIUS = 4.0
 """Radius of a contact where none is given, mm: that of a finger that touches lightly."""
-NUMBERS = 3e7
-"""Numbers that the covariances of all footprints may hold."""
-UNFIT = 0.03
-"""Share of a frame's level that places a pitch apart leave unexplained."""
-STARTS = 60
-"""Number of places of the grid from which the most likely one is looked for."""
-APART = 0.25
-"""Least distance of two of them, in pitches."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +46,7 @@ class Positions:
     covariance: Array
     """Covariance of the place by the posterior, about the most likely one; (n, 2, 2) float64, mm^2."""
     point: NDArray[np.int64]
-    """Index of the point whose middle is nearest, from 0; (n,) int64."""
+    """Point whose middle is nearest, from 1; (n,) int64."""
 
     @property
     def deviation(self) -> Array:
@@ -72,6 +65,7 @@ class PositionDecoder(LibraryDecoder):
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
         options: as of :class:`localize.BayesDecoder`.
+        position_options: numbers that tune the search for a place.
 
     Raises:
         Refusal: bare transfer functions; a radius out of range; as :class:`localize.BayesDecoder`.
@@ -85,18 +79,20 @@ class PositionDecoder(LibraryDecoder):
         microphone_noise: NoiseChoice = "design",
         ambient: Ambient = None,
         options: DecoderOptions = DecoderOptions(),
+        position_options: PositionOptions = PositionOptions(),
     ) -> None:
+        self.position_options = position_options
         response = response_of(library)
         around = Surroundings.of(response, microphone_noise, ambient)
         size = len(response.microphones) * SAMPLES
         self.radius = radius
-        self.footprints = footprints_over(response, radius, int(NUMBERS / size**2))
+        self.footprints = footprints_over(response, radius, int(position_options.most_numbers / size**2))
         assert response.position is not None
         apart = np.linalg.norm(self.footprints.place[:, None] - response.position, axis=-1)
         self._nearest = apart.argmin(1)
         self._finer: dict[float | None, PlaceLikelihood] = {}
-        pressed = footprint_response(response, self.footprints.share)
-        touched = touch_covariances(pressed, np.eye(SAMPLES), lowest=LOWEST)
+        pressed = footprint_response(response, self.footprints.fraction)
+        touched = touch_covariances(pressed, np.eye(SAMPLES), lowest=position_options.lowest_frequency)
         super().__init__(response, around, LevelLikelihood(touched, response, around, options))
 
     def log_likelihood(self, frames: Array) -> Array:
@@ -124,12 +120,12 @@ class PositionDecoder(LibraryDecoder):
     def _quieted(self, frames: Array, step: float) -> Array:
         """Frames (n, n_microphone, 250) so quiet that noise covers what places a step apart, mm, cannot fit."""
         loudest = frames.std(2).max(1)[:, None, None]
-        misfit = UNFIT * step / pitch_of(self.response)
+        misfit = self.position_options.unfit * step / pitch_of(self.response)
         return np.asarray(frames * np.minimum(1.0, self.noise_rms / misfit / np.maximum(loudest, 1e-300)))
 
     @one_thread()
     def position(self, signals: ArrayLike | Tensor) -> Positions:
-        """Where contacts that stand still are; frames of one signal are taken as independent observations of it.
+        """Places of contacts that stand still; frames of one signal are taken as independent observations of it.
 
         Args:
             signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, as of
@@ -146,7 +142,7 @@ class PositionDecoder(LibraryDecoder):
         place = np.stack([one for one, _ in each])
         assert self.response.position is not None
         nearest = np.linalg.norm(place[:, None] - self.response.position, axis=-1).argmin(1)
-        return Positions(place, np.stack([spread for _, spread in each]), nearest)
+        return Positions(place, np.stack([spread for _, spread in each]), nearest + 1)
 
     @one_thread()
     def log_likelihood_of(self, signals: ArrayLike | Tensor, place: ArrayLike) -> Array:
@@ -165,7 +161,11 @@ class PositionDecoder(LibraryDecoder):
         """
         asked = np.asarray(place, dtype=np.float64)
         if asked.ndim != 2 or asked.shape[0] < 2 or asked.shape[1] != 2 or not np.isfinite(asked).all():
-            raise Refusal(f"place has shape {asked.shape}: it must be (n, 2), finite, with n at least 2")
+            raise Refusal(
+                f"has shape {asked.shape}; it must be (n, 2), finite, with n at least 2",
+                kind=Kind.WRONG_TYPE,
+                field="place",
+            )
         batch, _ = checked_signals(signals, self.microphones)
         return np.stack([self._along(asked, frames) for frames in cut_frames(batch)])
 
@@ -183,7 +183,9 @@ class PositionDecoder(LibraryDecoder):
     def _likelihood_at(self, level: float | None) -> PlaceLikelihood:
         """Likelihood of any place in sound of a level."""
         if level not in self._finer:
-            self._finer[level] = PlaceLikelihood(self.response, self.radius, self.microphone_noise, level)
+            self._finer[level] = PlaceLikelihood(
+                self.response, self.radius, self.microphone_noise, level, self.position_options
+            )
         return self._finer[level]
 
     def _level(self, frames: Array) -> float | None:
@@ -212,8 +214,8 @@ class PositionDecoder(LibraryDecoder):
         place, wide = np.concatenate(places), np.concatenate(covariances)
         left = np.concatenate(scores)
         chosen: list[int] = []
-        apart = APART * pitch_of(self.response)
-        while len(chosen) < STARTS and np.isfinite(left.max()):
+        apart = self.position_options.starts_apart * pitch_of(self.response)
+        while len(chosen) < self.position_options.starts and np.isfinite(left.max()):
             chosen.append(int(left.argmax()))
             left[np.linalg.norm(place - place[chosen[-1]], axis=1) <= apart] = -np.inf
         return place[chosen], wide[chosen]

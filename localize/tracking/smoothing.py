@@ -17,19 +17,10 @@ from geometry.ground.typed import Array
 from localize.live.events import HOP
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.tracking.footprints import Footprints
+from localize.tracking.tracking_options import TrackingOptions
 
 HOP_TIME = HOP / SAMPLE_RATE
 """Time from hop to hop, s."""
-FASTEST = 200.0
-"""Speed to which steps from hop to hop are likely, mm/s: three times that is still followed."""
-NEAR = 0.17
-"""Distance of a step that is likely at any speed, in pitches."""
-JUMP = 1e-5
-"""Weight of a step to anywhere, over that of none."""
-AGILITY = 3.0
-"""Acceleration of a contact over its speed, 1/s."""
-SPEEDS = (30.0, 300.0)
-"""Lowest and highest speed from which accelerations are told, mm/s."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +35,7 @@ class Cells:
     """Probability of a step from the footprint of the row to that of the column; (n_footprint, n_footprint)."""
 
     @classmethod
-    def of(cls, footprints: Footprints, pitch: float) -> Cells:
+    def of(cls, footprints: Footprints, pitch: float, options: TrackingOptions = TrackingOptions()) -> Cells:
         """Cells of footprints on an array of a pitch, mm."""
         count = np.bincount(footprints.footprint)
         middle, square = np.zeros((len(count), 2)), np.zeros(len(count))
@@ -54,7 +45,7 @@ class Cells:
         np.add.at(square, footprints.footprint, away)
         extent = np.sqrt(square / count / 2 + footprints.step**2 / 12)
         apart = np.linalg.norm(middle[:, None] - middle, axis=-1)
-        step = np.exp(-0.5 * (apart / (FASTEST * HOP_TIME + NEAR * pitch)) ** 2) + JUMP
+        step = np.exp(-0.5 * (apart / (options.fastest * HOP_TIME + options.near * pitch)) ** 2) + options.jump_weight
         return cls(middle, extent, step / step.sum(1, keepdims=True))
 
     def forward(self, belief: Array, log_likelihood: Array) -> Array:
@@ -78,32 +69,35 @@ class Cells:
         return belief
 
 
-def smoothed(place: Array, deviation: Array) -> tuple[Array, Array, Array]:
+def smoothed(
+    place: Array, deviation: Array, options: TrackingOptions = TrackingOptions()
+) -> tuple[Array, Array, Array]:
     """A smooth path through places, its uncertainty and its speed.
 
     Args:
         place: of every hop, (n, 2) float64, mm.
         deviation: their standard deviations in each direction, (n,) float64, mm; infinite where nothing is known.
+        options: of the tracker.
 
     Returns:
         Places (n, 2) mm, their standard deviations in each direction (n,) mm, and speeds (n,) mm/s.
     """
-    speed = SPEEDS[0]
+    speed = options.speeds[0]
     for _ in range(2):
-        state, covariance = _rauch(place, deviation, AGILITY * speed)
+        state, covariance = _rauch(place, deviation, options.agility * speed, options.speeds[1])
         moved = np.linalg.norm(np.diff(state[:, 0], axis=0), axis=1).sum()
-        speed = float(np.clip(moved / max(len(place) * HOP_TIME, HOP_TIME), *SPEEDS))
+        speed = float(np.clip(moved / max(len(place) * HOP_TIME, HOP_TIME), *options.speeds))
     return state[:, 0], np.sqrt(covariance[:, 0, 0]), np.linalg.norm(state[:, 1], axis=1)
 
 
-def _rauch(place: Array, deviation: Array, acceleration: float) -> tuple[Array, Array]:
+def _rauch(place: Array, deviation: Array, acceleration: float, fastest: float) -> tuple[Array, Array]:
     """States (n, 2, 2), place and velocity in both directions, and their covariance (n, 2, 2), alike in both."""
     step = np.array([[1.0, HOP_TIME], [0.0, 1.0]])
     # White acceleration that within a second changes the velocity by as much.
     noise = acceleration**2 * np.array([[HOP_TIME**3 / 3, HOP_TIME**2 / 2], [HOP_TIME**2 / 2, HOP_TIME]])
     known = np.isfinite(deviation)
     state = np.stack([place[known][0], np.zeros(2)])
-    covariance = np.diag([float(np.ptp(place[known], axis=0).max()) ** 2 + 100.0, SPEEDS[1] ** 2])
+    covariance = np.diag([float(np.ptp(place[known], axis=0).max()) ** 2 + 100.0, fastest**2])
     states, covariances = np.empty((len(place), 2, 2)), np.empty((len(place), 2, 2))
     predicted, spread = np.empty((len(place), 2, 2)), np.empty((len(place), 2, 2))
     for k in range(len(place)):

@@ -16,6 +16,7 @@ from studies.cli.options import (
     Altitude,
     Design,
     Frequencies,
+    FullScale,
     LibraryFile,
     Noise,
     Pressure,
@@ -175,13 +176,7 @@ def recalibrate(
         ),
     ],
     out: Annotated[Path, typer.Option(help="The library to write, netCDF, a new file.", show_default=False)],
-    full_scale: Annotated[
-        float | None,
-        typer.Option(
-            help="Pa: of WAV files the pressure at full scale, of others that at which they clip.",
-            show_default="1 Pa; flat tops",
-        ),
-    ] = None,
+    full_scale: FullScale = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Of the choice of the touches that judge.", min=0)] = _SEED,
     pressure: Pressure = None,

@@ -13,7 +13,7 @@ from rich.text import Text
 
 from localize.live.events import Decision, Fault, TouchEvent, TrackedGesture, TrackedPlace
 from localize.live.listener import Heard, Latencies, Notice
-from localize.signals.locator import ArrayFacts
+from localize.signals.array_facts import ArrayFacts
 from studies.output.display import number
 
 FRAMES = 12

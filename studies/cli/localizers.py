@@ -11,27 +11,16 @@ import typer
 from geometry.ground.refusal import counted
 from localize.learned.training_plan import PLANS, TrainingPlan
 from localize.recognition.recognition_plan import RecognitionPlan
-from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
+from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, noise_choice
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.evaluation.localizer_evaluation import evaluate_localizer
 from studies.evaluation.localizer_training import train_kinds, train_localizer
 
 if TYPE_CHECKING:
     from localize import Localizer
-    from localize.signals.noise_model import NoiseChoice
     from studies.evaluation.headline import Headline
 
 _EVALUATION = defaults_of(evaluate_localizer)
-#: Options of ``train`` by the names that refusals of a localizer's plan have for them.
-_FIELDS = {
-    "time_limit": "--seconds",
-    "epochs": "--epochs",
-    "microphone_noise": "--noise",
-    "seed": "--seed",
-    "network": "--network",
-    "stimuli": "--stimuli",
-    "plan": "--plan",
-}
 
 
 def train(
@@ -101,17 +90,17 @@ def train(
         of_localizers = {"--stimuli": bool(stimuli), "--plan": plan != PLANS[0]}
         _train_kinds(library, out, kind, seconds, epochs, noise, seed, network, recordings, of_localizers)
         return
-    with named(**_FIELDS), display_on_stderr() as display:
-        base = TrainingPlan.of(plan)
-        chosen = replace(
-            base,
-            time_limit=seconds,
-            epochs=base.epochs if epochs is None else epochs,
-            microphone_noise=base.microphone_noise if noise is None else noise,
-            seed=seed,
-            network=network or base.network,
-            stimuli=tuple(stimuli) if stimuli else base.stimuli,
-        )
+    base = TrainingPlan.of(plan)
+    chosen = replace(
+        base,
+        time_limit=seconds,
+        epochs=base.epochs if epochs is None else epochs,
+        microphone_noise=base.microphone_noise if noise is None else noise,
+        seed=seed,
+        network=network or base.network,
+        stimuli=tuple(stimuli) if stimuli else base.stimuli,
+    )
+    with display_on_stderr() as display:
         localizer = train_localizer(library, out, plan=chosen, recordings=recordings, display=display).localizer
     accuracy = localizer.training["held_out_accuracy"][-1]
     short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
@@ -144,18 +133,16 @@ def _train_kinds(
     for option, is_given in of_localizers.items():
         if is_given:
             raise typer.BadParameter(f"{option} is of localizers; with --kind it says nothing")
-    options = {"time_limit": "--seconds", "microphone_noise": "--noise", "subject": "--kind"}
-    options |= {name: f"--{name}" for name in ("epochs", "seed", "network")}
-    with named(**options), display_on_stderr() as display:
-        usual = RecognitionPlan.of(kind)
-        plan = replace(
-            usual,
-            epochs=TrainingPlan.epochs if epochs is None else epochs,
-            microphone_noise="design" if noise is None else noise,
-            seed=seed,
-            time_limit=seconds,
-            network=network or usual.network,
-        )
+    usual = RecognitionPlan.of(kind)
+    plan = replace(
+        usual,
+        epochs=TrainingPlan.epochs if epochs is None else epochs,
+        microphone_noise=noise_choice(noise),
+        seed=seed,
+        time_limit=seconds,
+        network=network or usual.network,
+    )
+    with display_on_stderr() as display:
         recognizer = train_kinds(library, out, kind, plan=plan, recordings=recordings, display=display)
     record = recognizer.training
     # A long touch makes several windows.
@@ -197,8 +184,8 @@ def evaluate(
 
     Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
     """
-    with named(touches_per_point="--touches", microphone_noise="--noise"), display_on_stderr() as display:
-        level: NoiseChoice = "design" if noise is None else noise
+    level = noise_choice(noise)
+    with display_on_stderr() as display:
         results = evaluate_localizer(model, library, out, touches=touches, noise=level, seed=seed, display=display)
     _show_evaluations(results)
     if out is not None:

@@ -5,20 +5,22 @@ from __future__ import annotations
 import os
 import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from localize import evaluation
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.tolerant import tolerant_decoder
-from localize.evaluation.accuracy import check_evaluation
 from localize.model.opened_model import ModelSource, files_of, open_library, opened
 from localize.signals.array_response import response_of
 from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.same_array import check_same_array, design_difference
-from studies.evaluation.evaluation_report import JSON_FILE, write_evaluation
 from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
-from studies.evaluation.headline import TOLERANT, Headline, judge_headlines
 from studies.output.display import Display
 from studies.output.folders import check_folder
+
+if TYPE_CHECKING:
+    from studies.evaluation.headline import Headline
 
 #: White noise that the Bayes decoder assumes where touches have less, Pa rms.
 LEAST_NOISE = 1e-6
@@ -57,12 +59,15 @@ def evaluate_localizer(
         Refusal: a folder that cannot be written, a file that cannot be read, a localizer of another array, or a value
             out of range.
     """
+    from studies.evaluation.evaluation_report import JSON_FILE, write_evaluation
+    from studies.evaluation.headline import TOLERANT, Headline, judge_headlines
+
     folder = None if out is None else Path(out)
     if folder is not None:
         check_folder(folder, "evaluate", JSON_FILE, reads=(*files_of(model), *files_of(library)))
     localizer, solved = opened(model).locator, open_library(library)
     response = response_of(solved)
-    check_evaluation(localizer, response, touches, noise)
+    evaluation.check_evaluation(localizer, response, touches, noise)
     source = ", ".join(map(str, files_of(library))) or "library"
     check_same_array(localizer.array, response.array, source)
     difference = design_difference(localizer.array, response.array)

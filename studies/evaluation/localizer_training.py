@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from geometry.ground.refusal import Refusal
-from localize.evaluation.accuracy import Evaluation, evaluate
+import localize
+from acoustic_fem.library.transfer_functions import Library
+from geometry.ground.refusal import Kind, Refusal
 from localize.learned.training_plan import TrainingPlan
 from localize.model.opened_model import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
@@ -16,9 +18,6 @@ from studies.evaluation.training_files import TOUCHES, write_recognizer_files, w
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.sole_writer import sole_writer_of
-
-if TYPE_CHECKING:
-    from localize import Localizer, RecognitionPlan, Recognizer
 
 #: Where the state of a training is kept until it is done.
 _CHECKPOINT = "checkpoint.safetensors"
@@ -30,9 +29,9 @@ class TrainedLocalizer:
 
     folder: Path
     """Folder of the localizer, its curves and its confusions."""
-    localizer: Localizer
+    localizer: localize.Localizer
     """Localizer as :func:`localize.load_localizer` reads it from there."""
-    judged: Evaluation
+    judged: localize.Evaluation
     """Evaluation on touches that it has not seen."""
 
 
@@ -51,7 +50,7 @@ def train_localizer(
     Args:
         library: its path, or a library or an open model in memory.
         out: the folder for the localizer, ``training.csv`` and ``confusion.csv``, and a picture of each.
-        plan: how to train; by default with the noise of the design's microphone.
+        plan: how to train; by default as :class:`localize.TrainingPlan` says.
         recordings: a manifest of recorded touches, half of all that is trained on.
         display: shows what is being done.
 
@@ -59,28 +58,20 @@ def train_localizer(
         Refusal: a folder that cannot be written or holds a finished localizer or another training, or a file that
             cannot be read; or another training is writing to the folder.
     """
-    folder = Path(out)
-    checkpoint = folder / _CHECKPOINT
-    _check_unfinished(folder)
-    check_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings))
-    from localize.learned.training import train  # torch
-
-    plan = plan or TrainingPlan(microphone_noise="design")
-    response = response_of(open_library(library))
-    with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Localizer") as report:
-        _check_unfinished(folder)  # by whoever wrote to it until now
+    folder, plan = Path(out), plan or TrainingPlan()
+    with _training(library, folder, "Localizer", recordings, display) as (loaded, report):
+        response = response_of(loaded)
         report("training", 0.0)
-        localizer = train(
+        localizer = localize.train(
             response,
             plan,
             lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs),
-            checkpoint=checkpoint,
-            recordings=None if recordings is None else Path(recordings),
+            checkpoint=folder / _CHECKPOINT,
+            recordings=recordings,
         )
         localizer.save(folder)
-        judged = evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
+        judged = localize.evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
         write_training_files(folder, localizer, judged)
-        checkpoint.unlink()
     return TrainedLocalizer(folder, localizer, judged)
 
 
@@ -89,10 +80,10 @@ def train_kinds(
     out: str | os.PathLike[str],
     kind: str,
     *,
-    plan: RecognitionPlan | None = None,
+    plan: localize.RecognitionPlan | None = None,
     recordings: str | os.PathLike[str] | None = None,
     display: Display | None = None,
-) -> Recognizer:
+) -> localize.Recognizer:
     """Recognizer of kinds of touch, as :func:`localize.load_recognizer` reads it from its folder.
 
     Killed and called again it goes on where it was, to the same weights.
@@ -109,31 +100,43 @@ def train_kinds(
         Refusal: as :func:`train_localizer` and :func:`localize.train_recognizer`.
     """
     folder = Path(out)
-    checkpoint = folder / _CHECKPOINT
-    _check_unfinished(folder)
-    check_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings))
-    from localize.recognition.learning import train_recognizer  # torch
-
-    loaded = open_library(library)
-    with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Recognizer") as report:
-        _check_unfinished(folder)
+    with _training(library, folder, "Recognizer", recordings, display) as (loaded, report):
         report("takes", 0.0)
-        recognizer = train_recognizer(
+        recognizer = localize.train_recognizer(
             loaded,
             kind,
             plan,
             lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", 0.5 + 0.5 * p.epoch / p.epochs),
-            checkpoint,
-            None if recordings is None else Path(recordings),
+            folder / _CHECKPOINT,
+            recordings,
             lambda share: report("takes", 0.5 * share),
         )
         recognizer.save(folder)
         write_recognizer_files(folder, recognizer)
-        checkpoint.unlink()
     return recognizer
+
+
+@contextmanager
+def _training(
+    library: ModelSource,
+    folder: Path,
+    title: str,
+    recordings: str | os.PathLike[str] | None,
+    display: Display | None,
+) -> Iterator[tuple[Library, Callable[[str, float], None]]]:
+    """Library of a training that alone writes to its folder, and its progress; its checkpoint goes at the end."""
+    _check_unfinished(folder)
+    check_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings))
+    loaded = open_library(library)
+    with sole_writer_of(folder, "train", Refusal), (display or Display()).stage(title) as report:
+        _check_unfinished(folder)  # another process may have finished it in the meantime
+        yield loaded, report
+        (folder / _CHECKPOINT).unlink()
 
 
 def _check_unfinished(folder: Path) -> None:
     for name, what in (("localizer.json", "localizer"), ("recognizer.json", "recognizer")):
         if (folder / name).exists() and not (folder / _CHECKPOINT).exists():
-            raise Refusal(f"{folder}: holds a finished {what}; remove it, or choose another folder")
+            raise Refusal(
+                f"holds a finished {what}", kind=Kind.EXISTS, file=folder, remedy="remove it, or choose another folder"
+            )

@@ -91,8 +91,8 @@ def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
         words = "is neither the results of a sweep (a folder with records) nor the folder of a finished search"
         raise StudyError(words, kind=Kind.UNSUITABLE, file=out)
     text = read_text(out / _STUDY, "the study of a search", StudyError)
-    problem = read_optimization(text, str(out / _STUDY), out, load_design(out / _BASE))
-    return problem, found_so_far(problem, out)
+    wanted = read_optimization(text, str(out / _STUDY), out, load_design(out / _BASE))
+    return wanted, found_so_far(wanted, out)
 
 
 def _csv(problem: Optimization, result: OptimizationResult) -> str:

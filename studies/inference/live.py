@@ -22,7 +22,7 @@ from localize.live.recorder import LiveRecorder
 from localize.live.sound_device import DeviceSource
 from localize.live.sources import ReplaySource, Source
 from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
-from localize.signals.locator import ArrayFacts
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.resampling import check_full_scale
 from studies.output.folders import check_new_file
 

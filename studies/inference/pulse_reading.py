@@ -8,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
+import localize
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
 from localize.model.located_touches import RecordingResult
 from localize.model.opened_model import Decoding, ModelSource, files_of, open_library
-from localize.recognition.pulse import PulseReader, PulseReading
 from localize.recordings.recording import read_recording
 from localize.signals.array_response import response_of
 from studies.output.folders import check_new_file, is_own_table
@@ -27,7 +27,7 @@ COLUMNS = ("time (s)", "force (N)")
 class RecordedPulse(RecordingResult):
     """Pulse in a recording."""
 
-    reading: PulseReading
+    reading: localize.PulseReading
     """Point, waveform, waves and rate."""
     force_is_known: bool
     """Whether the membranes, which give the force, are those of the library: a calibration does not measure them, and
@@ -71,7 +71,7 @@ def read_pulse(
         problem = "is of no design; the force of a pulse needs its membranes"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")
     check_point(point, array.point_count)
-    reader = PulseReader(response, given.noise)
+    reader = localize.PulseReader(response, given.noise)
     heard = read_recording(Path(recording), array.microphones, full_scale)
     reading = reader.read(heard.signals, point)
     if table is not None:
@@ -93,7 +93,7 @@ def check_point(point: int | None, count: int) -> None:
         raise Refusal(field="point", value=point, allowed=f"from 1 to {count}, the points of the array")
 
 
-def draw_pulse(reading: PulseReading, path: str | os.PathLike[str]) -> Path:
+def draw_pulse(reading: localize.PulseReading, path: str | os.PathLike[str]) -> Path:
     """Picture of the waveform of a pulse, with the waves of each beat.
 
     Args:
@@ -120,7 +120,7 @@ def draw_pulse(reading: PulseReading, path: str | os.PathLike[str]) -> Path:
         return save_figure(figure, path)
 
 
-def _rows(reading: PulseReading) -> str:
+def _rows(reading: localize.PulseReading) -> str:
     """The waveform as text; empty where it is not known."""
     lines = [",".join(COLUMNS)]
     for number, force in enumerate(reading.waveform.tolist()):

@@ -68,7 +68,7 @@ def recognize_recording(
     path = None if out is None else Path(out)
     check_new_file(path, ".jsonl", reads=(*files_of(model), *files_of(library), recording))
     check_sound_there(recording)
-    from localize.recognition.filter_bank import Ear  # torch, which recognizers need
+    from localize.recognition.filter_bank import FilterBank  # torch, which recognizers need
     from localize.recognition.handwriting import WRITTEN
     from localize.recognition.recognizer import Recognizer, load_recognizer
 
@@ -95,12 +95,12 @@ def recognize_recording(
     check_point(point, array.point_count)
     heard = read_recording(Path(recording), recognizer.microphones, full_scale)
     noise = None if given.noise == "design" else given.noise
-    ear = Ear(open_library(opened_library), recognizer, noise)
+    filters = FilterBank(open_library(opened_library), recognizer, noise)
     found = []
-    for each in ear.touches(heard.signals, None if point is None else point - 1, speed, opened_library.locator):
+    for each in filters.touches(heard.signals, point, speed, opened_library.locator):
         best = int(each.probability.argmax())
         kind = recognizer.labels[best]
-        found.append(RecognizedTouch(each.start, each.end, each.point + 1, kind, float(each.probability[best])))
+        found.append(RecognizedTouch(each.start, each.end, each.point, kind, float(each.probability[best])))
     if path is not None:
         write_text(path, "".join(json.dumps(asdict(each)) + "\n" for each in found))
     return tuple(found)

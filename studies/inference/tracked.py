@@ -96,11 +96,11 @@ def _rows(tracks: tuple[Track, ...]) -> str:
     writer.writerow(COLUMNS)
     for number, track in enumerate(tracks, 1):
         for k in range(len(track.time)):
-            force = f"{track.force[k]:.4g}" if track.heard[k] else ""
+            force = f"{track.force[k]:.4g}" if track.detected[k] else ""
             x, y = track.place[k]
             speed = f"{track.speed[k]:.2f}"
             place = (f"{track.time[k]:.3f}", f"{x:.3f}", f"{y:.3f}", f"{track.deviation[k]:.3f}", speed)
-            writer.writerow((number, *place, force, int(track.heard[k])))
+            writer.writerow((number, *place, force, int(track.detected[k])))
     return text.getvalue()
 
 
@@ -140,7 +140,7 @@ def draw_paths(tracks: tuple[Track, ...], response: ArrayResponse, path: str | o
                     facecolor=colour, alpha=0.06,
                 )
             )  # fmt: skip
-            axes.plot(*track.place[track.heard].T, ".", color=colour, markersize=3)
+            axes.plot(*track.place[track.detected].T, ".", color=colour, markersize=3)
             axes.plot(*track.place[0], "o", color=colour, markersize=6)
         axes.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axes.set_xlabel("x  (mm)")

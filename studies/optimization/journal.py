@@ -7,16 +7,13 @@ import os
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, NonNegativeInt, ValidationError
-
 from geometry.ground.file_checks import read_bytes
-from geometry.ground.record import is_sealed, sealed
+from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind, said_by
-from geometry.ground.text_files import read_text
-from geometry.ground.whole_files import write_text
 from studies.study.differences import other_table
 from studies.study.study import StudyError
 
@@ -25,7 +22,8 @@ if TYPE_CHECKING:
 
 JOURNAL = "trials.journal"
 """Name of the file of the trials in the folder of an optimisation."""
-_SEAL = "trials.json"
+_SEAL = "trials.seal"
+_KIND = "search 2"
 _LARGEST = 2_000_000_000
 """Most bytes of a journal; a trial has about a thousand."""
 
@@ -33,17 +31,16 @@ _LARGEST = 2_000_000_000
 Directions = Sequence[Literal["minimize", "maximize"]]
 
 
-class Seal(BaseModel):
+@dataclass(frozen=True)
+class Seal:
     """What a journal held when a batch was complete, and which of its designs turned out not to be printable."""
 
-    model_config = ConfigDict(extra="forbid", strict=True)
-
-    bytes: NonNegativeInt = 0
+    bytes: int = 0
     """Length of the journal then."""
-    unprintable: dict[int, str] = {}
+    sha256: str = ""
+    """Hash of so many bytes of the journal."""
+    unprintable: dict[int, str] = field(default_factory=dict)
     """Reasons of designs that left the front when their parts were drawn, by their numbers."""
-    sha256: str
-    """Hash of these fields and of so many bytes of the journal; empty where nothing was sealed."""
 
 
 def journal_exists(out: Path) -> bool:
@@ -79,7 +76,7 @@ def opened(out: Path, directions: Directions, identity: dict[str, Any], atlas: s
     else:
         _check_owner(path, of_whom, identity)
         if other := other_table(str(search.user_attrs.get("atlas", "")), atlas):
-            raise StudyError(f"{path}: is not continued: {other}; give a new folder")
+            raise StudyError(f"is not continued: {other}", kind=Kind.MISMATCH, file=path, remedy="give a new folder")
     return search
 
 
@@ -100,8 +97,8 @@ def seal(out: Path, unprintable: dict[int, str] | None = None) -> None:
     """Note what the journal holds now; what was known to be unprintable stays so unless said anew."""
     held = (out / JOURNAL).read_bytes()
     known = _stated(out).unprintable if unprintable is None else unprintable
-    said = Seal(bytes=len(held), unprintable=known, sha256="").model_dump(mode="json", exclude={"sha256"})
-    write_text(out / _SEAL, json.dumps(sealed(said, held), indent=1))
+    content = json.dumps([len(held), sha256(held), [*known.items()]])
+    write_record(out / _SEAL, _KIND, JOURNAL, content.encode())
 
 
 def read_seal(out: Path) -> Seal:
@@ -112,8 +109,7 @@ def read_seal(out: Path) -> Seal:
     """
     found = _stated(out)
     held = read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
-    said = found.model_dump(mode="json")
-    if found.sha256 and not (len(held) >= found.bytes and is_sealed(said, held[: found.bytes])):
+    if found.bytes and sha256(held[: found.bytes]) != found.sha256:
         raise StudyError(
             "is damaged: its SHA-256 is not that of what was written", kind=Kind.DAMAGED, file=out / JOURNAL,
             remedy="search anew in a new folder",
@@ -123,14 +119,10 @@ def read_seal(out: Path) -> Seal:
 
 def _stated(out: Path) -> Seal:
     """The seal as it stands on disk."""
-    path = out / _SEAL
-    if not path.is_file():
-        return Seal(sha256="")
-    try:
-        return Seal.model_validate_json(read_text(path, "the seal of a search", StudyError))
-    except ValidationError as error:
-        where = ".".join(map(str, error.errors()[0]["loc"])) or "all of it"
-        raise StudyError(f"{path}: {where}: {error.errors()[0]['msg']}; search anew in a new folder") from None
+    if not (out / _SEAL).is_file():
+        return Seal()
+    length, digest, unprintable = json.loads(read_record(out / _SEAL, _KIND, JOURNAL, StudyError))
+    return Seal(length, digest, dict(unprintable))
 
 
 def _study(path: Path, directions: Directions) -> optuna.Study:
@@ -150,12 +142,13 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
             load_if_exists=True,
         )
     except (ValueError, KeyError, TypeError, AttributeError) as error:  # lines of others, beyond what was sealed
-        raise StudyError(f"{JOURNAL}: is no journal of a search: {type(error).__name__}: {said_by(error)}") from None
+        problem = f"is no journal of a search: {type(error).__name__}: {said_by(error)}"
+        raise StudyError(problem, kind=Kind.UNREADABLE, file=path) from None
 
 
 def _check_owner(path: Path, of_whom: object, identity: dict[str, Any]) -> None:
     if of_whom != identity:
         raise StudyError(
-            f"{path}: holds the trials of another problem; give a new folder, or the file it was begun with "
-            "(only optimize.trials may change)"
-        )
+            "holds the trials of another problem", kind=Kind.MISMATCH, file=path,
+            remedy="give a new folder, or the file it was begun with (only optimize.trials may change)",
+        )  # fmt: skip

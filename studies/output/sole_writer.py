@@ -6,22 +6,24 @@ The lock is one that the system takes away with the process that holds it, howev
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from geometry.ground.refusal import Kind, Refusal
 
-def hold(descriptor: int, path: Path, verb: str, refusal: Callable[[str], Exception]) -> None:
+
+def hold(descriptor: int, path: Path, verb: str, refusal: type[Refusal]) -> None:
     """Hold what is written to, until its descriptor is closed.
 
     Args:
         descriptor: of an open file or folder.
         path: what the lock is for, for messages.
         verb: that writes, such as ``sweep``.
-        refusal: makes the error of a message.
+        refusal: class of the error.
 
     Raises:
-        Exception: by ``refusal``: another process holds it.
+        Refusal: of that class: another process holds it.
         OSError: the file system has no locks.
     """
     try:
@@ -31,17 +33,17 @@ def hold(descriptor: int, path: Path, verb: str, refusal: Callable[[str], Except
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
-        raise refusal(f"{path}: another {verb} is writing to it") from None
+        raise refusal(f"another {verb} is writing to it", kind=Kind.EXISTS, file=path) from None
 
 
 @contextmanager
-def sole_writer_of(folder: Path, verb: str, refusal: Callable[[str], Exception]) -> Iterator[None]:
+def sole_writer_of(folder: Path, verb: str, refusal: type[Refusal]) -> Iterator[None]:
     """Nobody else's folder while the block runs; it is made where it is missing. Arguments as for :func:`hold`.
 
     Nothing is put into the folder. Where folders cannot be locked, as on some network drives, nobody watches.
 
     Raises:
-        Exception: by ``refusal``: another process holds it.
+        Refusal: of that class: another process holds it.
     """
     folder.mkdir(parents=True, exist_ok=True)
     try:

@@ -31,7 +31,7 @@ class Variable:
     attributes: dict[str, str]
     """Attributes, such as ``units`` and ``long_name``."""
     values: NDArray[Any] | None = None
-    """Values, numbers or texts; None where they come block by block."""
+    """Values, numbers or texts, (n, ...) as ``dimensions`` names the axes; None where they come block by block."""
     shape: tuple[int, ...] = ()
     """Shape, where the values come block by block."""
     dtype: str = "float64"

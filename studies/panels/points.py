@@ -11,7 +11,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps
-from geometry.layout.remedies import mend_of
+from geometry.layout.remedies import fix_for
 from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import Responses
 from studies.metrics.covered_area import FINGER
@@ -88,7 +88,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
         "touches": predicted.touches,
         "hardest": [list(pair) for pair in apart.equally_hard],
         "overlaps": list(in_the_way),
-        "mend": mend_of(design) if in_the_way else "",
+        "mend": fix_for(design) if in_the_way else "",
         "finger": FINGER,
         "fidelity": fidelity.words,
     }

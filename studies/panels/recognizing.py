@@ -108,7 +108,7 @@ def with_kinds(
     if model is None:
         return found
     from localize import load_recognizer
-    from localize.recognition.filter_bank import Ear
+    from localize.recognition.filter_bank import FilterBank
 
     found_model, recognizer = decoder_of(design).model, load_recognizer(model)
     array = found_model.locator.array
@@ -123,10 +123,10 @@ def with_kinds(
         [
             each.start,
             each.end,
-            each.point + 1,
+            each.point,
             recognizer.labels[int(each.probability.argmax())],
             each.probability.max(),
         ]
-        for each in Ear(open_library(found_model), recognizer).touches(signals, None, None, found_model.locator)
+        for each in FilterBank(open_library(found_model), recognizer).touches(signals, None, None, found_model.locator)
     ]
     return {**found, "kinds": kinds}

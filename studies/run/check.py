@@ -30,7 +30,7 @@ from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps, schematic_notes
 from geometry.layout.placement import ArrayLayout
-from geometry.layout.remedies import mend_of
+from geometry.layout.remedies import fix_for
 from geometry.layout.size import array_size
 from geometry.plan.wiring_graph import WiringCounts, wiring_counts
 from geometry.printing.printability import PrintReport
@@ -252,7 +252,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         kinds=kind_uses(design),
         notes=schematic_notes(design, layout),
         overlaps=found,
-        mend=mend_of(design) if found else "",
+        mend=fix_for(design) if found else "",
         part_counts=counts,
         misfits=in_the_way,
         printing=printing,

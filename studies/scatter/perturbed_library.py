@@ -77,9 +77,9 @@ def write_perturbed_library(
     """
     target = Path(path)
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_SENSORS:
-        raise Refusal(f"count = {count!r} must be a whole number from 1 to {MOST_SENSORS}")
+        raise Refusal(field="count", value=count, allowed=f"a whole number from 1 to {MOST_SENSORS}")
     if target.exists():
-        raise Refusal(f"{target}: exists; a library is never overwritten")
+        raise Refusal("exists; a library is never overwritten", kind=Kind.EXISTS, file=target)
     check_folder(target)
     grid = frequency_grid(frequency)
     report = progress or (lambda message, fraction: None)

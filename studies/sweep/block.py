@@ -172,10 +172,12 @@ def solve_block(
         for numbers, responses in _responses(job, designs, cells, block):
             _measure(numbers, responses, metrics, block)
             if job.transfer_functions:
-                block.transfer_functions |= dict(zip(numbers, responses.transfer_function, strict=True))
+                kept = zip(numbers, responses.transfer_function, strict=True)
+                block.transfer_functions |= {first + number: values for number, values in kept}
     state = np.array([FAILED if why else DONE for why in block.reason], dtype=np.int8)
-    transfer = _padded(block) if block.transfer_functions else None
-    result = BlockResult(first, block.values, state, tuple(block.reason), transfer, tuple(block.mistakes))
+    result = BlockResult(
+        first, block.values, state, tuple(block.reason), block.transfer_functions, tuple(block.mistakes)
+    )
     ours = (UserWarning, RuntimeWarning)
     return result, tuple(dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, ours)))
 
@@ -192,17 +194,6 @@ def _uncollected() -> Iterator[None]:
     finally:
         if was:
             gc.enable()
-
-
-def _padded(block: _Block) -> Complex:
-    """(n, n_point, n_microphone, n_freq), NaN where a case failed or has fewer points than others."""
-    known = block.transfer_functions
-    points = max(len(values) for values in known.values())
-    _, *rest = next(iter(known.values())).shape
-    padded = np.full((block.count, points, *rest), complex(np.nan, np.nan))
-    for number, values in known.items():
-        padded[number, : len(values)] = values
-    return padded
 
 
 # -- responses --------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -93,8 +93,8 @@ def layout_of(study: Study, cases: Cases, metrics: Sequence[Metric]) -> Layout:
         "point": Variable(("point",), {"long_name": "sensing point, from 1"}, np.arange(1, points + 1)),
     }
     for name, column in zip(cases.names, cases.columns, strict=True):
-        field = field_named(ArrayDesign, name)
-        about = {"long_name": field.description, "units": field.unit or "1"} if field else {"units": "mm"}
+        known = field_named(ArrayDesign, name)
+        about = {"long_name": known.description, "units": known.unit or "1"} if known else {"units": "mm"}
         variables[name] = Variable(("case",), {"kind": "parameter", **about}, column)
     for metric in metrics:
         about = {"kind": "metric", "units": metric.unit, "long_name": metric.long_name}
@@ -121,8 +121,9 @@ class BlockResult:
     """State of each case, :data:`DONE` or :data:`FAILED`; (n,) int8."""
     reason: tuple[str, ...]
     """Reason why a case failed, empty where it did not."""
-    transfer_function: NDArray[np.complex128] | None = None
-    """Transfer functions, where the study keeps them; (n, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
+    transfer_functions: Mapping[int, NDArray[np.complex128]] = field(default_factory=dict)
+    """Transfer functions of cases by number, where the study keeps them; (n_point, n_microphone, n_freq) complex128,
+    Pa/Pa."""
     mistakes: tuple[str, ...] = ()
     """Tracebacks of mistakes of the program, each once; they go into the log, not into the store."""
 
@@ -172,18 +173,19 @@ class Records:
     def write(self, result: BlockResult) -> None:
         """Keep a block, its metrics last: from then on it counts."""
         if self.keeps_responses:
-            found = result.transfer_function
-            if found is None:  # every case failed
-                _, _, *rest = self.layout.variables[TRANSFER_FUNCTIONS[0]].shape
-                found = np.empty((len(result.state), 0, *rest), np.complex128)
-            self._write(result.first, "responses", packed({"transfer_function": found}, {}))
+            _, *rest = self.layout.variables[TRANSFER_FUNCTIONS[0]].shape
+            padded = np.full((len(result.state), *rest), complex(np.nan, np.nan))
+            for number, values in result.transfer_functions.items():
+                padded[number - result.first, : len(values)] = values
+            self._write(result.first, "responses", packed({"transfer_function": padded}, {}))
         values = np.array([result.values[name] for name in self.metrics], np.float64)
         arrays: dict[str, NDArray[Any]] = {"values": values, "state": np.asarray(result.state, np.int8)}
         self._write(result.first, "metrics", packed(arrays, {"reason": list(result.reason)}))
 
     def is_done(self, first: int) -> bool:
-        """Whether the block that begins with a case was computed; whether it is damaged shows :meth:`block`."""
-        return self._file(first, "metrics").exists()
+        """Whether the block that begins with a case was computed; whether it is damaged or lost shows :meth:`block`."""
+        shown = self.path / "state" / "c" / str(first // self.layout.block)  # in the Zarr store, written afterwards
+        return self._file(first, "metrics").exists() or shown.exists()
 
     def block(self, first: int) -> BlockResult:
         """Results of the block that begins with a case, without its transfer functions, which must be there.
@@ -206,11 +208,7 @@ class Records:
         Raises:
             StudyError: the record is missing or damaged.
         """
-        found = unpacked(self._read(first, "responses"))[0]["transfer_function"]
-        _, *rest = self.layout.variables[TRANSFER_FUNCTIONS[0]].shape
-        padded = np.full((len(found), *rest), complex(np.nan, np.nan))
-        padded[:, : found.shape[1]] = found
-        return padded
+        return unpacked(self._read(first, "responses"))[0]["transfer_function"]
 
     def forget(self, first: int) -> None:
         """Remove a block; its metrics first, so that it no longer counts."""

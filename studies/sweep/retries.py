@@ -112,22 +112,12 @@ def _failed(job: Job, number: int) -> BlockResult:
 def _joined(halves: list[Solved]) -> Solved:
     """Consecutive results as one."""
     results = [result for result, _ in halves]
-    known = [result.transfer_function for result in results if result.transfer_function is not None]
-    transfer = None
-    if known:
-        points = max(values.shape[1] for values in known)
-        count = sum(len(result.state) for result in results)
-        transfer = np.full((count, points, *known[0].shape[2:]), complex(np.nan, np.nan))
-        for result in results:
-            if (values := result.transfer_function) is not None:
-                place = result.first - results[0].first
-                transfer[place : place + len(values), : values.shape[1]] = values
     joined = BlockResult(
         first=results[0].first,
         values={name: np.concatenate([result.values[name] for result in results]) for name in results[0].values},
         state=np.concatenate([result.state for result in results]),
         reason=tuple(reason for result in results for reason in result.reason),
-        transfer_function=transfer,
+        transfer_functions={k: h for result in results for k, h in result.transfer_functions.items()},
         mistakes=tuple(dict.fromkeys(mistake for result in results for mistake in result.mistakes)),
     )
     return joined, tuple(dict.fromkeys(note for _, notes in halves for note in notes))

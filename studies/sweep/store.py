@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign
 from geometry.design.design_file import read_completed
-from geometry.ground.refusal import Kind
+from geometry.ground.refusal import Field, Kind
 from geometry.ground.whole_files import writing
 from studies.output.folders import check_folder
 from studies.output.sole_writer import hold
@@ -177,7 +177,9 @@ def check_store(path: Path) -> None:
         try:
             _check_sweep(path)
         except StudyError as error:
-            raise StudyError.of(error, remedy="`out` must be new, or the results of the same study") from None
+            raise StudyError.of(
+                error, remedy=(Field("out"), " must be new, or the results of the same study")
+            ) from None
 
 
 def is_sweep(path: Path) -> bool:
@@ -192,7 +194,7 @@ def _check_sweep(path: Path) -> None:
     older = None
     with suppress(OSError, ValueError, KeyError, TypeError):
         older = json.loads((path / METADATA).read_bytes())["attributes"][MARK]
-    if older is None:
+    if older in (None, FORMAT):
         raise StudyError(f"is not the results of a sweep: it has no {FOLDER}", kind=Kind.MISMATCH, file=path)
     raise StudyError(
         f"is of format {older}; this version of the program reads format {FORMAT}",
@@ -201,7 +203,7 @@ def _check_sweep(path: Path) -> None:
 
 
 def _not_continued(path: Path, why: str) -> StudyError:
-    return StudyError(why, kind=Kind.MISMATCH, file=path, remedy="give another `out`, or remove it")
+    return StudyError(why, kind=Kind.MISMATCH, file=path, remedy=("give another ", Field("out"), ", or remove it"))
 
 
 @contextmanager
@@ -217,9 +219,8 @@ def sole_writer(path: Path) -> Iterator[IO[str]]:
         try:
             hold(log.fileno(), path, "sweep", StudyError)
         except OSError as error:
-            raise StudyError(
-                f"cannot be locked ({error.strerror})", file=log.name, remedy="`out` must be where files can"
-            ) from None
+            problem, remedy = f"cannot be locked ({error.strerror})", (Field("out"), " must be where files can")
+            raise StudyError(problem, kind=Kind.UNREADABLE, file=log.name, remedy=remedy) from None
         yield log
 
 

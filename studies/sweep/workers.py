@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Any, Protocol
 
 from acoustic_fem.numerics.processors import cores
-from geometry.ground.refusal import Refusal, said_by
+from geometry.ground.refusal import Field, Kind, Refusal, said_by
 from studies.sweep.cluster import Cluster, WorkersLost, in_one_thread
 
 #: Seconds to wait for a scheduler, which runs already, and for processes of this machine, which may be busy.
@@ -60,10 +60,11 @@ def open_workers(count: int | None, scheduler: str | None) -> Iterator[Workers]:
         WorkersLost: no scheduler or no worker answers.
     """
     if count is not None and not 1 <= count <= 1024:
-        raise Refusal(f"workers = {count} must be between 1 and 1024")
+        raise Refusal(field="workers", value=count, allowed="between 1 and 1024")
     if scheduler is not None:
         if count is not None:
-            raise Refusal("workers must not be given beside a scheduler, which has its own")
+            problem = ("must not be given beside ", Field("scheduler"), ", which has its own")
+            raise Refusal(problem, kind=Kind.CONFLICT, field="workers")
         with _connected(scheduler) as team:
             yield team
         return
@@ -119,7 +120,8 @@ def _connected(address: str) -> Iterator[Cluster]:
         try:
             client = Client(address, timeout=_ANSWER, set_as_default=False)
         except (OSError, TimeoutError, ValueError) as error:
-            raise WorkersLost(f"no scheduler answers at {address}: {said_by(error)}") from None
+            problem = f"no scheduler answers at {address}: {said_by(error)}"
+            raise WorkersLost(problem, kind=Kind.STOPPED) from None
         with client:
             yield Cluster(client, f"the scheduler at {address}", own=False)
 

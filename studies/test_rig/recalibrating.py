@@ -17,7 +17,7 @@ from geometry.ground.refusal import Kind
 from geometry.ground.typed import PathLike
 from localize import read_recording
 from localize.live.front_end import HighPass
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from localize.recordings.same_take import find_same_take
 from localize.signals.array_response import response_of
 from localize.signals.frames import FRAME, cut_frames

@@ -25,6 +25,7 @@ from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
+from acoustic_fem.calibration.fitted_model import PartScatter
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import noise_density, response
@@ -68,11 +69,9 @@ _RANGES = {
 
 
 @dataclass(frozen=True)
-class HiddenScatter:
+class HiddenScatter(PartScatter):
     """Standard deviations of the hidden parameters, as fractions unless said otherwise; normal, cut off at three."""
 
-    bore: float = 0.05
-    """Deviation, of one, of the bore of each tube."""
     volume: float = 0.05
     """Deviation, of one, of the volume of each cavity, by its height."""
     membrane: float = 0.10
@@ -85,12 +84,6 @@ class HiddenScatter:
     """Modulus of all membranes against that of its batch: a factor, not a deviation."""
     rubber: float = 1.0
     """Loss factor of all membranes against the nominal one, and with it the slope of their modulus: a factor."""
-    gain: float = 0.05
-    """Deviation, of one, of the gain of each microphone."""
-    corner: float = 0.10
-    """Deviation, of one, of the high-pass of each microphone."""
-    chamber: float = 0.10
-    """Deviation, of one, of the volume of each microphone's chamber."""
     length: float = 0.01
     """Deviation, of one, of the length of each tube; not known to a fit."""
     loss: float = 0.2

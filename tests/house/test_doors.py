@@ -33,7 +33,7 @@ def library(design: geometry.ArrayDesign) -> acoustic_fem.Library:
 def test_a_design_is_read_by_name_or_from_a_file(design: geometry.ArrayDesign) -> None:
     assert design == geometry.prototype("array-2x6") == geometry.resolve_design("array-2x6")
     assert "array-2x6" in geometry.prototype_names()
-    with pytest.raises(geometry.DesignError, match="no prototype is named 'array-2x7'"):
+    with pytest.raises(geometry.DesignError, match="prototype = 'array-2x7' is not known"):
         geometry.prototype("array-2x7")
     assert issubclass(geometry.DesignError, geometry.Refusal)
 

@@ -44,7 +44,7 @@ def truth(seed: int = 6, modulus: float = 0.85) -> localize.ArrayResponse:
 def touches(response: localize.ArrayResponse, count: int, seed: int = 1) -> tuple[Array, NDArray[np.int64]]:
     """Frames and the points nobody tells."""
     made = localize.TouchGenerator(response, seed, "training", NOISE).samples(0, count)
-    return made.signals[:, :, :250].double().numpy(), made.point.numpy()
+    return made.signals[:, :, :250].double().numpy(), made.point.numpy() - 1
 
 
 @cache

@@ -85,13 +85,13 @@ def random_parameters(topology, seed, designs=1, modes=3):
     values = {
         field.name: draw(field.name, designs, columns[PART[field.name]])
         for field in fields(ArrayParameters)
-        if field.name not in ("membrane_share", "membrane_frequency", "port_height")
+        if field.name not in ("membrane_fraction", "membrane_frequency", "port_height")
     }
     for part in ("membrane", "floor", "sheath"):
         for name in (f"{part}_relaxation", f"{part}_relaxation_time"):
             values[name] = draw(name, designs, columns[PART[name]], 2)
     shape = (designs, columns["point"], modes)
-    values["membrane_share"] = generator.dirichlet(np.ones(modes), shape[:2])
+    values["membrane_fraction"] = generator.dirichlet(np.ones(modes), shape[:2])
     values["membrane_frequency"] = np.sort(draw("membrane_frequency", *shape), axis=-1)
     values["port_height"] = draw("port_height", designs, columns["point"])
     return ArrayParameters(**values)
@@ -130,7 +130,7 @@ def every_node_at_once(parameters, topology, frequency, medium, cut=None):
                 p["cavity_radius"][column], p["cavity_height"][column], frequency, medium
             )
             ratio = frequency / p["membrane_frequency"][column][:, None]
-            modes = p["membrane_share"][column][:, None] / (_modulus(p, "membrane", column, frequency) - ratio**2)
+            modes = p["membrane_fraction"][column][:, None] / (_modulus(p, "membrane", column, frequency) - ratio**2)
             total = rate * (cavity + p["membrane_compliance"][column] * modes.sum(0))
             total = total + rate * p["floor_compliance"][column] / _modulus(p, "floor", column, frequency)
             total = total + p["leak_conductance"][column]

@@ -7,11 +7,10 @@ from dataclasses import fields, replace
 import mpmath
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 import torch
 from hypothesis import given, settings, strategies as st
 from random_networks import every_node_at_once, random_parameters, topologies
+from refusals import refused
 from rings import triangle
 from scipy.special import jn_zeros, jve
 
@@ -24,6 +23,7 @@ from acoustic_fem.batch.topology import LineWiring, Topology
 from acoustic_fem.membrane.disc import design_compliance
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import prototype
+from geometry.ground.refusal import Kind
 
 pytestmark = pytest.mark.filterwarnings("ignore:entrance loss")  # wide bores at 400 Hz
 
@@ -409,8 +409,8 @@ def test_bad_frequencies_are_refused(frequency, kind):
     ("field", "values", "kind"),
     [
         ("tube_radius", np.full((1, 1), 2e-4), Kind.WRONG_TYPE),
-        ("membrane_share", np.ones((1, 1)), Kind.WRONG_TYPE),
-        ("membrane_share", np.ones((1, 1, 2)), Kind.MISMATCH),
+        ("membrane_fraction", np.ones((1, 1)), Kind.WRONG_TYPE),
+        ("membrane_fraction", np.ones((1, 1, 2)), Kind.MISMATCH),
         ("cavity_height", np.full((1, 1), -1e-3), Kind.OUT_OF_RANGE),
         ("membrane_loss", np.full((1, 1), np.nan), Kind.OUT_OF_RANGE),
         ("back_volume", np.full((1, 1), 2, dtype=np.float32), Kind.WRONG_TYPE),

@@ -11,6 +11,7 @@ import pytest
 import scipy.io
 import scipy.signal
 import tomlkit
+from refusals import refused
 from scipy.io import wavfile
 
 import acoustic_fem
@@ -24,6 +25,7 @@ from acoustic_fem.calibration.model_updating import update
 from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.sound.estimate import shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import read_sound, write_wav
+from geometry.ground.refusal import Kind
 from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 GRID = np.linspace(1.0, 100.0, 34)
@@ -81,25 +83,24 @@ def test_a_noiseless_gain_is_found_exactly_with_coherence_one() -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "message"),
+    ("change", "field", "kind"),
     [
-        ({"estimator": "H3"}, "estimator = 'H3' must be one of: H1, H2, Hv"),
-        ({"frequency": np.array([0.5, 2.0])}, "must be between 1 and 400 Hz"),
-        ({"frequency": np.array([2.0, 500.0])}, "must be between 1 and 400 Hz"),
-        ({"reference": np.ones(9000), "outputs": np.ones((1, 9000))}, "it must have at least 16 (19 s)"),
-        ({"outputs": np.ones(40_000)}, "it must be (n_output, 40000)"),
+        ({"estimator": "H3"}, "estimator", Kind.OUT_OF_RANGE),
+        ({"frequency": np.array([0.5, 2.0])}, "frequency", Kind.OUT_OF_RANGE),
+        ({"frequency": np.array([2.0, 500.0])}, "frequency", Kind.OUT_OF_RANGE),
+        ({"reference": np.ones(9000), "outputs": np.ones((1, 9000))}, "reference", Kind.UNSUITABLE),
+        ({"outputs": np.ones(40_000)}, "outputs", Kind.MISMATCH),
     ],
 )
-def test_an_estimate_that_cannot_be_made_is_refused(change: dict[str, object], message: str) -> None:
+def test_an_estimate_that_cannot_be_made_is_refused(change: dict[str, object], field: str, kind: Kind) -> None:
     arguments: dict[str, Any] = {
         "reference": np.ones(40_000),
         "outputs": np.ones((1, 40_000)),
         "rate": 1000.0,
         "frequency": GRID,
     }
-    with pytest.raises(ValueError) as refused:
+    with refused(kind, field):
         transfer_estimate(**{**arguments, **change})
-    assert message in str(refused.value)
     assert shortest_record() == 19.0
 
 
@@ -147,18 +148,15 @@ def test_a_recorder_that_started_seconds_late_is_brought_in_line(model: Library,
     manifest = tomlkit.parse(path.read_text(encoding="utf-8"))
     manifest["points"] = {"1": {"reference": "cavity.wav", "A": "A.wav", "B": "B.wav"}}
     truth = rig.transfer_function(GRID)[0]
-    for seconds, reason in (
-        (5.25, ""),
-        (59.0, "started_late = 59 s leaves 0 s of channel A; it must leave at least 19 s"),
-    ):
+    for seconds in (5.25, 59.0):
         manifest["started_late"] = {"reference": seconds}
         path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
-        if reason:
-            with pytest.raises(CalibrationError, match=reason):
-                measured(path, model)
-        else:
+        if seconds == 5.25:
             found = measured(path, model).estimates[1]
             assert np.median(np.abs(found.transfer_function / truth - 1)) < 0.01
+        else:
+            with pytest.raises(CalibrationError, match="started_late = 59 s"):
+                measured(path, model)
 
 
 def test_an_unknown_delay_is_noted_with_its_size(model: Library, tmp_path: Path) -> None:
@@ -187,7 +185,7 @@ def test_a_measured_library_is_a_library_with_its_uncertainty(model: Library, tm
     assert (again.transfer_function_deviation.values[[1, 3]] == 0.25).all()
     assert (again.transfer_function_deviation.values[[0, 2]] < 0.05).all()
     assert again.provenance["calibration"]["measured_points"] == [1, 3]
-    with pytest.raises(ValueError, match="model_deviation must be given: point 2 has no recording"):
+    with refused(Kind.MISSING, "model_deviation"):
         found.library(model)
     ratio = again.source_response / again.point_impedance
     assert np.allclose(ratio.transpose("point", "microphone", "frequency").values, again.transfer_function.values)

@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 from hypothesis import given, strategies as st
 from reference_data import AIR, rows
+from refusals import refused
 from scipy.special import jn_zeros
 
 import acoustic_fem
@@ -16,6 +15,7 @@ from acoustic_fem.cavity.shaped import shaped_cavity_compliance
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from geometry.air.cells import Cell
+from geometry.ground.refusal import Kind
 from geometry.schema.cavity_shapes import Box, Dome
 from geometry.schema.ports import CellPort
 

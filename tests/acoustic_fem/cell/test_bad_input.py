@@ -1,6 +1,8 @@
 """Cells and bodies of air from bad input: one clear error before any work, or the right numbers all the same."""
 
 import io
+from functools import partial
+from pathlib import Path
 
 import cadquery as cq
 import numpy as np
@@ -8,18 +10,26 @@ import pytest
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeHalfSpace
 from OCP.gp import gp_Pnt
 from reference_data import AIR
+from refusals import check_messages, refused
 
 import acoustic_fem
+from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.cavity import closed_forms
 from acoustic_fem.cell import solid
+from acoustic_fem.cell.bent_bore import solve_bent_bores
 from acoustic_fem.cell.design_cells import solve_cells
+from acoustic_fem.cell.one_cell import CellError
 from acoustic_fem.duct import plane_wave, tube_opening
+from acoustic_fem.library.noise_floor import detection_limits
+from acoustic_fem.membrane.disc import DiscOptions, solve_disc
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.numerics.disk_cache import CacheWarning
 from acoustic_fem.quantities import checks
+from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
+from geometry.air.wound_tube import Winding
 from geometry.design.design_file import prototype
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind
 from geometry.schema.ports import CellPort
 
 CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44),), 0.5, 0.3)
@@ -127,69 +137,48 @@ def half_space():
 
 # -- ports and solids -------------------------------------------------------------------------------------
 BODIES = {
-    "no port": ({"ports": {}}, "ports has 0 ports; it must have 1 to 50"),
-    "too many ports": ({"ports": {str(k): (0, 0, k) for k in range(51)}}, "ports has 51 ports; it must have 1 to 50"),
-    "a list": ({"ports": [("a", (0, 0, 0))]}, "ports must map names to points, not be a list"),
-    "none": ({"ports": None}, "ports must map names to points, not be a NoneType"),
-    "two numbers": ({"ports": {"a": (0.5, 0.5)}}, "port 'a' = (0.5, 0.5) must be a point of three finite numbers"),
-    "not finite": ({"ports": {"a": (0.5, 0.5, np.nan)}}, "port 'a' = (0.5, 0.5, nan) must be a point of three"),
-    "a text": ({"ports": {"a": "here"}}, "port 'a' must be a real number or an array of them; it is text"),
-    "the wall": ({"ports": {"wall": (0.5, 0.5, 0)}}, "ports has the name 'wall'"),
-    "a number": ({"ports": {3: (0.5, 0.5, 0)}}, "ports has the name 3; it must be a text"),
-    "nowhere": ({"ports": {"a": (9, 9, 9)}}, "port 'a': the point (9.0, 9.0, 9.0) mm lies on 0 faces"),
-    "an edge": ({"ports": {"a": (0, 0, 0.5)}}, "port 'a': the point (0.0, 0.0, 0.5) mm lies on 2 faces"),
-    "a corner": ({"ports": {"a": (0, 0, 0)}}, "lies on 3 faces"),
-    "one face twice": ({"ports": {"a": (0.5, 0.5, 0), "b": (0.4, 0.5, 0)}}, "['a', 'b'] lie on the same face"),
-    "round": (
-        {"solid": cq.Solid.makeCylinder(1, 1), "ports": {"a": (-1, 0, 0.5)}},
-        "port 'a': the face at (-1.0, 0.0, 0.5) mm is CYLINDER, it must be flat",
-    ),
-    "spherical": (
-        {"solid": cq.Solid.makeSphere(1, angleDegrees1=0), "ports": {"a": (np.sqrt(0.5), 0.5, 0.5)}},
-        "is SPHERE, it must be flat",
-    ),
-    "no solid": ({"solid": None}, "solid must be one CadQuery shape, it holds NoneType"),
-    "nothing drawn": ({"solid": cq.Workplane()}, "solid must be one CadQuery shape, it holds nothing"),
-    "a face": ({"solid": BOX.Faces()[0]}, "the shape has 0 solids, it must be one"),
-    "two solids": (
-        {"solid": cq.Compound.makeCompound([BOX, BOX.moved(x=5)])},
-        "the shape has 2 solids, it must be one",
-    ),
-    "a mile": ({"solid": cq.Solid.makeBox(1e6, 1e6, 1e6)}, "the solid is 1e+06 mm long; it must be at most 1000 mm"),
-    "a sliver": ({"solid": cq.Solid.makeBox(9, 9, 1e-5)}, "mm across; it must be at least 0.01 mm"),
-    "a needle": (
-        {"solid": cq.Solid.makeBox(900, 0.02, 0.02), "ports": {"a": (0, 0.01, 0.01)}},
-        "elements; it must be at most 1e+05: leave out small holes",
-    ),
-    "a tiny hole": (
-        {"solid": cq.Solid.makeBox(9, 9, 9).cut(cq.Solid.makeCylinder(2e-3, 9, cq.Vector(5, 5, 0)))},
-        "elements; it must be at most 1e+05: leave out small holes",
-    ),
-    "a pinprick": (
-        {"solid": cq.Solid.makeBox(9, 9, 9).cut(cq.Solid.makeCylinder(1e-4, 9, cq.Vector(5, 5, 0)))},
-        "has an edge 0.000628 mm long; it must be at least 0.001 mm",
-    ),
-    "a step": ({"solid": BOX.fuse(cq.Solid.makeBox(1, 1, 5e-4, cq.Vector(1, 0, 0)))}, "has an edge 0.0005 mm long"),
-    "a comb": ({"solid": comb(170)}, "the solid has 684 faces; it must have at most 500"),
-    "nothing in it": ({"solid": cq.Compound.makeCompound([])}, "the shape has 0 solids, it must be one"),
-    "no end": ({"solid": half_space()}, "the solid has no end: its faces do not close"),
-    "not a number": ({"solid": BOX.moved(x=np.nan)}, "the solid is nan mm long"),
-    "inside out": ({"solid": cq.Shape.cast(BOX.wrapped.Reversed())}, "has a volume of -1 mm^3; it must be above 0"),
-    "accuracy": ({"accuracy": np.nan}, "accuracy = nan must be between 0.0002 and 0.003"),
-    "accuracy in words": ({"accuracy": "fine"}, "accuracy must be a real number or an array of them; it is text"),
-    "fidelity": ({"fidelity": "lumped"}, "fidelity = 'lumped' must be one of navier-stokes, helmholtz"),
-    "no gas": ({"medium": None}, "medium must be a Medium, not a NoneType"),
+    "no port": {"ports": {}},
+    "too many ports": {"ports": {str(k): (0, 0, k) for k in range(51)}},
+    "a list": {"ports": [("a", (0, 0, 0))]},
+    "none": {"ports": None},
+    "two numbers": {"ports": {"a": (0.5, 0.5)}},
+    "not finite": {"ports": {"a": (0.5, 0.5, np.nan)}},
+    "a text": {"ports": {"a": "here"}},
+    "the wall": {"ports": {"wall": (0.5, 0.5, 0)}},
+    "a number": {"ports": {3: (0.5, 0.5, 0)}},
+    "nowhere": {"ports": {"a": (9, 9, 9)}},
+    "an edge": {"ports": {"a": (0, 0, 0.5)}},
+    "a corner": {"ports": {"a": (0, 0, 0)}},
+    "one face twice": {"ports": {"a": (0.5, 0.5, 0), "b": (0.4, 0.5, 0)}},
+    "round": {"solid": cq.Solid.makeCylinder(1, 1), "ports": {"a": (-1, 0, 0.5)}},
+    "spherical": {"solid": cq.Solid.makeSphere(1, angleDegrees1=0), "ports": {"a": (np.sqrt(0.5), 0.5, 0.5)}},
+    "no solid": {"solid": None},
+    "nothing drawn": {"solid": cq.Workplane()},
+    "a face": {"solid": BOX.Faces()[0]},
+    "two solids": {"solid": cq.Compound.makeCompound([BOX, BOX.moved(x=5)])},
+    "a mile": {"solid": cq.Solid.makeBox(1e6, 1e6, 1e6)},
+    "a sliver": {"solid": cq.Solid.makeBox(9, 9, 1e-5)},
+    "a needle": {"solid": cq.Solid.makeBox(900, 0.02, 0.02), "ports": {"a": (0, 0.01, 0.01)}},
+    "a tiny hole": {"solid": cq.Solid.makeBox(9, 9, 9).cut(cq.Solid.makeCylinder(2e-3, 9, cq.Vector(5, 5, 0)))},
+    "a pinprick": {"solid": cq.Solid.makeBox(9, 9, 9).cut(cq.Solid.makeCylinder(1e-4, 9, cq.Vector(5, 5, 0)))},
+    "a step": {"solid": BOX.fuse(cq.Solid.makeBox(1, 1, 5e-4, cq.Vector(1, 0, 0)))},
+    "a comb": {"solid": comb(170)},
+    "nothing in it": {"solid": cq.Compound.makeCompound([])},
+    "no end": {"solid": half_space()},
+    "not a number": {"solid": BOX.moved(x=np.nan)},
+    "inside out": {"solid": cq.Shape.cast(BOX.wrapped.Reversed())},
+    "accuracy": {"accuracy": np.nan},
+    "accuracy in words": {"accuracy": "fine"},
+    "fidelity": {"fidelity": "lumped"},
+    "no gas": {"medium": None},
 }
 
 
-@pytest.mark.parametrize("name", BODIES)
 @pytest.mark.usefixtures("no_meshing")
-def test_a_bad_body_of_air_is_refused_by_name_before_any_work(name):
-    change, message = BODIES[name]
+def test_a_bad_body_of_air_is_refused_by_name_before_any_work():
     good = {"solid": BOX, "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "medium": AIR}
-    with pytest.raises(ValueError) as error:
-        solid.port_admittance(**{**good, **change})
-    assert message in str(error.value)
+    cases = {name: partial(solid.port_admittance, **{**good, **change}) for name, change in BODIES.items()}
+    check_messages(Path(__file__).with_name("bodies.txt"), cases)
 
 
 @pytest.mark.parametrize("length", [0, 10, 100, 1000])
@@ -204,7 +193,7 @@ def test_a_step_file_cut_short_is_refused_by_its_name(tmp_path, length):
 @pytest.mark.usefixtures("no_meshing")
 def test_a_cavity_with_no_port_is_refused_by_its_name():
     sealed = Cell("resonator", 3.0, 2.0, 1.0, (), 3.0, 0.0)
-    with pytest.raises(Refusal, match=r"resonator 3 x 2 mm .* has no port; it needs at least one tube"):
+    with pytest.raises(CellError, match=r"resonator 3 x 2 mm"):
         solve_cells([sealed], [1.0], AIR)
 
 
@@ -216,7 +205,7 @@ def test_numbers_of_any_real_kind_are_taken():
         checks.in_range("accuracy", [1e-3, 2e-3], 0, 1)
 
 
-def test_messages_of_quantities_and_grids_read_well(tmp_path):
+def test_messages_of_quantities_and_grids_read_well():
     helium = Medium(0.166, 1.96e-5, 0.152, 5193.0, 1.66, 101325.0)
     library = acoustic_fem.solve(DESIGN, [1.0], "lumped", helium)
     check_messages(
@@ -237,15 +226,13 @@ def test_messages_of_quantities_and_grids_read_well(tmp_path):
             "a point": lambda: checks.port_points({"a": (0.5, 0.5, np.nan)}),
             "the wall": lambda: checks.port_points({"wall": (0.5, 0.5, 0)}),
             "shape": lambda: acoustic_fem.solve(DESIGN.with_values({"resonator.shape": "dome"}), [1.0], "atlas"),
-            "outside": lambda: acoustic_fem.solve(
-                DESIGN.with_values({"resonator.cavity_height": 7.0}), [1.0], "atlas"
-            ),
+            "outside": lambda: acoustic_fem.solve(DESIGN.with_values({"resonator.cavity_height": 7.0}), [1.0], "atlas"),
             "no air": lambda: acoustic_fem.solve(DESIGN, [1.0], "atlas", helium),
             "batch": lambda: ArrayParameters.from_design(DESIGN.with_values({"resonator.shape": "dome"})),
             "stretch": lambda: ArrayParameters.from_design(DESIGN.with_values({"membrane.stretch": 1.2})),
             "disc": lambda: solve_disc(3e-3, 0.3e-3, 5e5, options=DiscOptions(stretch=1.1, tension=1.0)),
             "rim": lambda: solve_disc(3e-3, 0.3e-3, 5e5, options=DiscOptions(glue_width=1e-3)),
-            "bend": lambda: solve_bent_bores(2.5e-4, [Winding(0.1, 0.0)], [1.0, 1900.0], AIR),
+            "bend": lambda: solve_bent_bores(2.5e-4, [Winding(11.6, 90.0)], [1.0, 1900.0], AIR),
             "touch": lambda: library.touch_response("tickle"),
             "band": lambda: detection_limits(library, (50, 20)),
         },

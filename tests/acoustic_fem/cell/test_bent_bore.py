@@ -6,6 +6,7 @@ import cadquery as cq
 import numpy as np
 import pytest
 from reference_data import AIR
+from refusals import refused
 from toroidal_bore import compliance_change, conductance_change
 
 from acoustic_fem.cell.bent_bore import LAYERS_PER_RING, PIECE, solve_bent_bores
@@ -14,6 +15,7 @@ from acoustic_fem.cell.solid import port_admittance
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.duct.meshed_section import MeshedSection
 from geometry.air.wound_tube import FIRST, LAST, Winding, swept_mesh
+from geometry.ground.refusal import Kind
 
 BORE, BEND = 0.25, 5.8  # radii of the publication's rig, mm
 
@@ -140,14 +142,14 @@ def test_the_scalar_model_makes_the_change_thirteen_times_too_large():
 
 
 @pytest.mark.parametrize(
-    ("radius", "frequency", "reason"),
+    ("radius", "frequency", "field", "value"),
     [
-        (6e-3, [1.0], r"radius = 0\.006 m must be below the bend's radius 0\.0058 m"),
-        (2.5e-4, [1.0, 1900.0], r"frequency = 1900 Hz must be at most 18\d\d Hz for a bore of radius 0\.00025 m"),
-        (2.5e-4, [0.0, 1.0], "frequency = 0 Hz must be between"),
-        (-1.0, [1.0], "radius = -1 m must be finite and above 0 m"),
+        (6e-3, [1.0], "radius", 6e-3),
+        (2.5e-4, [1.0, 1900.0], "frequency", 1900.0),
+        (2.5e-4, [0.0, 1.0], "frequency", 0.0),
+        (-1.0, [1.0], "radius", -1.0),
     ],
 )
-def test_a_bore_that_the_piece_does_not_cover_is_refused(radius, frequency, reason):
-    with pytest.raises(ValueError, match=reason):
+def test_a_bore_that_the_piece_does_not_cover_is_refused(radius, frequency, field, value):
+    with refused(Kind.OUT_OF_RANGE, field, value):
         solve_bent_bores(radius, [FLAT], frequency, AIR)

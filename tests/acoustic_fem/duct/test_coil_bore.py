@@ -2,11 +2,10 @@
 
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 import scipy.sparse as sp
 import skfem
 from reference_data import AIR
+from refusals import refused
 from scipy.sparse.linalg import spsolve
 
 from acoustic_fem.duct import plane_wave
@@ -22,6 +21,7 @@ from acoustic_fem.duct.coil_bore import (
     heat_system,
 )
 from acoustic_fem.duct.sections import CircularSection
+from geometry.ground.refusal import Kind
 
 #: Outer diameter and wire of the two springs, m.
 SPRINGS = [(0.6e-3, 0.08e-3), (0.28e-3, 0.05e-3)]

@@ -7,14 +7,14 @@ import mpmath
 import numpy as np
 import openwind_ladder
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 from hypothesis import given, strategies as st
 from reference_data import AIR, column
+from refusals import refused
 
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.refusal import Kind
 
 radii = st.floats(5e-5, 2.5e-3)
 lengths = st.floats(1e-5, 1.0)

@@ -3,15 +3,15 @@
 import mpmath
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 import skfem
 from hypothesis import given, strategies as st
 from reference_data import AIR
+from refusals import refused
 
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.duct.meshed_section import MeshedSection
 from acoustic_fem.duct.sections import CircularSection, RectangularSection, SlitSection, TriangularSection
+from geometry.ground.refusal import Kind
 
 SIDES = st.floats(1e-4, 5e-3)
 FREQUENCIES = st.floats(1e-2, 2e4)

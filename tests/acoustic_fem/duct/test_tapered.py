@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 from hypothesis import given, settings, strategies as st
 from reference_data import AIR
+from refusals import refused
 
 from acoustic_fem.duct import plane_wave, tapered
 from acoustic_fem.duct.sections import CircularSection, SlitSection
+from geometry.ground.refusal import Kind
 
 SERIES, SHUNT, FLARE, LENGTH = 3e11 + 1e12j, 2e-7 + 5e-6j, 80.0, 0.002
 

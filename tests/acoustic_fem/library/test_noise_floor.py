@@ -4,10 +4,9 @@ import dataclasses
 
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 from hypothesis import given, settings, strategies as st
 from reference_data import AIR
+from refusals import refused
 
 import acoustic_fem
 from acoustic_fem.library.noise_floor import (
@@ -23,6 +22,7 @@ from acoustic_fem.library.noise_floor import (
 from acoustic_fem.membrane.disc import design_disc, design_rubber
 from acoustic_fem.network.microphone import noise_density as own_density
 from geometry.design.design_file import prototype
+from geometry.ground.refusal import Kind
 
 GRID = np.linspace(1, 100, 100)
 DESIGN = prototype("fingertip-3x4")

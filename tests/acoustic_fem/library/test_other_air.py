@@ -10,7 +10,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.transfer_functions import VARIABLES, Library
 from acoustic_fem.quantities.local_air import LocalAir, standard_pressure
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Kind
 
 FREQUENCY = np.linspace(1.0, 100.0, 12)
 

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
+from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
 from hypothesis import given, settings, strategies as st
 from random_networks import every_node_at_once, random_parameters, topologies
+from refusals import check_messages, refused
 
 import acoustic_fem
 import geometry
 from acoustic_fem.library.physics import check_physics
 from acoustic_fem.library.transfer_functions import MEASURED, Library
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind
 
 pytestmark = pytest.mark.filterwarnings("ignore:entrance loss")
 AIR = acoustic_fem.Medium.at(20, 0.5)
@@ -83,54 +86,58 @@ def at(shape: tuple[int, ...], place: tuple[int, ...], value: complex) -> np.nda
 
 BOTH = ("transfer_function", "source_response")
 WRONG: dict[str, tuple[Callable[[Library], Library], str]] = {
-    "zero": (lambda it: scaled(it, 0.0, *BOTH), "transfer_function is zero everywhere; no sensor is silent"),
-    "all-zero": (lambda it: scaled(it, 0.0, *BOTH, "point_impedance", "microphone_impedance"), "is zero everywhere"),
-    "silent-point": (lambda it: scaled(it, at((36, 1, 1), (4,), 0), *BOTH), "transfer_function is zero at point 5"),
+    "zero": (lambda it: scaled(it, 0.0, *BOTH), "transfer_function"),
+    "all-zero": (lambda it: scaled(it, 0.0, *BOTH, "point_impedance", "microphone_impedance"), "transfer_function"),
+    "silent-point": (lambda it: scaled(it, at((36, 1, 1), (4,), 0), *BOTH), "transfer_function"),
     "constant": (
         lambda it: replace(
             it, transfer_function=xr.ones_like(it.transfer_function) * (0.5 + 0j),
             source_response=xr.ones_like(it.source_response) * (0.5 + 0j),
             point_impedance=xr.ones_like(it.point_impedance),
         ),
-        "transfer_function is the same at all frequencies",
+        "transfer_function",
     ),
     "one-changed": (
         lambda it: scaled(it, at((36, 2, 3), (2, 1, 0), 1.1), "transfer_function"),
-        "source_response is not transfer_function times point_impedance at point 3, microphone B, 1 Hz",
+        "source_response",
     ),
     "points-exchanged": (
         lambda it: replace(it, point_impedance=it.point_impedance.copy(data=it.point_impedance.values[::-1] * 1.01)),
-        "source_response is not transfer_function times point_impedance at point 1, microphone A, 1 Hz",
+        "source_response",
     ),
     "negative": (
         lambda it: scaled(it, -1.0, "source_response", "point_impedance"),
-        "point_impedance_real = -",
+        "point_impedance_real",
     ),
     "negative-microphone": (
         lambda it: scaled(it, -1.0, "microphone_impedance"),
-        "microphone_impedance_real = -",
+        "microphone_impedance_real",
     ),
-    "no-impedance": (lambda it: scaled(it, 0.0, "source_response", "point_impedance"), "point_impedance is zero at"),
-    "loud": (lambda it: scaled(it, 1e3, *BOTH), "source_response is not passive at point 1, microphone A, "),
+    "no-impedance": (lambda it: scaled(it, 0.0, "source_response", "point_impedance"), "point_impedance"),
+    "loud": (lambda it: scaled(it, 1e3, *BOTH), "source_response"),
     "not-reciprocal": (
         lambda it: scaled(it, at((2, 2, 3), (0, 1, 2), 1.01), "microphone_impedance"),
-        "microphone_impedance is not reciprocal at microphone A, microphone_2 B, 100 Hz",
+        "microphone_impedance",
     ),
     "beyond-numbers": (
-        lambda it: scaled(it, 1e300, *BOTH, "point_impedance"), "is not transfer_function times point_impedance",
+        lambda it: scaled(it, 1e300, *BOTH, "point_impedance"), "source_response",
     ),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("name", WRONG)
-def test_what_no_physics_makes_is_refused_by_the_place(library: Library, name: str) -> None:
-    change, reason = WRONG[name]
-    with pytest.raises(Refusal) as refused:
+def test_what_no_physics_makes_is_refused_by_the_variable(library: Library, name: str) -> None:
+    change, variable = WRONG[name]
+    with refused(Kind.UNSUITABLE, variable):
         check_physics(change(library))
-    assert reason in str(refused.value)
 
 
-def test_a_library_of_zeros_is_refused_when_it_is_loaded(library: Library, tmp_path) -> None:
+def test_messages_of_libraries_without_physics_name_the_place(library: Library) -> None:
+    cases = {name: partial(check_physics, change(library)) for name, (change, _) in WRONG.items()}
+    check_messages(Path(__file__).with_name("physics.txt"), cases)
+
+
+def test_a_library_of_zeros_is_refused_when_it_is_loaded(library: Library, tmp_path: Path) -> None:
     acoustic_fem.save(scaled(library, 0.0, *BOTH), tmp_path / "zero.nc")
-    with pytest.raises(acoustic_fem.LibraryError, match=r"zero.nc: variable transfer_function is zero everywhere"):
+    with pytest.raises(acoustic_fem.LibraryError, match=r"zero.nc: .*transfer_function is zero everywhere"):
         acoustic_fem.load(tmp_path / "zero.nc")

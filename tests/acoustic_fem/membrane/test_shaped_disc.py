@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 from coarse_discs import coarse_discs
+from refusals import refused
 
 from acoustic_fem.membrane.disc import DiscOptions, design_disc, solve_disc
 from acoustic_fem.membrane.elasticity import DiscShape, solve_dimensionless
 from geometry.design.design_file import prototype
+from geometry.ground.refusal import Kind
 
 H = 1 / 6
 

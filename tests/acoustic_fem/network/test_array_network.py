@@ -4,10 +4,9 @@ from itertools import combinations
 
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 from coarse_cells import coarse_cells
 from hypothesis import given, settings, strategies as st
+from refusals import refused
 from whole_network import AIR, every_node_at_once
 
 from acoustic_fem.cell.design_cells import solve_cells
@@ -16,6 +15,7 @@ from acoustic_fem.membrane.disc import design_compliance, design_rubber
 from acoustic_fem.network.array_network import solve_network
 from geometry.air.cells import cell_catalogue
 from geometry.design.design_file import prototype
+from geometry.ground.refusal import Kind
 from geometry.layout.arrangement import lay_out
 
 BAND = np.geomspace(0.1, 100, 7)

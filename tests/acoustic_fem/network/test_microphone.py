@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 from reference_data import AIR
+from refusals import refused
 
 from acoustic_fem.network import microphone
 from geometry.design.design_file import prototype, prototype_names
+from geometry.ground.refusal import Kind
 from geometry.schema.part_fields import Microphone
 
 MEMS = Microphone(chamber_diameter=3.0, chamber_height=2.0)

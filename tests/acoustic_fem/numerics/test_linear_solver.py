@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 import scipy.sparse as sp
+from refusals import refused
 
 from acoustic_fem.numerics import linear_solver
 from acoustic_fem.numerics.linear_solver import LinearSolverError, SymmetricSolver
+from geometry.ground.refusal import Kind
 
 
 def saddle_point(n=400, m=120, seed=0):
@@ -46,7 +48,7 @@ def test_singular_matrix_is_an_error_and_never_a_silent_answer(backend):
 
 
 def test_matrix_of_another_size_is_refused(backend):
-    with SymmetricSolver(520) as solver, pytest.raises(LinearSolverError, match=r"\(10, 10\)"):
+    with SymmetricSolver(520) as solver, refused(Kind.MISMATCH, "matrix"):
         solver.solve(sp.csr_array(sp.eye_array(10, dtype=complex)), np.ones((10, 1), dtype=complex))
 
 
@@ -63,7 +65,7 @@ def test_a_matrix_that_needs_its_columns_matched_is_solved_too(backend, monkeypa
     if backend == "pardiso":
         with monkeypatch.context() as only, SymmetricSolver(len(rhs)) as solver:
             only.setattr(linear_solver._Pardiso, "match", lambda self: None)
-            with pytest.raises(LinearSolverError, match="residual"):
+            with refused(Kind.NO_RESULT, error=LinearSolverError):
                 solver.solve(matrix, rhs)
     with SymmetricSolver(len(rhs)) as solver:
         found = solver.solve(matrix, rhs)

@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 import scipy.sparse as sp
+from refusals import refused
 
 from acoustic_fem.numerics.rational_sweep import RationalFitError, passivity_margin, reduce_system, require_passive
+from geometry.ground.refusal import Kind
 
 N = 300
 STIFFNESS = sp.csr_array(sp.diags_array([-1.0, 2.0, -1.0], offsets=[-1, 0, 1], shape=(N, N)) * N)
@@ -116,7 +118,7 @@ def test_the_margin_is_the_conductance_between_two_ports_by_hand():
 
 def test_a_response_that_is_not_finite_or_not_square_is_refused():
     broken = np.full((1, 2, 2), complex(np.nan, 0))
-    with pytest.raises(RationalFitError, match=r"the response at 5 Hz is not finite"):
+    with refused(Kind.NO_RESULT, error=RationalFitError):
         require_passive(broken, np.array([5.0]))
-    with pytest.raises(ValueError, match=r"admittance has shape \(2, 2\); it must be \(n_freq, m, m\)"):
+    with refused(Kind.WRONG_TYPE, "admittance"):
         passivity_margin(np.eye(2))

@@ -4,11 +4,11 @@ import dataclasses
 import math
 
 import pytest
-from geometry.ground.refusal import Kind
-from refusals import refused
 from reference_data import AIR
+from refusals import refused
 
 from acoustic_fem.quantities.medium import GAS_CONSTANT, MOLAR_MASS_AIR, Medium, saturation_pressure
+from geometry.ground.refusal import Kind
 
 
 def test_reference_air_has_the_derived_values_of_the_reference_data():

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import struct
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 import scipy.io
 import scipy.io.wavfile
+from refusals import check_messages, refused
 
 from acoustic_fem.sound.sound_file import SoundFileError, read_sound, read_wav, write_wav
+from geometry.ground.refusal import Kind
 
 SAMPLES = np.random.default_rng(0).uniform(-0.5, 0.5, (2, 50))
 
@@ -28,26 +32,24 @@ def with_field(content: bytes, place: int, kind: str, value: int) -> bytes:
 
 #: Where a field lies, how it is packed, and what else is put there.
 FALSE_FIELDS = {
-    "a length of 4 GB": (4, "<I", 2**32 - 9, "cut short: it has 244 of 4294967295 bytes"),
-    "a length of nothing": (4, "<I", 4, "it states no samples"),
-    "no channels": (22, "<H", 0, "not a WAV file: ."),
-    "block align 0": (32, "<H", 0, "not a WAV file: ."),
-    "block align 40000": (32, "<H", 40_000, "not a WAV file: ."),
-    "rate 0": (24, "<I", 0, "not a WAV file: ."),
-    "a format of its own": (20, "<H", 85, "not a WAV file: ."),
-    "samples of 4 GB": (40, "<I", 2**32 - 1, "cut short: it has 244 of 4294967339 bytes"),
-    "a head of 4 GB": (16, "<I", 2**32 - 1, "cut short: it has 244 of 4294967315 bytes"),
+    "a length of 4 GB": (4, "<I", 2**32 - 9),
+    "a length of nothing": (4, "<I", 4),
+    "no channels": (22, "<H", 0),
+    "block align 0": (32, "<H", 0),
+    "block align 40000": (32, "<H", 40_000),
+    "rate 0": (24, "<I", 0),
+    "a format of its own": (20, "<H", 85),
+    "samples of 4 GB": (40, "<I", 2**32 - 1),
+    "a head of 4 GB": (16, "<I", 2**32 - 1),
 }
 
 
 @pytest.mark.parametrize("fault", FALSE_FIELDS)
 def test_a_wav_file_that_states_what_it_does_not_hold_is_refused(fault: str, tmp_path: Path) -> None:
-    place, kind, value, message = FALSE_FIELDS[fault]
     path = tmp_path / "given.wav"
-    path.write_bytes(with_field(wav(path), place, kind, value))
-    with pytest.raises(SoundFileError, match=message) as refused:
+    path.write_bytes(with_field(wav(path), *FALSE_FIELDS[fault]))
+    with refused(Kind.UNREADABLE, file=path, error=SoundFileError):
         read_wav(path)
-    assert str(refused.value).startswith(f"{path}: ")
 
 
 @pytest.mark.parametrize("channels", [1, 2])
@@ -62,7 +64,7 @@ def test_a_wav_file_of_chunks_without_end_is_refused_at_once(tmp_path: Path) -> 
     with path.open("wb") as file:
         file.write(b"RIFF" + struct.pack("<I", 400_000_000 - 8) + b"WAVE")
         file.truncate(400_000_000)  # all zeros: fifty million chunks of no length
-    with pytest.raises(SoundFileError, match="it states no samples"):
+    with refused(Kind.UNREADABLE, file=path, error=SoundFileError):
         read_wav(path)
 
 
@@ -71,7 +73,11 @@ def test_a_wav_file_of_four_gigabytes_is_refused_by_a_stated_bound(tmp_path: Pat
     with path.open("wb") as file:
         file.write(with_field(with_field(wav(tmp_path / "small.wav"), 4, "<I", 2**32 - 9), 40, "<I", 2**32 - 45))
         file.truncate(2**32 - 1)
-    with pytest.raises(SoundFileError, match=r"4294967295 bytes must be at most 536870912 for a WAV file$"):
+<<<<<<< HEAD
+    with refused(Kind.OUT_OF_RANGE, file=path, error=SoundFileError):
+=======
+    with pytest.raises(SoundFileError, match=r"4294967295 bytes must be at most 536870912 bytes for a WAV file$"):
+>>>>>>> geo
         read_sound(path)
 
 
@@ -81,7 +87,7 @@ def test_a_channel_beyond_the_bound_is_refused(tmp_path: Path, monkeypatch: pyte
         monkeypatch.setattr("acoustic_fem.sound.sound_file.MOST_NUMBERS", most)
         if most == 50:
             assert len(read_wav(tmp_path / "given.wav").channels["2"]) == 50
-    with pytest.raises(SoundFileError, match="has 50 samples per channel, must have at most 49"):
+    with refused(Kind.OUT_OF_RANGE, file="given.wav", error=SoundFileError):
         read_wav(tmp_path / "given.wav")
 
 
@@ -101,27 +107,62 @@ def test_channels_of_every_format_are_fractions_of_full_scale(tmp_path: Path) ->
     np.testing.assert_array_equal(read_wav(path).channels["1"], SAMPLES[0].astype(np.float32))
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("", "is empty or not a CSV file"),
-        ("time,A\n0,1\n0.1\n", "line 3 has 1 value, must have 2; cut short?"),
-        ("time,A\n0,1\n0.1,x\n", "line 3: could not convert string to float: 'x'"),
-        ("time,A\n0,1\n", "has 1 sample, must have at least 2"),
-        ("time;A\n0;1\n", "is separated by semicolons"),
-    ],
-)
-def test_a_csv_file_that_is_no_recording_is_refused_with_the_line(text: str, message: str, tmp_path: Path) -> None:
+#: Text of a CSV file that is no recording, and kind and field of the refusal.
+NO_CSV: dict[str, tuple[str, Kind, str]] = {
+    "empty": ("", Kind.UNREADABLE, ""),
+    "ragged": ("time,A\n0,1\n0.1\n", Kind.UNREADABLE, "line 3"),
+    "words": ("time,A\n0,1\n0.1,x\n", Kind.WRONG_TYPE, "line 3"),
+    "one sample": ("time,A\n0,1\n", Kind.UNSUITABLE, ""),
+    "semicolons": ("time;A\n0;1\n", Kind.UNREADABLE, ""),
+    "no time": ("reference,A,B\n1,2,3\n", Kind.MISSING, ""),
+    "uneven": ("time,A\n0,1\n1,1\n5,1\n", Kind.UNSUITABLE, "time"),
+}
+#: Arrays of an NPZ file that is no recording, as for the texts above.
+NO_NPZ: dict[str, tuple[dict[str, Any], Kind, str]] = {
+    "no rate": ({"A": np.ones(9)}, Kind.MISSING, "sample_rate"),
+    "a matrix": ({"A": np.ones((9, 9)), "sample_rate": 9.0}, Kind.WRONG_TYPE, "A"),
+    "objects": ({"A": np.array(["x"]), "sample_rate": 9.0}, Kind.WRONG_TYPE, "A"),
+    "unequal": ({"A": np.ones(9), "B": np.ones(8), "sample_rate": 9.0}, Kind.MISMATCH, ""),
+    "rate of zero": ({"A": np.ones(9), "sample_rate": 0.0}, Kind.OUT_OF_RANGE, "sample rate"),
+    "two rates": ({"A": np.ones(9), "sample_rate": np.ones(2)}, Kind.WRONG_TYPE, "sample_rate"),
+    "no channel": ({"sample_rate": 9.0}, Kind.MISSING, ""),
+}
+
+
+@pytest.mark.parametrize("fault", NO_CSV)
+def test_a_csv_file_that_is_no_recording_is_refused_with_the_line(fault: str, tmp_path: Path) -> None:
+    text, kind, field = NO_CSV[fault]
     (tmp_path / "given.csv").write_text(text)
-    with pytest.raises(SoundFileError) as refused:
+    with refused(kind, field, file="given.csv", error=SoundFileError):
         read_sound(tmp_path / "given.csv")
-    assert str(refused.value) == f"{tmp_path / 'given.csv'}: {message}" or message in str(refused.value)
+
+
+@pytest.mark.parametrize("fault", NO_NPZ)
+def test_arrays_that_are_no_recording_are_refused_by_name(fault: str, tmp_path: Path) -> None:
+    arrays, kind, field = NO_NPZ[fault]
+    np.savez(tmp_path / "given.npz", **arrays)
+    with refused(kind, field, file="given.npz", error=SoundFileError):
+        read_sound(tmp_path / "given.npz")
+
+
+def test_messages_of_sound_files_read_well(tmp_path: Path) -> None:
+    for fault, (text, _, _) in NO_CSV.items():
+        (tmp_path / f"{fault}.csv").write_text(text)
+    for fault, (arrays, _, _) in NO_NPZ.items():
+        np.savez(tmp_path / f"{fault}.npz", **arrays)
+    for fault, field in FALSE_FIELDS.items():
+        (tmp_path / f"{fault}.wav").write_bytes(with_field(wav(tmp_path / "whole.wav"), *field))
+    (tmp_path / "a.mp3").write_bytes(b"ID3")
+    np.savez(tmp_path / "another name.npz", signals=SAMPLES, fs=48000.0)
+    files = [path for path in sorted(tmp_path.iterdir()) if path.name != "whole.wav"]
+    cases = {path.name: partial(read_sound, path) for path in files}
+    check_messages(Path(__file__).with_name("messages.txt"), cases, {f"{tmp_path}/": ""})
 
 
 def test_a_table_beyond_the_bound_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("acoustic_fem.sound.sound_file.MOST_NUMBERS", 4)
     (tmp_path / "given.csv").write_text("time,A\n0,1\n1,2\n2,3\n")
-    with pytest.raises(SoundFileError, match="holds more than 4 numbers"):
+    with refused(Kind.OUT_OF_RANGE, file="given.csv", error=SoundFileError):
         read_sound(tmp_path / "given.csv")
 
 
@@ -152,5 +193,5 @@ def test_a_recording_cut_anywhere_is_refused_by_its_name(suffix: str, tmp_path: 
 def test_a_rate_by_another_name_is_refused_not_read_over(tmp_path: Path, name: str) -> None:
     path = tmp_path / "one.npz"
     np.savez(path, signals=SAMPLES, **{name: 48000.0})
-    with pytest.raises(SoundFileError, match=f"{name} must be called sample_rate, if it is the sample rate in Hz"):
+    with refused(Kind.UNKNOWN, name, file=path, error=SoundFileError):
         read_sound(path, 1000.0)

@@ -4,10 +4,12 @@ import cadquery as cq
 import numpy as np
 import pytest
 from reference_data import AIR
+from refusals import refused
 
 from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.numerics.rational_sweep import passivity_margin
 from geometry.air.mesh import InvertedElementsError, MeshSizes, SolidMesh, mesh_solid
+from geometry.ground.refusal import Kind
 
 
 @pytest.fixture(scope="module")
@@ -29,15 +31,16 @@ def altered(mesh, nodes=None, tetrahedra=None):
 def test_a_tetrahedron_with_two_corners_exchanged_is_refused_with_its_place(mesh):
     flipped = mesh.tetrahedra.copy()
     flipped[3] = flipped[3][[1, 0, 2, 3, 4, 6, 5, 8, 7, 9]]
-    with pytest.raises(InvertedElementsError, match=r"1 inverted elements, the first is tetrahedron 3 at \(.*\) mm"):
+    with refused(Kind.NO_RESULT, error=InvertedElementsError) as found:
         altered(mesh, tetrahedra=flipped)
+    assert "tetrahedron 3 at (" in str(found.value)
 
 
 def test_a_corner_pushed_through_its_neighbours_is_refused(mesh):
     corner = inner_nodes(mesh, mesh.tetrahedra[:, :4])[0]
     nodes = mesh.nodes.copy()
     nodes[corner] += 2.0
-    with pytest.raises(InvertedElementsError, match="inverted elements"):
+    with refused(Kind.NO_RESULT, error=InvertedElementsError):
         altered(mesh, nodes=nodes)
 
 

@@ -9,8 +9,10 @@ import cadquery as cq
 import numpy as np
 import pytest
 from built import put_together
+from refusals import refused
 
 import geometry
+from geometry import Kind
 from geometry.assembly.fit import CONTACT_VOLUME, clearances, interferences, misfits, port_fits
 from geometry.assembly.model import array_model, assembly_of, build_assembly
 from geometry.formats.step_assembly import write_step
@@ -66,7 +68,7 @@ def test_a_tube_that_bends_into_itself_is_refused_by_name():
     turns = np.linspace(0, np.pi / 2, 20)
     arc = 0.4 * np.column_stack([np.sin(turns), 1 - np.cos(turns), 0 * turns])
     course = np.vstack([[-2.0, 0, 0], arc, arc[-1] + [0, 2.0, 0]])
-    with pytest.raises(ValueError, match=r"sheath 0\.44x0\.9-.*: bends to a radius of 0\.4 mm, below its own 0\.45"):
+    with refused(Kind.UNSUITABLE):
         build_tube(piece_of(tube, course, 0.3)[0])
 
 
@@ -109,7 +111,7 @@ def test_a_part_in_the_way_is_found_by_name_with_its_volume():
 def test_a_tube_beside_its_port_fits_in_none():
     aside = moved(put_together("array-2x6"), "spring of tube 2 of line 1", (0, 0.5, 0))
     aside = moved(aside, "sheath of tube 2 of line 1", (0, 0.5, 0))
-    with pytest.raises(ValueError, match=r"sheath of tube 2 of line 1 ends in shell \d where no bore with a socket is"):
+    with refused(Kind.UNSUITABLE):
         port_fits(aside)
     assert {found.first for found in interferences(aside)} == {"shell 1", "shell 2"}
 

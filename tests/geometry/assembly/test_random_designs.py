@@ -24,7 +24,7 @@ class NoMold:
 @pytest.fixture(scope="module", autouse=True)
 def _no_mold():
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("geometry.molds.mold.build_mold", lambda design: NoMold())
+        patch.setattr("geometry.assembly.part_list.build_mold", lambda design: NoMold())
         yield
 
 

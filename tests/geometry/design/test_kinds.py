@@ -1,11 +1,14 @@
 """Kinds of points and tubes, and the patterns in which lines have them."""
 
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
+from refusals import check_messages, refused
 
 import geometry
+from geometry import Kind
 from geometry.design.design_file import prototype_names, read_design, write_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps
@@ -82,40 +85,36 @@ def test_a_kind_keeps_what_it_does_not_state_and_its_ports_lie_as_high_as_those_
     assert thinner.tube_kinds["short"].inner_diameter == pytest.approx(0.34)
 
 
-@pytest.mark.parametrize(
-    ("values", "message"),
-    [
-        ({"lines.0.pattern.points": ["plain"]},
-         "lines.0.pattern.points has 1 name; it must have 2, for 4 points of the line, the first half and the middle"),
-        ({"lines.0.pattern.tubes": ["long"] * 3},
-         "lines.0.pattern.tubes has 3 names; it must have 2, for 3 tubes between points of the line, the first half "),
-        ({"lines.0.pattern.mirrored": False}, "lines.0.pattern.points has 2 names; it must have 4, for 4 points of"),
-        ({"lines.0.pattern.points": ["plain", "dep"]},
-         "lines.0.pattern.points.1 = 'dep' must be the name of a kind under [point_kinds.NAME]; did you mean 'deep'?"),
-        ({"lines.0.pattern.tubes": ["deep", "long"]},
-         "lines.0.pattern.tubes.0 = 'deep' must be the name of a kind under [tube_kinds.NAME]; known: "),
-        ({"lines.0.pattern.mirrored": 1}, "lines.0.pattern.mirrored = 1 must be true or false"),
-        ({"tube_kinds": {}}, "must be the name of a kind under [tube_kinds.NAME]; none is given"),
-        ({"lines.0.pattern": {}}, "lines.0.pattern must give points, tubes or both"),
-        ({"lines.0.tube": TUBE}, "lines.0.tube must not be given beside lines.0.pattern.tubes, which names every tube"),
-        ({"point_kinds.a-b": {}}, "point_kinds: 'a-b' must be a name of letters, digits and _ that starts with a"),
-        ({"layout.kind": "hand"}, "lines.0.pattern.tubes must not be given for layout.kind = 'hand', which lays tubes"),
-        ({"layout.kind": "cylinder", "layout.diameter": 90.0}, "must not be given for layout.kind = 'cylinder'"),
-        ({"layout.pitch": 16.0}, "layout.pitch = 16 mm is more than its tubes reach; it must be left out, or 14 mm"),
-        ({"point_kinds.deep.membrane_thickness": 9.0},
-         "point_kinds.deep.membrane_thickness = 9 mm must be at most 6 mm, 2 radii of resonator.cavity_diameter"),
-        ({"point_kinds.deep.cavity_height": 1.3},
-         "point_kinds.deep: resonator.port_height = 1.25 mm must be between"),
-        ({"tube_kinds.short.inner_diameter": 0.95},
-         "tube_kinds.short.inner_diameter = 0.95 mm must be below tube_kinds.short.outer_diameter (0.9 mm)"),
-        ({"point_kinds.deep.rim_width": 1.0}, "point_kinds.deep.rim_width is not a field of this design"),
-    ],
-)  # fmt: skip
-def test_what_does_not_fit_is_refused_by_name(values, message):
-    with pytest.raises(geometry.DesignError) as refused:
+NOT_FITTING = [
+    ({"lines.0.pattern.points": ["plain"]}, Kind.CONFLICT, "lines.0.pattern.points"),
+    ({"lines.0.pattern.tubes": ["long"] * 3}, Kind.CONFLICT, "lines.0.pattern.tubes"),
+    ({"lines.0.pattern.mirrored": False}, Kind.CONFLICT, "lines.0.pattern.points"),
+    ({"lines.0.pattern.points": ["plain", "dep"]}, Kind.UNKNOWN, "lines.0.pattern.points.1"),
+    ({"lines.0.pattern.tubes": ["deep", "long"]}, Kind.UNKNOWN, "lines.0.pattern.tubes.0"),
+    ({"lines.0.pattern.mirrored": 1}, Kind.WRONG_TYPE, "lines.0.pattern.mirrored"),
+    ({"tube_kinds": {}}, Kind.UNKNOWN, "lines.0.pattern.tubes.0"),
+    ({"lines.0.pattern": {}}, Kind.MISSING, "lines.0.pattern"),
+    ({"lines.0.tube": TUBE}, Kind.CONFLICT, "lines.0.tube"),
+    ({"point_kinds.a-b": {}}, Kind.OUT_OF_RANGE, "point_kinds"),
+    ({"layout.kind": "hand"}, Kind.CONFLICT, "lines.0.pattern.tubes"),
+    ({"layout.kind": "cylinder", "layout.diameter": 90.0}, Kind.CONFLICT, "lines.0.pattern.tubes"),
+    ({"layout.pitch": 16.0}, Kind.CONFLICT, "layout.pitch"),
+    ({"point_kinds.deep.membrane_thickness": 9.0}, Kind.CONFLICT, "point_kinds.deep.membrane_thickness"),
+    ({"point_kinds.deep.cavity_height": 1.3}, Kind.CONFLICT, "resonator.port_height"),
+    ({"tube_kinds.short.inner_diameter": 0.95}, Kind.CONFLICT, "tube_kinds.short.inner_diameter"),
+    ({"point_kinds.deep.rim_width": 1.0}, Kind.UNKNOWN, "point_kinds.deep.rim_width"),
+]
+
+
+@pytest.mark.parametrize(("values", "kind", "field"), NOT_FITTING)
+def test_what_does_not_fit_is_refused_by_name(values, kind, field):
+    with refused(kind, field, file="array-2x6", error=geometry.DesignError):
         graded().with_values(values)
-    assert message in str(refused.value)
-    assert "\n" not in str(refused.value)
+
+
+def test_messages():
+    snapshot = Path(__file__).with_name("messages_of_kinds.txt")
+    check_messages(snapshot, {str(values): partial(graded().with_values, values) for values, *_ in NOT_FITTING})
 
 
 @pytest.mark.parametrize("layout", ["hand", "cylinder"])

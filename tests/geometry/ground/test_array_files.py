@@ -16,9 +16,10 @@ import pytest
 import scipy.io
 import scipy.sparse
 from numpy.typing import NDArray
+from refusals import refused
 
 from geometry.ground.array_files import read_mat, read_npz
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 ARRAYS = {"a": np.arange(6.0).reshape(2, 3), "rate": np.array(1000), "text": np.array("as it is")}
 
@@ -48,60 +49,51 @@ def save_mat(path: Path, **arrays: NDArray[Any]) -> None:
     scipy.io.savemat(path, arrays)
 
 
-HOSTILE: dict[str, tuple[Callable[[], bytes], str]] = {
-    "8 PB": (lambda: archive(member("(1000000, 1000000, 1000)")), "a.npy claims the shape"),
-    "a shape below zero": (lambda: archive(member("(-1, -1)")), "a.npy claims the shape"),
-    "a scalar of gigabytes": (lambda: archive(member("()", "<U500000000")), "a.npy claims the shape"),
-    "objects": (lambda: archive(member("(1,)", "|O")), "Object arrays cannot be loaded"),
-    "a deep header": (lambda: archive(member("(" * 2000)), "cut short or not an NPZ file: "),
-    "another version": (lambda: archive(member("(1,)").replace(b"\x01\x00", b"\x09\x00", 1)), "(9, 0)"),
-    "encrypted": (lambda: altered(6, 1), "encrypted"),
-    "unknown compression": (lambda: altered(8, 77), "compression"),
-    "no archive": (lambda: b"neither sound nor numbers", "not a zip file"),
-    "nothing": (lambda: b"", "not a zip file"),
+HOSTILE: dict[str, Callable[[], bytes]] = {
+    "8 PB": lambda: archive(member("(1000000, 1000000, 1000)")),
+    "a shape below zero": lambda: archive(member("(-1, -1)")),
+    "a scalar of gigabytes": lambda: archive(member("()", "<U500000000")),
+    "objects": lambda: archive(member("(1,)", "|O")),
+    "a deep header": lambda: archive(member("(" * 2000)),
+    "another version": lambda: archive(member("(1,)").replace(b"\x01\x00", b"\x09\x00", 1)),
+    "encrypted": lambda: altered(6, 1),
+    "unknown compression": lambda: altered(8, 77),
+    "no archive": lambda: b"neither sound nor numbers",
+    "nothing": lambda: b"",
 }
 
 
 @pytest.mark.parametrize("kind", HOSTILE)
 def test_an_npz_file_that_claims_what_it_does_not_hold_is_refused(kind: str, tmp_path: Path) -> None:
-    make, message = HOSTILE[kind]
     path = tmp_path / "given.npz"
-    path.write_bytes(make())
+    path.write_bytes(HOSTILE[kind]())
     tracemalloc.start()
     try:
-        with pytest.raises(Refusal) as refused:
+        with refused(Kind.UNREADABLE, file=path):
             read_npz(path, "an NPZ file", Refusal)
         _, most = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    assert str(refused.value).startswith(f"{path}: ")
-    assert message in str(refused.value)
     assert most < 10_000_000
 
 
-def test_numbers_beyond_the_bound_are_refused_before_they_are_unpacked(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("geometry.ground.array_files.MOST_NUMBERS", 100)
+def test_numbers_beyond_the_bound_are_refused_before_they_are_unpacked(tmp_path: Path) -> None:
     for read, name, save in ((read_npz, "a.npz", np.savez_compressed), (read_mat, "a.mat", save_mat)):
         path = tmp_path / name
         save(path, a=np.zeros(40, np.int8), b=np.zeros(60))
-        assert read(path, "a file", Refusal)["a"].size == 40
+        assert read(path, "a file", Refusal, 100)["a"].size == 40
         save(path, a=np.zeros(41, np.int8), b=np.zeros(60))
-        with pytest.raises(Refusal, match=r"claims to hold 101 numbers; a file must hold at most 100$"):
-            read(path, "a file", Refusal)
+        with refused(Kind.OUT_OF_RANGE, file=path):
+            read(path, "a file", Refusal, 100)
 
 
-def test_a_mat_file_that_unpacks_to_more_than_the_bound_is_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("geometry.ground.array_files.MOST_NUMBERS", 1000)
+def test_a_mat_file_that_unpacks_to_more_than_the_bound_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "given.mat"
     packed = zlib.compress(bytes(10_000_000))
     head = b"MATLAB 5.0".ljust(124) + b"\x00\x01IM"
     path.write_bytes(head + struct.pack("<II", 15, len(packed)) + packed)
-    with pytest.raises(Refusal, match=r"claims to hold \d+ numbers; a file must hold at most 1000$"):
-        read_mat(path, "a file", Refusal)
+    with refused(Kind.OUT_OF_RANGE, file=path):
+        read_mat(path, "a file", Refusal, 1000)
 
 
 @pytest.mark.parametrize("size", [0, 3, 100, 127, 130, 200])
@@ -109,7 +101,7 @@ def test_a_mat_file_of_a_few_bytes_is_refused(size: int, tmp_path: Path) -> None
     path = tmp_path / "given.mat"
     scipy.io.savemat(path, {"a": np.ones(30)})
     path.write_bytes(path.read_bytes()[:size])
-    with pytest.raises(Refusal, match=r"given\.mat: cut short"):
+    with refused(Kind.UNREADABLE, file=path):
         read_mat(path, "a MAT file", Refusal)
 
 
@@ -127,15 +119,15 @@ def test_damage_at_any_place_of_a_mat_file_ends_in_a_refusal_or_in_numbers(tmp_p
     path = tmp_path / "given.mat"
     scipy.io.savemat(path, {"rate": 1000.0, "a": np.ones(3) + 1j})
     whole = path.read_bytes()
-    refused = 0
+    found = 0
     for place in range(124, len(whole)):
         for value in (127, 255):
             path.write_bytes(whole[:place] + bytes([value]) + whole[place + 1 :])
             try:
                 read_mat(path, "a MAT file", Refusal)
             except Refusal:
-                refused += 1
-    assert refused > 50
+                found += 1
+    assert found > 50
 
 
 def test_what_was_saved_is_read(tmp_path: Path) -> None:

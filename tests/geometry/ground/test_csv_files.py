@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from refusals import refused
 
 from geometry.ground.csv_files import Table, read_csv
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 
 def table(path: Path, content: bytes) -> Table:
@@ -27,15 +28,7 @@ def test_an_empty_file_has_no_head(tmp_path: Path) -> None:
     assert (found.remarks, found.head, list(found.rows)) == ((), (), [])
 
 
-@pytest.mark.parametrize(
-    ("content", "message"),
-    [
-        (b"x,y\n\xff\xfe\n", "cut short or not a CSV file: 'utf-8' codec can't decode"),
-        (b"x" * 4_000_001, "line 1 has 4000000 characters or more"),
-        (b"x,y\n" + b"z" * 200_000, "cut short or not a CSV file: field larger than field limit"),
-    ],
-)
-def test_what_is_no_table_is_refused_where_it_is_read(content: bytes, message: str, tmp_path: Path) -> None:
-    with pytest.raises(Refusal) as refused:
+@pytest.mark.parametrize("content", [b"x,y\n\xff\xfe\n", b"x" * 4_000_001, b"x,y\n" + b"z" * 200_000])
+def test_what_is_no_table_is_refused_where_it_is_read(content: bytes, tmp_path: Path) -> None:
+    with refused(Kind.UNREADABLE, file="given.csv"):
         list(table(tmp_path / "given.csv", content).rows)
-    assert str(refused.value).startswith(f"{tmp_path / 'given.csv'}: {message}")

@@ -47,7 +47,7 @@ def test_what_a_library_says_in_lines_is_quoted_as_one() -> None:
 
 
 def test_errors_of_designs_are_such_lines_too() -> None:
-    assert str(DesignError("a\nb", "c")) == "a\\nb (and 1 more problem)"
+    assert str(DesignError("a\nb", others=[Refusal("c")])) == "a\\nb (and 1 more problem)"
 
 
 @pytest.mark.parametrize(

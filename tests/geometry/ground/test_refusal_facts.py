@@ -65,8 +65,8 @@ def test_it_travels_between_processes_with_its_facts() -> None:
     found = pickle.loads(pickle.dumps(MissingLibrary("a library is missing", kind=Kind.NOT_INSTALLED, field="cad")))
     assert (type(found), found.kind, found.field) == (MissingLibrary, Kind.NOT_INSTALLED, "cad")
     assert found.value is Refusal.NOT_GIVEN
-    several = pickle.loads(pickle.dumps(DesignError("a", "b")))
-    assert several.problems == ("a", "b")
+    several = pickle.loads(pickle.dumps(DesignError("a", kind=Kind.CONFLICT, others=[Refusal("b", field="c")])))
+    assert [(str(each), each.field) for each in several.problems] == [("a", ""), ("c b", "c")]
 
 
 @pytest.mark.parametrize(

@@ -1,12 +1,16 @@
 """Areas: lines that follow each other over a grid, with microphones where their straight tubes meet beside it."""
 
 import math
+from functools import partial
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
+from refusals import check_messages, refused
 
 import geometry
+from geometry import Kind
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.plan.routing import path_length
@@ -59,31 +63,30 @@ def test_lines_follow_each_other_and_every_microphone_lies_where_its_tubes_reach
             assert reach == pytest.approx(design.microphone_reach_of(line), abs=1e-6)
 
 
-@pytest.mark.parametrize(
-    ("values", "message"),
-    [
-        ({"layout.pitch": 15.0}, "layout.pitch = 15 mm must not be given for layout.kind = 'area'"),
-        ({"lines.1.between": ["M0", "M2"]}, "lines must follow each other for layout.kind = 'area'"),
-        ({"lines.0.points": 8, "lines.1.points": 10}, "lines.0.points = 8 puts microphone 'M1' between the points"),
-        ({"microphone_tube.length": 4.5}, "microphone_tube.length must be larger: the two tubes that microphone 'M1'"),
-        (
-            {"tube_kinds": {"a": {"length": 9.0, "inner_diameter": 0.44, "outer_diameter": 0.9, "wire_diameter": 0.08}},
-             "lines.0.pattern": {"tubes": ["a"] * 11}},
-            "layout.kind = 'area' needs tubes of one length along its rows; they have 9, 12.5 mm",
-        ),
-    ],
-)  # fmt: skip
-def test_areas_that_cannot_be_are_refused_by_name(values, message):
-    with pytest.raises(geometry.DesignError) as refused:
+SHORT = {"length": 9.0, "inner_diameter": 0.44, "outer_diameter": 0.9, "wire_diameter": 0.08}
+IMPOSSIBLE = [
+    ({"layout.pitch": 15.0}, "layout.pitch"),
+    ({"lines.1.between": ["M0", "M2"]}, "lines"),
+    ({"lines.0.points": 8, "lines.1.points": 10}, "lines.0.points"),
+    ({"microphone_tube.length": 4.5}, "microphone_tube.length"),
+    ({"tube_kinds": {"a": SHORT}, "lines.0.pattern": {"tubes": ["a"] * 11}}, "layout.kind"),
+]
+CIRCLES = [((3, 3, 3), 3, "layout.columns"), ((4, 4, 4), 5, "layout.columns"), ((20, 20, 24), 8, "lines.0.points")]
+
+
+@pytest.mark.parametrize(("values", "field"), IMPOSSIBLE)
+def test_areas_that_cannot_be_are_refused_by_name(values, field):
+    with refused(Kind.CONFLICT, field, error=geometry.DesignError):
         area((12, 6), 6).with_values(values)
-    assert message in str(refused.value)
-    assert "\n" not in str(refused.value)
 
 
-def test_a_circle_needs_an_even_grid_and_ends_at_its_edge():
-    with pytest.raises(geometry.DesignError, match=r"layout\.columns = 3 must divide the 9 points"):
-        area((3, 3, 3), 3, closed=True)
-    with pytest.raises(geometry.DesignError, match=r"layout\.columns = 5 must divide the 12 points"):
-        area((4, 4, 4), 5, closed=True)
-    with pytest.raises(geometry.DesignError, match="puts microphone 'M1' between the points of an area"):
-        area((20, 20, 24), 8, closed=True)
+@pytest.mark.parametrize(("points", "columns", "field"), CIRCLES)
+def test_a_circle_needs_an_even_grid_and_ends_at_its_edge(points, columns, field):
+    with refused(Kind.CONFLICT, field, error=geometry.DesignError):
+        area(points, columns, closed=True)
+
+
+def test_messages():
+    made = {str(values): partial(area((12, 6), 6).with_values, values) for values, _ in IMPOSSIBLE}
+    closed = {str(points): partial(area, points, columns, closed=True) for points, columns, _ in CIRCLES}
+    check_messages(Path(__file__).with_name("messages_of_areas.txt"), {**made, **closed})

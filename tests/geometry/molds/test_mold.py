@@ -7,8 +7,10 @@ import cadquery as cq
 import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.GeomAbs import GeomAbs_Cone, GeomAbs_Cylinder
+from refusals import refused
 
 import geometry
+from geometry import Kind
 from geometry.molds.mold import build_mold, mold_counts
 from geometry.molds.mold_parts import base_block, mark, mark_text
 from geometry.molds.mold_plan import plan_mold
@@ -286,25 +288,20 @@ def test_a_long_mark_is_drawn_smaller_then_cut_and_stays_on_the_block(texts, let
 
 
 @pytest.mark.parametrize(
-    ("changes", "message"),
+    ("changes", "kind", "field"),
     [
-        ({"mold.draft": 11.0}, "mold.draft = 11 degrees must be between 0 and 10 degrees"),
-        (
-            {"mold.draft": 10.0, "membrane.thickness": 5.0},
-            "mold.draft = 10 degrees must be at most 8.53 degrees to leave half of membrane.rim_width (1.5 mm)",
-        ),
-        ({"mold.shim_count": 10, "mold.shim_step": 0.2}, "mold.shim_count = 10 must be at most 5"),
-        ({"mold.vent_diameter": 1.5}, "mold.vent_diameter = 1.5 mm must be at most mold.groove_width (1.2 mm)"),
-        ({"mold.kind": "three-part"}, "mold.kind = 'three-part' must be one of 'two-part', 'open-face'"),
-        ({"membrane.shape": "boss", "membrane.boss_height": 1.0}, "membrane.boss_diameter must be given"),
-        ({"membrane.rim_height": 1.0}, "membrane.rim_height = 1 mm needs membrane.shape = 'rim'; it is 'flat'"),
-        ({**RIM, "membrane.stretch": 1.1}, "membrane.stretch = 1.1 must be 1 for membrane.shape = 'rim'"),
-        ({**BOSS, "membrane.boss_diameter": 5.5}, "membrane.boss_diameter = 5.5 mm must be between 0.6 and 5.4 mm"),
-        ({**BOSS, "membrane.boss_height": 7.0}, "membrane.boss_height = 7 mm must be at most resonator.cavity_dia"),
-        ({**BOSS, "mold.draft": 10.0, "membrane.boss_height": 3.0}, "to leave half of membrane.boss_diameter (1 mm)"),
+        ({"mold.draft": 11.0}, Kind.OUT_OF_RANGE, "mold.draft"),
+        ({"mold.draft": 10.0, "membrane.thickness": 5.0}, Kind.CONFLICT, "mold.draft"),
+        ({"mold.shim_count": 10, "mold.shim_step": 0.2}, Kind.CONFLICT, "mold.shim_count"),
+        ({"mold.vent_diameter": 1.5}, Kind.CONFLICT, "mold.vent_diameter"),
+        ({"membrane.shape": "boss", "membrane.boss_height": 1.0}, Kind.MISSING, "membrane.boss_diameter"),
+        ({"membrane.rim_height": 1.0}, Kind.CONFLICT, "membrane.rim_height"),
+        ({**RIM, "membrane.stretch": 1.1}, Kind.CONFLICT, "membrane.stretch"),
+        ({**BOSS, "membrane.boss_diameter": 5.5}, Kind.CONFLICT, "membrane.boss_diameter"),
+        ({**BOSS, "membrane.boss_height": 7.0}, Kind.CONFLICT, "membrane.boss_height"),
+        ({**BOSS, "mold.draft": 10.0, "membrane.boss_height": 3.0}, Kind.CONFLICT, "mold.draft"),
     ],
-)  # fmt: skip
-def test_a_mold_or_membrane_that_cannot_be_made_is_refused_by_name(changes, message):
-    with pytest.raises(geometry.DesignError) as error:
+)
+def test_a_mold_or_membrane_that_cannot_be_made_is_refused_by_name(changes, kind, field):
+    with refused(kind, field, error=geometry.DesignError):
         geometry.prototype("array-2x6").with_values(changes)
-    assert message in str(error.value)

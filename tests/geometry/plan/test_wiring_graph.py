@@ -6,7 +6,9 @@ from itertools import combinations
 
 import pytest
 from hypothesis import given, strategies as st
+from refusals import refused
 
+from geometry.ground.refusal import Kind
 from geometry.plan.wiring_graph import check_topology, wiring_counts
 
 
@@ -27,18 +29,15 @@ def test_lines_of_different_lengths_count_by_their_mean() -> None:
 
 
 @pytest.mark.parametrize(
-    ("microphones", "points", "message"),
+    ("microphones", "points", "kind", "field"),
     [
-        (0, [], "microphones = 0 must be at least 2"),
-        (1, [5], "microphones = 1 must be at least 2"),
-        (-2, [5], "microphones = -2 must be at least 2"),
-        (3, [5], r"points_per_line has 1 line; it must have M-1 = 2 to M\(M-1\)/2 = 3 for 3 microphones"),
-        (3, [5] * 10, "points_per_line has 10 lines"),
-        (2, [0], r"points_per_line = \[0\] must be at least 1 each"),
+        *((count, points, Kind.OUT_OF_RANGE, "microphones") for count, points in ((0, []), (1, [5]), (-2, [5]))),
+        *((3, [5] * lines, Kind.CONFLICT, "points_per_line") for lines in (1, 10)),
+        (2, [0], Kind.OUT_OF_RANGE, "points_per_line"),
     ],
 )
-def test_wirings_that_cannot_be_are_not_counted(microphones: int, points: list[int], message: str) -> None:
-    with pytest.raises(ValueError, match=f"^{message}"):
+def test_wirings_that_cannot_be_are_not_counted(microphones: int, points: list[int], kind: Kind, field: str) -> None:
+    with refused(kind, field):
         wiring_counts(microphones, points)
 
 
@@ -53,10 +52,10 @@ def test_every_connected_wiring_is_accepted_and_every_other_is_refused(microphon
     if reached == set(names):
         check_topology(names, lines)
     else:
-        with pytest.raises(ValueError, match=r"^microphones: 'M\d' (?:is on no line|cannot be reached)"):
+        with refused(Kind.CONFLICT, "microphones"):
             check_topology(names, lines)
 
 
 def test_more_lines_than_pairs_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"lines = 2 lines must be at most M\(M-1\)/2 = 1 for 2 microphones"):
+    with refused(Kind.CONFLICT, "lines"):
         check_topology(["A", "B"], [(("A", "B"), 1), (("B", "A"), 1)])

@@ -14,8 +14,8 @@ import geometry
 import localize
 from geometry import Kind, Refusal
 from localize.decoders import likelihood
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import HUM, INTEGRATION_STEP, SOURCE_RMS, frame_noise_covariance, low_pass
-from localize.decoders.options import DecoderOptions
 from localize.signals import stimulus, threads
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import taps
@@ -170,7 +170,7 @@ def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(a
     try:
         with threadpool_limits(2, user_api="blas"):
             decoder.locate(np.random.default_rng(0).standard_normal((2, 250)))
-            localize.evaluate(decoder, array, 1)
+            localize.evaluate(decoder, array, 1, 0.0)
             assert {lib["num_threads"] for lib in blas_of_this_process()} == {2}
             assert torch.get_num_threads() == 2
     finally:
@@ -192,7 +192,7 @@ def test_the_published_lines_of_36_points_are_decoded_with_and_without_noise_and
     assert localize.evaluate(decoder, array, touches, 0.0).top1 >= 0.995
     assert localize.evaluate(decoder, array, touches, 1e-3).top1 >= 0.98
     made = localize.TouchGenerator(array, 0, "evaluation", 1e-3, stimuli=taps).samples(0, 8 * array.point_count)
-    assert (decoder.locate(made.signals).argmax(1) == made.point.numpy()).mean() >= 0.95
+    assert (decoder.locate(made.signals).argmax(1) == made.point.numpy() - 1).mean() >= 0.95
 
 
 @pytest.fixture(scope="module")
@@ -204,7 +204,7 @@ def in_a_room():
 def test_sound_of_a_room_is_told_from_touches_and_costs_nothing_in_quiet(in_a_room, level):
     sound = {} if level is None else {"ambient": (level, level)}
     made = localize.TouchGenerator(in_a_room, 0, "evaluation", 1e-3, **sound).samples(0, 240)
-    point, frames = made.point.numpy(), made.signals[..., -250:]
+    point, frames = made.point.numpy() - 1, made.signals[..., -250:]
     alone, heard = (
         localize.BayesDecoder(in_a_room, 1e-3, ambient).locate(frames) for ambient in (None, (None, 60.0, 80.0))
     )

@@ -12,11 +12,11 @@ from scipy.special import logsumexp
 import acoustic_fem
 import geometry
 import localize
+from localize.decoders.decoder_options import TolerantOptions
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import DEVIATING, SAMPLES, joint_whitening, touch_covariances
 from localize.decoders.hypotheses import Hypotheses
 from localize.decoders.likelihood import assumed_noise, vertex
-from localize.decoders.options import TolerantOptions
 from localize.signals.array_response import ArrayResponse, response_of
 
 GRID = np.arange(1.0, 201.0)
@@ -58,7 +58,7 @@ def tables(response: ArrayResponse) -> tuple[DeviatingTables, np.ndarray]:
 def test_the_gain_is_that_of_the_integral_over_the_deviation(response: ArrayResponse, true: float) -> None:
     deviations, whiten = tables(response)
     touch = localize.TouchGenerator(deviating(response, true), 0, "evaluation", NOISE).samples(0, 4)
-    point = int(touch.point[0])
+    point = int(touch.point[0]) - 1
     x = touch.signals[0, :, -250:].numpy().reshape(1, -1) @ deviations.tables.reduce
     temperature = OPTIONS.relative_temperature * OPTIONS.temperature
     size = 2 * SAMPLES
@@ -83,7 +83,7 @@ def test_frames_of_one_recording_share_their_deviations(response: ArrayResponse)
     touch = localize.TouchGenerator(deviating(response, 1.0), 0, "evaluation", NOISE).samples(0, 1)
     frames = np.stack([touch.signals[0, :, k : k + 250].numpy().ravel() for k in (250, 500, 750)])
     x = (frames @ deviations.tables.reduce)[None]
-    point = int(touch.point[0])
+    point = int(touch.point[0]) - 1
     together = deviations.scores(x, np.array([point]))[0, 0]
     apart = sum(deviations.scores(x[:, [k]], np.array([point]))[0, 0] for k in range(3))
     # Each frame of its own pays anew for the deviation that it needs.

@@ -13,7 +13,7 @@ from shared import solved
 import localize
 from acoustic_fem.library.transfer_functions import Library, measured_library
 from geometry import Kind
-from localize.decoders.options import DriftOptions
+from localize.decoders.decoder_options import DriftOptions
 from localize.learned.onnx import export_onnx
 from localize.signals.array_response import response_of
 from studies.test_rig.virtual_rig import HiddenScatter, Rig
@@ -45,7 +45,7 @@ def touches(modulus: float) -> tuple[np.ndarray, np.ndarray]:
     response = replace(response_of(calibrated()), transfer_function=transfer_function(modulus))
     made = localize.TouchGenerator(response, 1, "training", NOISE).samples(0, 72)
     order = np.random.default_rng(0).permutation(72)
-    return made.signals[order, :, -250:].double().numpy(), made.point[order].numpy()
+    return made.signals[order, :, -250:].double().numpy(), made.point[order].numpy() - 1
 
 
 @pytest.mark.parametrize("modulus", [0.8, 1.0, 1.15])
@@ -96,7 +96,7 @@ def test_without_a_microphone_the_drift_so_far_is_followed_on() -> None:
     aged = replace(response_of(library), transfer_function=after)
     made = localize.TouchGenerator(aged, 1, "training", NOISE).samples(0, 72)
     order = np.random.default_rng(0).permutation(72)
-    frames, points = made.signals[order, :, -250:].double().numpy(), made.point[order].numpy()
+    frames, points = made.signals[order, :, -250:].double().numpy(), made.point[order].numpy() - 1
     decoder = localize.DriftDecoder(library, NOISE)
     _, belief = decoder.follow(frames[:24], decoder.start)
     left = decoder.microphones[1:]

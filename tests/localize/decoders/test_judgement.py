@@ -28,7 +28,7 @@ def residuals(array):
 def frames_of(array, noise, count=2400, stimuli=None, seed=0):
     kind = {} if stimuli is None else {"stimuli": stimuli}
     made = localize.TouchGenerator(array, seed, "evaluation", noise, **kind).samples(0, count)
-    return made.signals, made.point.numpy()
+    return made.signals, made.point.numpy() - 1
 
 
 @pytest.mark.slow

@@ -9,8 +9,8 @@ import acoustic_fem
 import geometry
 import localize
 from benchmarks.plain_decoding import PlainBayes, PlainTolerant
+from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.likelihood import Bounds, Screen
-from localize.decoders.options import DecoderOptions
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import taps
 

@@ -24,7 +24,7 @@ def touches(array):
     """Signals of ten touches per point, and the pressure in the touched cavity."""
     made = localize.TouchGenerator(array, 0, "evaluation", NOISE).samples(0, 120)
     stimuli = stimulus.multi_sines(0, "evaluation", 0, 120, (1.0, 500.0))
-    return made.signals.double().numpy(), time_signal(stimuli.spectrum).double().numpy(), made.point.numpy()
+    return made.signals.double().numpy(), time_signal(stimuli.spectrum).double().numpy(), made.point.numpy() - 1
 
 
 def decibels(pressure, estimate):

@@ -53,7 +53,7 @@ def heard(array, level, count=240, seed=0, **other):
     """Signals of a second and the points touched; with ``stimuli=nothing`` none is."""
     ambient = None if level is None else (level, level)
     made = localize.TouchGenerator(array, seed, "evaluation", NOISE, ambient=ambient, **other).samples(0, count)
-    return made.signals.double().numpy(), made.point.numpy()
+    return made.signals.double().numpy(), made.point.numpy() - 1
 
 
 @pytest.mark.parametrize("level", [None, 40.0, 60.0, 80.0, 95.0])

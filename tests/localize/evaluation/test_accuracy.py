@@ -35,7 +35,7 @@ class Guesser:
 @pytest.mark.parametrize(("right", "stated"), [(0.8, 0.8), (0.5, 0.97), (0.95, 0.62), (1.0, 1.0)])
 def test_the_calibration_error_is_the_distance_of_stated_and_true_shares(right, stated):
     array = rc_line(5)
-    found = localize.evaluate(Guesser(array, right, stated), array, 400)
+    found = localize.evaluate(Guesser(array, right, stated), array, 400, 0.0)
     assert found.top1 == pytest.approx(right, abs=0.03)
     assert found.reliability.expected_error == pytest.approx(abs(found.top1 - stated))
     filled = [each for each in found.reliability.bins if each.touches]

@@ -20,7 +20,7 @@ from geometry.ground.record import sealed
 from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError
 
-PLAN = localize.TrainingPlan(seconds_per_point=24, epochs=4, batch=16, seed=3)
+PLAN = localize.TrainingPlan(seconds_per_point=24, epochs=4, batch=16, seed=3, microphone_noise=1e-3)
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +49,6 @@ class Stop(Exception):
 @pytest.mark.parametrize("step", [1, 3, 6, 11])
 def test_weights_after_a_stop_within_or_between_epochs_are_those_without(array, whole, tmp_path, monkeypatch, step):
     # A checkpoint at every step; one of them is then never made.
-    monkeypatch.setattr(epochs, "SAVE_EVERY", 0.0)
     made = epochs._step
 
     def failing(*lesson):
@@ -61,7 +60,7 @@ def test_weights_after_a_stop_within_or_between_epochs_are_those_without(array, 
     with monkeypatch.context() as patch:
         patch.setattr(epochs, "_step", failing)
         with pytest.raises(Stop):
-            localize.train(array, PLAN, checkpoint=path)
+            localize.train(array, replace(PLAN, checkpoint_interval=0.0), checkpoint=path)
     again = localize.train(array, PLAN, checkpoint=path)
     assert same(weights(whole), weights(again))
     assert again.training["loss"] == whole.training["loss"]
@@ -85,13 +84,14 @@ import localize
 from geometry.ground.record import sealed
 from localize.learned import epochs
 from rc_line import rc_line
-epochs.SAVE_EVERY = 0.0
 def told(progress):
     print(progress.epoch, flush=True)
     if progress.epoch == 9:
         time.sleep(3600)  # until it is killed
-localize.train(rc_line(4), localize.TrainingPlan(seconds_per_point=24, epochs=10, batch=16, seed=3), told,
-               checkpoint=sys.argv[1])
+plan = localize.TrainingPlan(
+    seconds_per_point=24, epochs=10, batch=16, seed=3, microphone_noise=1e-3, checkpoint_interval=0.0
+)
+localize.train(rc_line(4), plan, told, checkpoint=sys.argv[1])
 """
 
 

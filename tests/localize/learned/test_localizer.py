@@ -11,9 +11,11 @@ import pytest
 import torch
 from clocks import ticking
 from rc_line import rc_line
+from refusals import refused
 from safetensors.torch import save_file
 
 import localize
+from geometry import Kind
 from geometry.ground.record import sealed
 from localize.learned import epochs
 from localize.learned.classifier import NetworkShape, TouchClassifier
@@ -22,8 +24,8 @@ from localize.learned.training import soft_labels
 from localize.signals import stimulus
 
 POINTS = 4
-PLAN = localize.TrainingPlan(seconds_per_point=200, epochs=5, seed=1)
-TINY = localize.TrainingPlan(seconds_per_point=4, epochs=1, batch=8)
+PLAN = localize.TrainingPlan(seconds_per_point=200, epochs=5, seed=1, microphone_noise=1e-3)
+TINY = localize.TrainingPlan(seconds_per_point=4, epochs=1, batch=8, microphone_noise=1e-3)
 
 
 @pytest.fixture(scope="module")
@@ -44,12 +46,12 @@ def tiny(array):
 
 @pytest.fixture(scope="module")
 def touches(array):
-    return localize.TouchGenerator(array, 9, "evaluation").samples(0, 8)
+    return localize.TouchGenerator(array, 9, "evaluation", 0.0).samples(0, 8)
 
 
 def test_four_points_are_learnt_in_seconds(trained, array):
     localizer, _ = trained
-    result = localize.evaluate(localizer, array, touches_per_point=100)
+    result = localize.evaluate(localizer, array, touches_per_point=100, microphone_noise=0.0)
     assert result.top1 > 0.93
     assert result.top2 > 0.98
     assert result.within_one > 0.98
@@ -122,9 +124,9 @@ def test_a_gain_common_to_all_microphones_changes_nothing(trained, touches):
 
 
 def test_locate_refuses_signals_it_cannot_read(tiny):
-    with pytest.raises(ValueError, match="channel right is silent"):
+    with refused(Kind.UNSUITABLE, "signals"):
         tiny.locate(np.stack([np.sin(np.arange(300)), np.zeros(300)]))
-    with pytest.raises(ValueError, match="3 channels, must have 2: left, right"):
+    with refused(Kind.MISMATCH, "signals"):
         tiny.locate(np.ones((3, 300)))
 
 
@@ -143,40 +145,17 @@ def test_soft_labels_are_gaussian_along_a_line_and_never_cross_to_another():
 
 
 @pytest.mark.parametrize(
-    ("field", "value"),
+    ("change", "field", "value"),
     [
-        ("seconds_per_point", 0),
-        ("epochs", 0),
-        ("epochs", 2.5),
-        ("batch", 1),
-        ("learning_rate", 0.0),
-        ("learning_rate", float("nan")),
-        ("weight_decay", -1.0),
-        ("held_out_fraction", 0.0),
-        ("label_sigma", -0.1),
-        ("microphone_noise", -1e-3),
-        ("microphone_noise", "own"),
-        ("seed", -1),
-        ("time_limit", 0.0),
+        ({"depths": (1, 1, 1, 1, 1)}, "network.patch", (2, 4)),
+        ({"patch": (5, 8)}, "network.patch", (5, 8)),
+        ({"width": 30}, "network.width", 30),
+        ({"depths": ()}, "network.depths", ()),
+        ({"points": 1}, "network.points", 1),
     ],
 )
-def test_a_plan_outside_its_ranges_is_refused_by_field_and_value(field, value):
-    with pytest.raises(ValueError, match=rf"{field} = {value!r} must be"):
-        localize.TrainingPlan(**{field: value})
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"depths": (1, 1, 1, 1, 1)}, "patch x 16 must divide 32"),
-        ({"patch": (5, 8)}, "64 rows of a map cannot be cut into patches of 5"),
-        ({"width": 30}, "width = 30 must be a multiple of 4"),
-        ({"depths": ()}, "stages in depths = 0 must be at least 1"),
-        ({"points": 1}, "points = 1 must be at least 2"),
-    ],
-)
-def test_a_network_that_does_not_fit_the_maps_is_refused_when_it_is_made(change, message):
-    with pytest.raises(ValueError, match=message):
+def test_a_network_that_does_not_fit_the_maps_is_refused_when_it_is_made(change, field, value):
+    with refused(Kind.OUT_OF_RANGE, field, value):
         NetworkShape(**{"maps": 4, "points": 12, **change})
 
 
@@ -185,7 +164,7 @@ def test_the_default_network_takes_the_maps_of_any_array(microphones):
     classifier = TouchClassifier(microphones, NetworkShape(maps=map_count(microphones), points=7))
     logits = classifier(torch.randn(2, microphones, 250))
     assert logits.shape == (2, 7)
-    with pytest.raises(ValueError, match="maps = 5 must be"):
+    with refused(Kind.MISMATCH, "network.maps", 5):
         TouchClassifier(microphones, NetworkShape(maps=5, points=7))
 
 
@@ -209,7 +188,7 @@ class Scripted:
 
 
 def test_evaluation_counts_what_was_named(array):
-    result = localize.evaluate(Scripted(), array, touches_per_point=70, seed=4)
+    result = localize.evaluate(Scripted(), array, touches_per_point=70, microphone_noise=0.0, seed=4)
     assert (result.top1, result.top2, result.within_one) == (0.0, 1.0, 0.75)
     assert np.array_equal(result.confusion, 70 * np.roll(np.eye(POINTS, dtype=int), 1, axis=1))
     assert result.hardest_pair[2] == 0.5
@@ -225,18 +204,18 @@ def test_evaluation_is_the_same_again(tiny, array):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
+    ("arguments", "kind", "field"),
     [
-        ({"library": rc_line(5)}, "is for 4 points .* the library has 5 points"),
-        ({"library": replace(rc_line(4), microphones=("a", "b"))}, "microphones a, b"),
-        ({"touches_per_point": 0}, "touches_per_point = 0"),
-        ({"samples": 200}, "samples = 200 must be between 250 and 1000"),
-        ({"microphone_noise": float("inf")}, "microphone_noise = inf"),
+        ({"library": rc_line(5)}, Kind.MISMATCH, ""),
+        ({"library": replace(rc_line(4), microphones=("a", "b"))}, Kind.MISMATCH, ""),
+        ({"touches_per_point": 0}, Kind.OUT_OF_RANGE, "touches_per_point"),
+        ({"samples": 200}, Kind.OUT_OF_RANGE, "samples"),
+        ({"microphone_noise": float("inf")}, Kind.OUT_OF_RANGE, "microphone_noise"),
     ],
 )
-def test_an_evaluation_that_makes_no_sense_is_refused(tiny, array, arguments, message):
-    with pytest.raises(ValueError, match=message):
-        localize.evaluate(tiny, **{"library": array, **arguments})
+def test_an_evaluation_that_makes_no_sense_is_refused(tiny, array, arguments, kind, field):
+    with refused(kind, field, *() if field == "" else arguments.values()):
+        localize.evaluate(tiny, **{"library": array, "microphone_noise": 0.0, **arguments})
 
 
 # -- files ----------------------------------------------------------------------------------------------------------

@@ -10,8 +10,10 @@ import onnxruntime
 import pytest
 import torch
 from rc_line import rc_line
+from refusals import refused
 
 import localize
+from geometry import Kind
 from localize.graphs import KEY
 from localize.graphs.graph_check import doubt
 from localize.learned.onnx import OPSET
@@ -109,21 +111,21 @@ def test_an_onnx_file_is_evaluated_like_what_it_was_made_from(array, pair):
 
 def test_files_that_are_no_localizers_are_refused_by_name(pair, tmp_path):
     _, path = pair
-    with pytest.raises(localize.LocalizerError, match=r"none\.onnx: no such file"):
+    with refused(Kind.MISSING, file="none.onnx", error=localize.LocalizerError):
         localize.OnnxLocalizer(tmp_path / "none.onnx")
     content = path.read_bytes()
     for name, damaged in (("half", content[: len(content) // 2]), ("empty", b""), ("text", b"not a model" * 50)):
         (tmp_path / f"{name}.onnx").write_bytes(damaged)
-        with pytest.raises(localize.LocalizerError, match=rf"{name}\.onnx: cut short or not an ONNX file"):
+        with refused(Kind.UNREADABLE, file=f"{name}.onnx", error=localize.LocalizerError):
             localize.OnnxLocalizer(tmp_path / f"{name}.onnx")
     model = onnx.load(path)
     said = json.loads(model.metadata_props[0].value)
-    for change, message in (({"version": 2}, "version = 2 must be 1"), ({"format": "other"}, "not a localizer")):
+    for change, kind in (({"version": 2}, Kind.MISMATCH), ({"format": "other"}, Kind.UNREADABLE)):
         model.metadata_props[0].value = json.dumps(said | change)
         onnx.save(model, tmp_path / "changed.onnx")
-        with pytest.raises(localize.LocalizerError, match=message):
+        with refused(kind, file="changed.onnx", error=localize.LocalizerError):
             localize.OnnxLocalizer(tmp_path / "changed.onnx")
     del model.metadata_props[:]
     onnx.save(model, tmp_path / "bare.onnx")
-    with pytest.raises(localize.LocalizerError, match="not a localizer: its metadata have no 'acoustic-fem'"):
+    with refused(Kind.UNREADABLE, file="bare.onnx", error=localize.LocalizerError):
         localize.OnnxLocalizer(tmp_path / "bare.onnx")

@@ -26,7 +26,7 @@ def touches(array):
     made = localize.TouchGenerator(array, 5, "evaluation", 0.0, stimuli=finger_stimuli.taps).samples(0, 10)
     still = np.zeros((10, 3, 1000))
     samples = np.concatenate([still, made.signals.numpy()], axis=2).transpose(1, 0, 2).reshape(3, -1)
-    return samples + NOISE * np.random.default_rng(1).standard_normal(samples.shape), made.point.numpy() + 1
+    return samples + NOISE * np.random.default_rng(1).standard_normal(samples.shape), made.point.numpy()
 
 
 def listen(array, samples, fallback=True, limit=None):

@@ -9,7 +9,7 @@ from refusals import refused
 from geometry import Kind
 from localize.live.events import HOP
 from localize.live.front_end import HighPass, Hum, NoiseFloor
-from localize.live.options import StreamOptions
+from localize.live.stream_options import StreamOptions
 from localize.signals.stimulus import SAMPLE_RATE
 
 

@@ -19,10 +19,10 @@ from acoustic_fem.sound.sound_file import read_wav
 from geometry import Kind
 from localize import Decision, Fault, TouchStream
 from localize.live.listener import Latencies, LiveListener, Notice
-from localize.live.options import ListenerOptions
 from localize.live.recorder import LiveRecorder
 from localize.live.sound_device import DeviceSource, input_devices
 from localize.live.sources import Block, BlockQueue, SourceError
+from localize.live.stream_options import ListenerOptions
 from localize.signals.resampling import at_one_kilohertz
 
 NOISE = 1e-2

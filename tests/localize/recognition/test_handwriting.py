@@ -8,13 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from rc_line import rc_line
+from refusals import refused
 
 import localize
 from acoustic_fem.sound.sound_file import write_wav
-from geometry.ground.refusal import Refusal
+from geometry import Kind
 from localize.contacts import ContactRecorder
 from localize.recognition import LETTERS, Hand, LetterMaker, LineReader, letter_maps, written
-from localize.recognition.filter_bank import Ear
+from localize.recognition.filter_bank import FilterBank
 from localize.recognition.letter_classifier import strokes_of
 from localize.signals.array_response import ArrayResponse
 
@@ -81,7 +82,7 @@ def test_a_picture_does_not_know_place_and_size() -> None:
 
 
 def test_letters_need_places() -> None:
-    with pytest.raises(Refusal, match="places"):
+    with refused(Kind.MISMATCH):
         LineReader(rc_line(3, np.arange(1.0, 501.0, 3.0)), 1e-3)
 
 
@@ -97,7 +98,7 @@ def test_a_recognizer_of_letters_learns_and_tells(surface: ArrayResponse) -> Non
     take = ContactRecorder(surface, microphone_noise=1e-4).take(written("L", surface, Hand(), seed=8))
     quiet = 1e-4 * np.random.default_rng(0).standard_normal((2, 2500))
     signals = np.concatenate([quiet, take.signals, quiet, take.signals, quiet], axis=1)
-    told = Ear(surface, own).touches(signals, None, None, localize.BayesDecoder(surface, 1e-4))
+    told = FilterBank(surface, own).touches(signals, None, None, localize.BayesDecoder(surface, 1e-4))
     assert len(told) == 2
     # The same letter twice, cut elsewhere into frames: of so short a training the best two may change places.
     likeliest = [set(each.probability.argsort()[-3:].tolist()) for each in told]

@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from rc_line import rc_line
+from refusals import refused
 
-from geometry.ground.refusal import Refusal
-from localize.recognition.pen_path import FLOOR, SPEEDS, PenTracker
+from geometry import Kind
+from localize.recognition.pen_path import PenTracker
+from localize.recognition.recognition_options import PenOptions
 
 PITCH = 18.0
 SIDE = 5
@@ -30,7 +32,7 @@ def heard(pen: PenTracker, *stretches: tuple[int, float, float]) -> NDArray[np.f
     point = np.repeat([each[0] for each in stretches], hops)
     level = np.repeat([each[1] for each in stretches], hops)
     # What names points in silence is noise.
-    point = np.where(level > FLOOR, point, np.random.default_rng(0).integers(SIDE**2, size=len(point)))
+    point = np.where(level > PenOptions.floor, point, np.random.default_rng(0).integers(SIDE**2, size=len(point)))
     return pen.probability(point, level, -60.0)
 
 
@@ -44,7 +46,7 @@ def test_the_pen_is_over_the_point_that_is_heard(pen: PenTracker) -> None:
 
 
 def test_where_nothing_is_heard_the_pen_is_beside_the_points(pen: PenTracker) -> None:
-    silent = (10, FLOOR, 1.5)
+    silent = (10, PenOptions.floor, 1.5)
     found = heard(pen, (10, 0.0, 0.4), silent, (14, 0.0, 0.4))
     middle = found[len(found) // 2]
     away = np.linalg.norm(pen.place[:, None] - PITCH * np.array([[1, 2], [2, 2], [3, 2]]), axis=-1).min(1)
@@ -65,8 +67,8 @@ def test_a_faint_point_is_passed_at_a_distance(pen: PenTracker) -> None:
 
 def test_a_pen_that_comes_back_far_away_was_lifted(pen: PenTracker) -> None:
     there, back = ([(k, 0.0, 0.3) for k in row] for row in ((0, 1, 2), (22, 23, 24)))
-    found = heard(pen, *there, (2, FLOOR, 0.3), *back).sum(1)
-    assert SPEEDS[-1] < 4 * PITCH / 0.3  # no pen is as fast
+    found = heard(pen, *there, (2, PenOptions.floor, 0.3), *back).sum(1)
+    assert PenOptions.speeds[-1] < 4 * PITCH / 0.3  # no pen is as fast
     middle = len(found) // 2
     assert found[middle - 1 : middle + 2].max() < 0.1
     assert min(found[4:12].min(), found[-12:-4].min()) > 0.9
@@ -80,5 +82,5 @@ def test_lines_of_any_length_are_judged(pen: PenTracker) -> None:
 
 
 def test_a_pen_needs_places() -> None:
-    with pytest.raises(Refusal, match="places"):
+    with refused(Kind.MISMATCH):
         PenTracker(rc_line(3, np.arange(1.0, 501.0, 3.0)))

@@ -7,12 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from rc_line import rc_line
+from refusals import refused
 
 import localize
-from geometry.ground.refusal import Refusal
+from geometry import Kind
 from localize.contacts import pulse_times, pulse_wave
 from localize.recognition.pulse import PulseDecoder, waves_of
-from localize.recognition.takes import heard, prepared
+from localize.recognition.takes import prepared, simulated_signals
 from localize.signals.noise_model import NoiseSpectrum
 
 ARRAY = rc_line(3, np.concatenate([np.arange(0.25, 10.0, 0.25), np.arange(10.0, 501.0, 2.0)]))
@@ -52,13 +53,13 @@ def test_a_contact_that_comes_and_goes_is_no_beat() -> None:
 def test_a_reader_names_point_and_rate() -> None:
     contact, truth = pulse_wave((0.0, 0.0), 70.0, 6.0, seed=5), pulse_times(70.0, 6.0, seed=5)["percussion"]
     random = np.random.default_rng(0)
-    signals = heard(ARRAY, 1, 0.2 * contact.force / contact.force.max(), 1e-3, random)
+    signals = simulated_signals(ARRAY, 2, 0.2 * contact.force / contact.force.max(), 1e-3, random)
     reading = localize.PulseReader(ARRAY, 1e-3).read(signals)
     assert reading.point == 2
     rate = 60 / np.diff(truth[(truth > 0.5) & (truth < 5.5)]).mean()
     assert abs(reading.rate - rate) < 3 * reading.rate_deviation + 1.0
     assert reading.waveform.shape == (6001,)
-    with pytest.raises(Refusal, match=r"signals last 2 s, must last at least 3 s"):
+    with refused(Kind.UNSUITABLE, "signals"):
         localize.PulseReader(ARRAY, 1e-3).read(signals[:, :2000])
 
 
@@ -67,7 +68,7 @@ def test_a_second_of_a_pulse_names_its_point_better_than_frames_of_touches() -> 
     force = contact.force / contact.force.max()
     pulses, touches, named = PulseDecoder(ARRAY, 1e-3), localize.BayesDecoder(ARRAY, 1e-3), []
     for point in range(3):
-        signals = prepared(heard(ARRAY, point, 0.1 * force, 1e-3, random))
+        signals = prepared(simulated_signals(ARRAY, point + 1, 0.1 * force, 1e-3, random))
         for begin in (1000, 2000, 3000, 4000):
             second = signals[:, begin : begin + 1000]
             found = (pulses.named(second), touches.locate(second))

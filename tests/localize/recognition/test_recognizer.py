@@ -10,18 +10,18 @@ import numpy as np
 import pytest
 import torch
 from rc_line import rc_line
+from refusals import refused
 from shared import solved
 
 import localize
 from acoustic_fem.sound.sound_file import write_wav
-from geometry.ground.refusal import Refusal
+from geometry import Kind
 from localize.decoders.reconstruct import Reconstructor
-from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError
 from localize.recognition.event_kinds import event_pressure
-from localize.recognition.filter_bank import Ear
+from localize.recognition.filter_bank import FilterBank
 from localize.recognition.recorded_takes import Stretch, cut, stretches
-from localize.recognition.takes import TakeMaker, heard
+from localize.recognition.takes import TakeMaker, simulated_signals
 from localize.recordings.touch_manifest import TouchManifestError, read_labelled_manifest
 from localize.signals import response_of
 
@@ -36,13 +36,12 @@ def trained():
 
 
 def test_twelve_events_are_learnt_from_a_few_takes(trained) -> None:
-    maps, kind = TakeMaker("events", Reconstructor(ARRAY, 1e-3), (ARRAY,), 9).maps("evaluation", 48)
+    maps, kind = TakeMaker("events", Reconstructor(ARRAY, 1e-3), (ARRAY,), 9, 1e-3).maps("evaluation", 48)
     assert (trained.of_maps(maps).argmax(1) == kind.numpy()).mean() > 0.5  # a twelfth by chance
     assert np.array(trained.training["confusion"]).sum() == trained.training["held_out_takes"] == 36
 
 
-def test_a_training_goes_on_to_the_same_weights(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(epochs, "SAVE_EVERY", 0.0)
+def test_a_training_goes_on_to_the_same_weights(tmp_path: Path) -> None:
     path = tmp_path / "checkpoint.safetensors"
 
     def stop(progress) -> None:
@@ -50,12 +49,12 @@ def test_a_training_goes_on_to_the_same_weights(tmp_path: Path, monkeypatch: pyt
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        localize.train_recognizer(ARRAY, "events", TINY, stop, path)
+        localize.train_recognizer(ARRAY, "events", replace(TINY, checkpoint_interval=0.0), stop, path)
     whole = localize.train_recognizer(ARRAY, "events", TINY)
     again = localize.train_recognizer(ARRAY, "events", TINY, checkpoint=path)
     for name, value in whole.classifier.state_dict().items():
         assert torch.equal(value, again.classifier.state_dict()[name]), name
-    with pytest.raises(CheckpointError, match=r"is of another training: plan.seed was 3, is 4"):
+    with pytest.raises(CheckpointError, match=r"plan\.seed"):
         localize.train_recognizer(ARRAY, "events", replace(TINY, seed=4), checkpoint=path)
 
 
@@ -69,45 +68,42 @@ def test_a_saved_recognizer_gives_the_same_probabilities(trained, tmp_path: Path
 
 
 @pytest.mark.parametrize(
-    ("change", "message"),
+    ("change", "kind", "field"),
     [
-        ({"format": "other"}, "not a recognizer: its format is not 'acoustic-fem recognizer'"),
-        ({"version": 9}, "version = 9 must be 2"),
-        ({"labels": ["a", "b"]}, "changed or damaged"),
-        ({"labels": 3}, "labels = 3 is refused"),
-        ({"extra": 3}, "extra = 3 is refused"),
+        ({"format": "other"}, Kind.UNREADABLE, None),
+        ({"version": 9}, Kind.MISMATCH, "version"),
+        ({"labels": ["a", "b"]}, Kind.DAMAGED, ""),
+        ({"labels": 3}, Kind.WRONG_TYPE, "labels"),
+        ({"extra": 3}, Kind.UNKNOWN, "extra"),
     ],
 )
-def test_a_changed_description_is_refused(trained, tmp_path: Path, change, message: str) -> None:
+def test_a_changed_description_is_refused(trained, tmp_path: Path, change, kind: Kind, field: str) -> None:
     trained.save(tmp_path)
     path = tmp_path / "recognizer.json"
     path.write_text(json.dumps({**json.loads(path.read_text()), **change}))
-    with pytest.raises(localize.RecognizerError, match=message):
+    with refused(kind, field, file=path, error=localize.RecognizerError):
         localize.load_recognizer(tmp_path)
 
 
 @pytest.mark.parametrize(
-    ("call", "message"),
+    ("call", "kind", "field"),
     [
-        (
-            lambda: localize.train_recognizer(ARRAY, "moods"),
-            "subject = 'moods' must be one of: events, textures, letters, labels",
-        ),
-        (lambda: localize.train_recognizer(ARRAY, "labels"), "a manifest of recordings goes with 'labels'"),
-        (lambda: localize.RecognitionPlan(takes=2), "takes = 2 must be a whole number from 5"),
-        (lambda: localize.RecognitionPlan(salt_and_pepper=0.9), "salt_and_pepper = 0.9 must be between 0 and 0.5"),
-        (lambda: localize.RecognitionPlan(network="huge"), "network = 'huge' must be one of"),
+        (lambda: localize.train_recognizer(ARRAY, "moods"), Kind.OUT_OF_RANGE, "subject"),
+        (lambda: localize.train_recognizer(ARRAY, "labels"), Kind.CONFLICT, "subject"),
+        (lambda: localize.RecognitionPlan(takes=2), Kind.OUT_OF_RANGE, "takes"),
+        (lambda: localize.RecognitionPlan(salt_and_pepper=0.9), Kind.OUT_OF_RANGE, "salt_and_pepper"),
+        (lambda: localize.RecognitionPlan(network="huge"), Kind.OUT_OF_RANGE, "network"),
     ],
 )
-def test_what_cannot_be_trained_is_refused(call, message: str) -> None:
-    with pytest.raises(Refusal, match=message):
+def test_trainings_that_cannot_be_are_refused(call, kind: Kind, field: str) -> None:
+    with refused(kind, field):
         call()
 
 
 def test_a_waveform_of_another_length_or_with_a_gap_is_refused(trained) -> None:
-    with pytest.raises(Refusal, match=r"waveforms have shape \(1000,\), must be \(n, 1024\)"):
+    with refused(Kind.WRONG_TYPE, "waveforms"):
         trained.recognize(np.zeros(1000))
-    with pytest.raises(Refusal, match="must be finite"):
+    with refused(Kind.UNSUITABLE, "waveforms"):
         trained.recognize(np.full(1024, np.nan))
 
 
@@ -142,7 +138,7 @@ def recorded(folder: Path, takes: int = 3, labels: tuple[str, ...] = ("knock", "
             for begin in (600, 2700, 4800):
                 pressure[begin : begin + 1024] = event_pressure(label, 1024, random) * np.hanning(1024) ** 0.25
             name = f"{label}-{take}.wav"
-            write_wav(folder / name, heard(ARRAY, 1, pressure, 1e-3, random) / 8, 1000, 32)
+            write_wav(folder / name, simulated_signals(ARRAY, 2, pressure, 1e-3, random) / 8, 1000, 32)
             lines += ["[[recordings]]", f'file = "{name}"', "point = 2", f'label = "{label}"']
     (folder / "touches.toml").write_text("\n".join(lines))
     return folder / "touches.toml"
@@ -151,7 +147,7 @@ def recorded(folder: Path, takes: int = 3, labels: tuple[str, ...] = ("knock", "
 def test_recordings_in_which_nothing_is_heard_are_refused(tmp_path: Path) -> None:
     manifest = recorded(tmp_path, takes=2)
     write_wav(tmp_path / "rub-1.wav", 1e-5 * np.random.default_rng(0).standard_normal((2, 4000)), 1000, 32)
-    with pytest.raises(TouchManifestError, match=r"rub-1\.wav: holds no window of 1024 samples in which something"):
+    with refused(Kind.UNSUITABLE, file="rub-1.wav", error=TouchManifestError):
         localize.train_recognizer(ARRAY, "labels", PLAN, recordings=manifest)
 
 
@@ -165,31 +161,27 @@ def test_labels_of_recordings_are_learnt_and_told_of_another(tmp_path: Path) -> 
     random, pressure = np.random.default_rng(77), np.zeros(6000)
     for begin, name in ((700, "rub"), (3200, "knock")):
         pressure[begin : begin + 1024] = event_pressure(name, 1024, random) * np.hanning(1024) ** 0.25
-    signals = heard(ARRAY, 1, pressure, 1e-3, random)
-    told = Ear(ARRAY, own).touches(signals, None, None, localize.BayesDecoder(ARRAY, 1e-3))
+    signals = simulated_signals(ARRAY, 2, pressure, 1e-3, random)
+    told = FilterBank(ARRAY, own).touches(signals, None, None, localize.BayesDecoder(ARRAY, 1e-3))
     assert [own.labels[each.probability.argmax()] for each in told] == ["rub", "knock"]
-    assert [each.point for each in told] == [1, 1]
+    assert [each.point for each in told] == [2, 2]
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "message"),
+    ("old", "new", "kind", "field"),
     [
-        ('label = "rub"', 'part = "taps"', r"recordings.3.label must be given"),
-        ('label = "rub"', 'label = "knock"', "all recordings have one label"),
-        (
-            'file = "rub-0.wav"\npoint = 2\nlabel = "rub"',
-            'file = "rub-0.wav"\npoint = 2\nlabel = "x"',
-            "'x' has one rec",
-        ),
-        ("point = 2", "point = 9", "recordings.0.point = 9 must be from 1 to 3"),
-        ("point = 2", 'point = 2\nspeed = "12"', "recordings.0.speed"),
-        ('label = "rub"', 'label = " "', "recordings.3.label"),
+        ('label = "rub"', 'part = "taps"', Kind.MISSING, "recordings.3.label"),
+        ('label = "rub"', 'label = "knock"', Kind.UNSUITABLE, ""),
+        ('rub-0.wav"\npoint = 2\nlabel = "rub"', 'rub-0.wav"\npoint = 2\nlabel = "x"', Kind.UNSUITABLE, ""),
+        ("point = 2", "point = 9", Kind.OUT_OF_RANGE, "recordings.0.point"),
+        ("point = 2", 'point = 2\nspeed = "12"', Kind.WRONG_TYPE, "recordings.0.speed"),
+        ('label = "rub"', 'label = " "', Kind.OUT_OF_RANGE, "recordings.3.label"),
     ],
 )
-def test_a_manifest_that_cannot_be_used_is_refused(tmp_path: Path, old: str, new: str, message: str) -> None:
+def test_a_manifest_that_cannot_be_used_is_refused(tmp_path: Path, old: str, new: str, kind: Kind, field: str) -> None:
     manifest = recorded(tmp_path)
     manifest.write_text(manifest.read_text().replace(old, new))
-    with pytest.raises(TouchManifestError, match=message):
+    with refused(kind, field, file=manifest, error=TouchManifestError):
         read_labelled_manifest(manifest, 3)
 
 
@@ -197,7 +189,7 @@ def test_letters_of_recordings_state_no_speed(tmp_path: Path) -> None:
     manifest = recorded(tmp_path, takes=2)
     manifest.write_text(manifest.read_text().replace("point = 2", "point = 2\nspeed = 40.0"))
     array = response_of(solved("array-2x6", np.arange(1.0, 501.0, 4.0)))
-    with pytest.raises(TouchManifestError, match="recordings of letters must state no speed"):
+    with refused(Kind.CONFLICT, file=manifest, error=TouchManifestError):
         localize.train_recognizer(array, "letters", PLAN, recordings=manifest)
 
 
@@ -205,12 +197,13 @@ def test_a_take_given_twice_and_speeds_of_some_are_refused(tmp_path: Path) -> No
     manifest = recorded(tmp_path, takes=2)
     text = manifest.read_text()
     manifest.write_text(text + "\nspeed = 12.0")
-    with pytest.raises(TouchManifestError, match="some recordings state a speed and some do not"):
+    with refused(Kind.CONFLICT, file=manifest, error=TouchManifestError):
         localize.train_recognizer(ARRAY, "labels", PLAN, recordings=manifest)
     from acoustic_fem.sound.sound_file import read_wav
 
     sound = np.stack(list(read_wav(tmp_path / "rub-0.wav").channels.values()))
     write_wav(tmp_path / "rub-1.wav", 0.5 * sound, 1000, 32)
     manifest.write_text(text)
-    with pytest.raises(TouchManifestError, match=r"rub-1\.wav is the same take as rub-0\.wav"):
+    with refused(Kind.CONFLICT, file=manifest, error=TouchManifestError) as found:
         localize.train_recognizer(ARRAY, "labels", PLAN, recordings=manifest)
+    assert "rub-1.wav is the same take as rub-0.wav" in str(found.value)

@@ -1,6 +1,7 @@
 """Recorded touches: split by recording, refused by name, drawn the same whatever was drawn before."""
 
 import hashlib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,12 +9,13 @@ import pytest
 import torch
 from hypothesis import given, settings, strategies as st
 from rc_line import rc_line
+from refusals import refused
 
 import localize
 from acoustic_fem.sound.sound_file import write_wav
-from localize.learned import epochs
+from geometry import Kind
 from localize.learned.checkpoint import CheckpointError
-from localize.learned.recorded_frames import JUDGED, RecordedFrames
+from localize.learned.recorded_frames import RecordedFrames
 from localize.live import AS_IT_COMES
 from localize.recordings.touch_manifest import PARTS, read_touch_manifest, split
 
@@ -102,7 +104,9 @@ def test_frames_are_those_that_a_stream_hears_of_the_recordings_of_their_side(ar
     assert not sides[False].keys() & sides[True].keys()
     assert sum(entry["frames"] for entry in frames.to_dict()["training"]) == len(sides[False])
     drawn, point = frames.samples(0, 4000)
-    assert point.tolist() == [k % POINTS for k in range(4000)]
+    rounds = point.reshape(-1, POINTS)
+    assert torch.equal(rounds.sort(1).values, torch.arange(POINTS).expand_as(rounds))
+    assert len(torch.unique(rounds, dim=0)) > 2
     keys = [frame.numpy().tobytes() for frame in drawn]
     assert all(sides[False][key][0] == own for key, own in zip(keys, point.tolist(), strict=True))
     # nearly all of them are drawn, the parts equally often
@@ -110,7 +114,7 @@ def test_frames_are_those_that_a_stream_hears_of_the_recordings_of_their_side(ar
     assert sum(sides[False][key][1] == "taps" for key in keys) == pytest.approx(2000, abs=150)
     judged = {frame.numpy().tobytes() for frame in frames.judged_frames}
     assert judged <= sides[True].keys()
-    assert len(judged) == sum(min(JUDGED, entry["frames"]) for entry in frames.to_dict()["held_out"])
+    assert len(judged) == sum(min(64, entry["frames"]) for entry in frames.to_dict()["held_out"])
 
 
 @settings(max_examples=20)
@@ -126,7 +130,7 @@ def test_a_decoder_is_judged_by_part(array, frames) -> None:
     found = frames.judge(localize.BayesDecoder(array, NOISE))
     assert set(found) == {"random-1-10", "taps"}
     for each in found.values():
-        assert each.right > 0.8
+        assert each.top1 > 0.8
         assert each.recordings == POINTS
     assert sum(each.frames for each in found.values()) == len(frames.judged_frames)
 
@@ -139,12 +143,29 @@ FOUR = "".join(entry(f"{k}.wav", k) for k in range(1, 5))
 
 
 @pytest.mark.parametrize(
-    ("text", "message"),
+    ("text", "kind", "field", "file"),
     [
+<<<<<<< HEAD
+        ("x", Kind.UNREADABLE, "", "touches.toml"),
+        ("", Kind.MISSING, "recordings", "touches.toml"),
+        ("recordings = []", Kind.OUT_OF_RANGE, "recordings", "touches.toml"),
+        (entry(part="knocks"), Kind.OUT_OF_RANGE, "recordings.0.part", "touches.toml"),
+        (entry() + entry("b.wav", 0), Kind.OUT_OF_RANGE, "recordings.1.point", "touches.toml"),
+        (FOUR + entry("5.wav", 5), Kind.OUT_OF_RANGE, "recordings.4.point", "touches.toml"),
+        ("full_scale = 0.0\n" + FOUR, Kind.OUT_OF_RANGE, "full_scale", "touches.toml"),
+        ("volume = 1\n" + FOUR, Kind.UNKNOWN, "volume", "touches.toml"),
+        (FOUR + entry("nowhere.wav"), Kind.MISSING, "", "nowhere.wav"),
+        (FOUR + entry("1.wav", 2), Kind.CONFLICT, "", "touches.toml"),
+        (FOUR + entry("copy.wav", 1), Kind.CONFLICT, "", "touches.toml"),
+        (entry("1.wav", 1) + entry("3.wav", 3), Kind.MISSING, "", "touches.toml"),
+        (FOUR, Kind.UNSUITABLE, "", "touches.toml"),
+        (FOUR + entry("quiet.wav", 2), Kind.UNSUITABLE, "", "quiet.wav"),
+        (FOUR + entry("clipped.wav", 2), Kind.UNSUITABLE, "", "clipped.wav"),
+=======
         ("x", "touches.toml: is not TOML"),
-        ("", "touches.toml: recordings is missing: must be a list of at least 1 entries"),
+        ("", "touches.toml: recordings is missing; it must be a list of at least 1 entries"),
         ("recordings = []", "touches.toml: recordings = [] must be a list of at least 1 entries"),
-        (entry(part="knocks"), "recordings.0.part = 'knocks' must be one of 'random-1-100', 'random-1-10', 'friction'"),
+        (entry(part="knocks"), "recordings.0.part = 'knocks' must be one of: random-1-100, random-1-10, friction"),
         (entry() + entry("b.wav", 0), "recordings.1.point = 0 must be a whole number at least 1"),
         (FOUR + entry("5.wav", 5), "recordings.4.point = 5 must be from 1 to 4, the points of the array"),
         ("full_scale = 0.0\n" + FOUR, "full_scale = 0 must be between 1e-12 and 1e+12"),
@@ -156,19 +177,18 @@ FOUR = "".join(entry(f"{k}.wav", k) for k in range(1, 5))
         (FOUR, "no point has two recordings of one part; none can be held out"),
         (FOUR + entry("quiet.wav", 2), "quiet.wav: holds no frame that is louder than the microphones' noise"),
         (FOUR + entry("clipped.wav", 2), "clipped.wav: channel left is clipped"),
+>>>>>>> geo
     ],
 )
-def test_a_manifest_that_cannot_be_used_is_refused_by_name(array, tmp_path, text, message) -> None:
+def test_a_manifest_that_cannot_be_used_is_refused_by_name(array, tmp_path, text, kind, field, file) -> None:
     random = np.random.default_rng(0)
     for name in ("1", "2", "3", "4", "5", "quiet", "clipped"):
         level = {"quiet": 0.5 * NOISE, "clipped": 1.0}.get(name, 0.05)
         write_wav(tmp_path / f"{name}.wav", level * random.standard_normal((2, 1000)), 1000)
     (tmp_path / "copy.wav").write_bytes((tmp_path / "1.wav").read_bytes())
     (tmp_path / "touches.toml").write_text(text)
-    with pytest.raises(ValueError) as refused:
+    with refused(kind, field, file=file):
         RecordedFrames(tmp_path / "touches.toml", array, NOISE, 0)
-    assert message in str(refused.value)
-    assert "\n" not in str(refused.value)
 
 
 def weights(localizer):
@@ -187,7 +207,6 @@ class Stop(Exception):
 @pytest.mark.parametrize("step", [2, 7])
 def test_a_training_with_recordings_goes_on_bit_for_bit(array, manifest, tmp_path, monkeypatch, step) -> None:
     whole = localize.train(array, PLAN, recordings=manifest)
-    monkeypatch.setattr(epochs, "SAVE_EVERY", 0.0)
     drawn = RecordedFrames.samples
 
     def failing(self, start, count):
@@ -199,7 +218,7 @@ def test_a_training_with_recordings_goes_on_bit_for_bit(array, manifest, tmp_pat
     with monkeypatch.context() as patch:
         patch.setattr(RecordedFrames, "samples", failing)
         with pytest.raises(Stop):
-            localize.train(array, PLAN, checkpoint=path, recordings=manifest)
+            localize.train(array, replace(PLAN, checkpoint_interval=0.0), checkpoint=path, recordings=manifest)
     again = localize.train(array, PLAN, checkpoint=path, recordings=manifest)
     assert same(weights(whole), weights(again))
     for name in ("loss", "held_out_accuracy", "recorded_accuracy", "held_out_recordings", "recordings"):
@@ -214,9 +233,9 @@ def test_a_training_on_recordings_that_have_changed_is_refused_by_name(array, tm
     content = bytearray(wav.read_bytes())
     content[-5] ^= 1
     wav.write_bytes(bytes(content))
-    with pytest.raises(CheckpointError, match=r"is of another training: recording 2-taps-1\.wav was [0-9a-f]{16}, po"):
+    with pytest.raises(CheckpointError, match=r"recording 2-taps-1\.wav"):
         localize.train(array, PLAN, checkpoint=path, recordings=manifest)
-    with pytest.raises(CheckpointError, match=r"is of another training: recording 1-taps-0\.wav was .*, is absent"):
+    with pytest.raises(CheckpointError, match=r"recording 1-taps-0\.wav"):
         localize.train(array, PLAN, checkpoint=path)
 
 
@@ -229,17 +248,15 @@ def test_the_localizer_keeps_the_split_and_how_the_held_out_recordings_are_named
     for each in kept["recordings"]["training"] + kept["recordings"]["held_out"]:
         assert each["sha256"] == hashlib.sha256((manifest.parent / each["file"]).read_bytes()).hexdigest()
     judged = frames.judge(localize.load_localizer(tmp_path / "kept"))
-    assert {part: found["right"] for part, found in kept["held_out_recordings"].items()} == pytest.approx(
-        {part: found.right for part, found in judged.items()}, abs=0.01
+    assert {part: found["top1"] for part, found in kept["held_out_recordings"].items()} == pytest.approx(
+        {part: found.top1 for part, found in judged.items()}, abs=0.01
     )
-    assert kept["recorded_accuracy"][-1] == {
-        part: found["right"] for part, found in kept["held_out_recordings"].items()
-    }
+    assert kept["recorded_accuracy"][-1] == {part: found["top1"] for part, found in kept["held_out_recordings"].items()}
     assert len(kept["recorded_accuracy"]) == PLAN.epochs
 
 
 def test_without_recordings_nothing_of_them_is_drawn_or_kept(array) -> None:
     plain = localize.train(array, PLAN)
     assert "recordings" not in plain.training
-    with pytest.raises(ValueError, match=r"recorded = 1.5 must be between 0 and 1"):
+    with refused(Kind.OUT_OF_RANGE, "recorded", 1.5):
         localize.TrainingPlan(recorded=1.5)

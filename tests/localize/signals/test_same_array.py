@@ -6,9 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from refusals import refused
 
 import acoustic_fem
 import geometry
+from geometry import Kind
 from localize.signals import check_same_array, check_same_design, design_difference, response_of
 
 DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4, "layout.columns": 4})
@@ -20,28 +22,23 @@ def own():
 
 
 @pytest.mark.parametrize(
-    ("change", "message"),
+    ("change", "words"),
     [
-        (
-            {"microphones": ("A", "C")},
-            r"other\.nc: is of another array .*: its microphones are A, C, must be A, B",
-        ),
-        ({"microphones": ("B", "A")}, "its microphones are B, A, must be A, B"),
-        (
-            {"place": np.array([3, 2, 1, 0])},
-            "its points are numbered otherwise: point 1 is place 3 of line 0, must",
-        ),
+        ({"microphones": ("A", "C")}, "A, C, must be A, B"),
+        ({"microphones": ("B", "A")}, "B, A, must be A, B"),
+        ({"place": np.array([3, 2, 1, 0])}, "point 1 is place 3 of line 0"),
         ({"line": np.array([0, 0, 1, 1])}, "point 3 is place 2 of line 1, must be place 2 of line 0"),
     ],
 )
-def test_other_microphones_and_points_numbered_otherwise_are_refused(own, change, message):
-    with pytest.raises(geometry.Refusal, match=message):
+def test_other_microphones_and_points_numbered_otherwise_are_refused(own, change, words):
+    with refused(Kind.MISMATCH, file="other.nc") as found:
         check_same_array(own, replace(own, **change), "other.nc")
+    assert words in str(found.value)
 
 
 def test_another_number_of_points_is_refused(own):
     fewer = response_of(acoustic_fem.solve(DESIGN.with_values({"lines.0.points": 3}), own.frequency, "lumped"))
-    with pytest.raises(geometry.Refusal, match="it has 3 points, must have 4"):
+    with refused(Kind.MISMATCH, file="other.nc"):
         check_same_array(own, fewer, "other.nc")
 
 
@@ -55,8 +52,10 @@ def test_another_design_is_refused_by_its_field_and_another_air_is_not(own):
     check_same_design(own, of(name="another", air__temperature=30.0, description="of another day"), "other.nc")
     check_same_design(own, replace(own, provenance={}), "other.nc")
     assert design_difference(own, own) is None
-    with pytest.raises(geometry.Refusal, match=r"other.nc: is of another design .*: tube.length = 20.0, must be 12\.5"):
+    with refused(Kind.MISMATCH, file="other.nc") as found:
         check_same_design(own, of(tube__length=20.0), "other.nc")
+    assert "tube.length = 20.0, must be 12.5" in str(found.value)
     states_no_law = replace(own, provenance={"design": geometry.design.write_design(DESIGN)})
-    with pytest.raises(geometry.Refusal, match=r"materials\.silicone-shore-a-30\.law = constant, must be spring-pot"):
+    with refused(Kind.MISMATCH, file="older.nc") as found:
         check_same_design(own, states_no_law, "older.nc")
+    assert "materials.silicone-shore-a-30.law = constant" in str(found.value)

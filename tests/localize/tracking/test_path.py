@@ -7,11 +7,12 @@ from functools import cache
 
 import numpy as np
 import pytest
+from refusals import refused
 
 import acoustic_fem
 import geometry
 import localize
-from geometry.ground.refusal import Refusal
+from geometry import Kind
 from localize.contacts import Contact, record
 from localize.live.events import Decision, TrackedGesture
 from localize.signals import response_of
@@ -117,9 +118,9 @@ def test_frames_are_kept_only_where_they_are_asked_for() -> None:
     assert plain == kept
 
 
-@pytest.mark.parametrize(("option", "message"), [({"radius": 0.0}, "radius"), ({"ambient": 200.0}, "ambient = 200")])
-def test_what_is_out_of_range_is_refused(option: dict[str, float], message: str) -> None:
-    with pytest.raises(Refusal, match=message):
+@pytest.mark.parametrize("option", [{"radius": 0.0}, {"ambient": 200.0}])
+def test_options_out_of_range_are_refused(option: dict[str, float]) -> None:
+    with refused(Kind.OUT_OF_RANGE):
         PathTracker(array(), **option)
 
 

@@ -44,7 +44,7 @@ def test_a_slide_tells_its_speed_and_the_points_that_it_passes(begin: int, end: 
     slide = found(slid(begin, end, speed))
     assert slide is not None
     assert slide.speed == pytest.approx(speed, rel=0.05)
-    assert slide.point.tolist() == list(range(begin, end + 1) if end > begin else range(begin, end - 1, -1))
+    assert (slide.point - 1).tolist() == list(range(begin, end + 1) if end > begin else range(begin, end - 1, -1))
     np.testing.assert_allclose(np.diff(slide.time), 18.5 / speed, rtol=0.06)
 
 

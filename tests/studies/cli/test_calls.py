@@ -31,7 +31,7 @@ from studies.cli.verbs import VERBS, option_names
 ROOT = Path(__file__).parents[3]
 #: Verb -> what it calls, where it finds it.
 CALLS = {
-    "studio": "studies.studio.serving.serve_studio",
+    "studio": "studies.cli.designs.serve_studio",
     "new": "studies.cli.new_designs.new_design",
     "check": "studies.cli.designs.check_design",
     "wiring": "studies.cli.designs.wiring_table",

@@ -135,5 +135,6 @@ def test_what_is_there_is_read_once(library: Library, tmp_path: Path, monkeypatc
         return own(path)
 
     monkeypatch.setattr(exchange, "load", load)
+    monkeypatch.setattr("studies.run.library_files.load", load)
     assert CliRunner().invoke(app, ["convert", str(source), "--out", str(target)]).exit_code == 0
     assert sorted(read) == [source, target]

@@ -220,14 +220,20 @@ def test_lines_into_a_program_that_ends_are_no_error(folder):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ((), "sounddevice is not installed: pip install 'acoustic-fem[live]'; on Linux PortAudio itself: apt install "),
+        ((), "sounddevice is not installed; pip install 'acoustic-fem[live]'; on Linux PortAudio itself: apt install "),
         (("--list-devices",), "sounddevice is not installed"),
         (("--replay", "nowhere.wav"), "nowhere.wav: no such file"),
-        (("--replay", "{folder}/play.wav", "--channels", "left=1,right=3"), "has 2 channels; channel 3 of microphone"),
-        (("--replay", "{folder}/play.wav", "--channels", "left=1"), "--channels = left=1 must give left, right a num"),
+        (
+            ("--replay", "{folder}/play.wav", "--channels", "left=1,right=3"),
+            "--channels = 3 is not there for microphone",
+        ),
+        (
+            ("--replay", "{folder}/play.wav", "--channels", "left=1"),
+            "--channels = 'left=1' must be a number each for left",
+        ),
         (
             ("--replay", "{folder}/play.wav", "--full-scale", "0"),
-            "--full-scale = 0.0 Pa must be between 1e-12 and 1e+12",
+            "--full-scale = 0 Pa must be between 1e-12 and 1e+12",
         ),
         (("--replay", "{folder}/short.wav"), "short.wav: has 0 samples, must have at least 250 (0.25 s at 1000 Hz)"),
         (("--replay", "{folder}/model.onnx"), "cut short or not a WAV file"),
@@ -244,7 +250,7 @@ def test_lines_into_a_program_that_ends_are_no_error(folder):
             ("--replay", "{folder}/play.wav", "--record", "{folder}/no/x.wav"),
             "--record must lie in a folder that exists",
         ),
-        (("--replay", "{folder}/play.wav", "--noise", "1"), "--noise = 1.0 is for a library"),
+        (("--replay", "{folder}/play.wav", "--noise", "1"), "--noise = 1 Pa is for a library"),
     ],
 )
 def test_what_cannot_be_listened_to_is_one_line(folder, monkeypatch, capsys, arguments, message):
@@ -269,7 +275,7 @@ def test_a_computer_without_portaudio_is_told_what_to_install(folder, tmp_path, 
     (tmp_path / "sounddevice.py").write_text("raise OSError('PortAudio library not found')\n")
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.delitem(sys.modules, "sounddevice", raising=False)
-    with pytest.raises(SourceError, match=r"PortAudio library not found: pip install .* apt install libportaudio2"):
+    with pytest.raises(SourceError, match=r"PortAudio library not found; pip install .* apt install libportaudio2"):
         load_sounddevice()
 
 

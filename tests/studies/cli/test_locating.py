@@ -41,9 +41,9 @@ def test_a_recording_is_located_by_the_network_an_onnx_file_and_the_library_alik
 ) -> None:
     folder = small_run().folder
     library = acoustic_fem.load(folder / "library.nc")
-    touches = localize.TouchGenerator(response_of(library), 0, "evaluation").samples(0, 60)
+    touches = localize.TouchGenerator(response_of(library), 0, "evaluation", 0.0).samples(0, 60)
     loud = [
-        max((k for k in range(60) if touches.point[k] == point), key=lambda k: float(touches.signals[k].std()))
+        max((k for k in range(60) if touches.point[k] == point + 1), key=lambda k: float(touches.signals[k].std()))
         for point in (2, 0)
     ]
     samples = 2e-4 * np.random.default_rng(0).standard_normal((2, 5000))
@@ -78,7 +78,7 @@ def test_a_microphone_that_dies_or_clips_is_named_and_two_go_on(command: Command
     acoustic_fem.save(solved, tmp_path / "glove.nc")
     library = response_of(solved)
     touches = localize.TouchGenerator(library, 0, "evaluation", 0.0).samples(0, 2 * design.point_count)
-    first = [k for k in range(len(touches.point)) if library.line[touches.point[k]] == 0]
+    first = [k for k in range(len(touches.point)) if library.line[touches.point[k] - 1] == 0]
     loud = sorted(first, key=lambda k: -float(touches.signals[k].std()))[:2]
     samples = 7e-4 * np.random.default_rng(0).standard_normal((3, 12000))
     for begin, sample in zip((2000, 9000), loud, strict=True):
@@ -92,14 +92,14 @@ def test_a_microphone_that_dies_or_clips_is_named_and_two_go_on(command: Command
     assert told.code == 0, told.err
     assert re.search(r"^warning: dead channel of microphone C, from 6\.\d s on$", told.out, re.MULTILINE)
     rows = [line.split() for line in told.out.splitlines() if re.match(r" *\d", line)]
-    assert [int(row[2]) for row in rows] == [int(touches.point[k]) + 1 for k in loud]
+    assert [int(row[2]) for row in rows] == [int(touches.point[k]) for k in loud]
     scipy.io.wavfile.write(recording, 1000, clipped.T.astype(np.float32))
     told = command("locate", tmp_path / "glove.nc", recording)
     assert (told.code, "channel C is clipped at" in told.err + told.out) == (0, True)
     assert re.search(r"^warning: clipped .*microphone C", told.out, re.MULTILINE)
     rows = [line.split() for line in told.out.splitlines() if re.match(r" *\d", line)]
     # What follows a clipped beginning may be a touch of its own, of which nothing is sure.
-    assert [int(row[2]) for row in rows if float(row[5]) > 50] == [int(touches.point[k]) + 1 for k in loud]
+    assert [int(row[2]) for row in rows if float(row[5]) > 50] == [int(touches.point[k]) for k in loud]
     # Nobody goes on with one of two.
     scipy.io.wavfile.write(recording, 1000, samples[[0, 2]].T.astype(np.float32))
     told = command("locate", small_run().folder / "library.nc", recording)

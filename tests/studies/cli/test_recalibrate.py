@@ -11,7 +11,7 @@ from foreign_touches import DESIGN, GRID, NOISE, Array, heard, nominal, touches,
 
 import acoustic_fem
 import localize
-from localize.live.options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS
 from studies.cli.app import main
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig

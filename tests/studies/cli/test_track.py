@@ -79,7 +79,7 @@ def test_live_tells_places_beside_points(command: Command, folder: Path) -> None
             ("library.nc", "slide.wav", "--out", "x.csv", "--radius", 999),
             "--radius = 999 mm must be between 0.05 and 100",
         ),
-        (("localizer", "slide.wav", "--out", "x.csv"), "localizer: is no library"),
+        (("localizer", "slide.wav", "--out", "x.csv"), "localizer: is a folder without localizer.json"),
         (("library.nc", "short.wav", "--out", "x.csv"), "short.wav: has 100 samples"),
         (("library.nc", "slide.wav", "--out", "x.csv", "--picture", "slide.wav"), "slide.wav"),
     ],

@@ -48,7 +48,7 @@ def test_kinds_are_told_in_the_noise_and_air_of_the_place(tmp_path: Path, monkey
     )
     ears = []
 
-    class Ear:
+    class FakeFilters:
         def __init__(self, *given: object) -> None:
             ears.append(given)
 
@@ -56,7 +56,7 @@ def test_kinds_are_told_in_the_noise_and_air_of_the_place(tmp_path: Path, monkey
             return ()
 
     monkeypatch.setattr("localize.recognition.recognizer.load_recognizer", lambda _: own)
-    monkeypatch.setattr("localize.recognition.filter_bank.Ear", Ear)
+    monkeypatch.setattr("localize.recognition.filter_bank.FilterBank", FakeFilters)
     there = studies.Decoding(noise=2e-3, ambient=60.0, air=LocalAir(pressure=8e4))
     for decoding in (there, None):
         studies.recognize_recording("model", tmp_path / "library.nc", tmp_path / "take.wav", decoding=decoding)

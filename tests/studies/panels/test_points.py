@@ -58,7 +58,7 @@ def test_the_figures_are_those_of_python(name: str) -> None:
 def test_what_cannot_be_built_is_said_with_its_mend() -> None:
     found = point_figures(prototype("array-2x6").with_values({"layout.pitch": 10.5}))
     assert found["overlaps"]
-    assert found["mend"].startswith("mend: ")
+    assert found["mend"].startswith("set ")
 
 
 def test_mis_made_sensors_are_those_of_python() -> None:

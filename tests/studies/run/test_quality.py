@@ -34,7 +34,7 @@ def test_the_figures_are_those_of_the_metrics(tmp_path):
     assert json.loads(json.dumps(found.to_dict()))["hardest"] == list(found.hardest)
 
 
-def test_a_design_at_the_edge_of_the_atlas_is_lumped_where_it_is_mis_made_and_says_so(monkeypatch):
+def test_a_design_at_the_edge_of_the_atlas_is_solved_in_3d_as_built_and_says_so(monkeypatch):
     monkeypatch.setattr(quality, "SENSORS_UP_TO", 0.1)
     small = small_design()
     tall = 2.29 * small.resonator.cavity_diameter / 2  # heights by radius end at 2.3
@@ -42,10 +42,10 @@ def test_a_design_at_the_edge_of_the_atlas_is_lumped_where_it_is_mis_made_and_sa
     beyond = small.with_values({"resonator.cavity_height": round(1.1 * tall, 3)})
     found, other = design_quality(edge), design_quality(beyond)
     assert found.fidelity.words == "atlas"
-    assert found.made_fidelity.words.startswith("lumped: lines.0 tube 0 at points of column 0: ")
-    assert other.fidelity.words.startswith("lumped: resonator ")
+    assert found.made_fidelity.words.startswith("navier-stokes: lines.0 tube 0 at points of column 0: ")
+    assert other.fidelity.words.startswith("navier-stokes: resonator ")
     rows = {what: value for what, value, _ in found.lines}
-    assert (rows["fidelity, nominal sensor"], rows["fidelity, mis-made sensors"]) == ("atlas", "lumped")
+    assert (rows["fidelity, nominal sensor"], rows["fidelity, mis-made sensors"]) == ("atlas", "navier-stokes")
 
 
 def test_a_large_design_has_a_few_mis_made_sensors_and_never_one_alone(monkeypatch):

@@ -168,7 +168,7 @@ def test_each_sensor_in_turn_is_touched_at_all_points_and_only_it_is_read(librar
     response = response_of(library)
     source = Recorded(response.transfer_function, 10)
     touches = TouchGenerator(response, 1, "training", 0.0, source, range(2, 7))
-    plain = TouchGenerator(response, 1, "training")
+    plain = TouchGenerator(response, 1, "training", 0.0)
     source.read.clear()
     found, once = touches.samples(3, 6).signals, plain.samples(3, 6).signals  # sensors 3 and 4
     assert source.read == [(3, 2)]
@@ -196,7 +196,7 @@ def test_training_streams_and_holds_out_sensors_of_its_own(
     library: acoustic_fem.Library, store: PerturbedLibrary
 ) -> None:
     source = Recorded(response_of(library).transfer_function, 20)
-    plan = localize.TrainingPlan(seconds_per_point=6, epochs=1, batch=12, held_out_fraction=1.0)
+    plan = localize.TrainingPlan(microphone_noise=1e-3, seconds_per_point=6, epochs=1, batch=12, held_out_fraction=1.0)
     localizer = localize.train(library, plan, source=source)
     assert localizer.training["sensors"] == 16
     read = {first + k for first, count in source.read for k in range(count)}

@@ -227,6 +227,7 @@ def test_a_study_is_run_and_a_click_on_its_front_loads_that_design(page: Any, tm
 def test_a_study_that_is_stopped_shows_what_it_has_and_goes_on(page: Any) -> None:
     page.locator("#study-title").scroll_into_view_if_needed()
     page.select_option("#study-add", "resonator.cavity_height")
+    page.select_option("#study-fidelity", "lumped")
     page.select_option("#study-metrics select >> nth=0", "distance_smallest")
     page.fill("#study-designs", "4096")
     page.click("#study-run")

@@ -31,7 +31,7 @@ def running() -> Iterator[Studio]:
 def asked(running: Studio, method: str, path: str, body: Any = None, **headers: str) -> tuple[int, str, str]:
     """Status, text and cookie of an answer; a body of chunks is sent without its length."""
     own = {"Host": f"127.0.0.1:{running.port}", **headers}
-    link = http.client.HTTPConnection("127.0.0.1", running.port, timeout=60)
+    link = http.client.HTTPConnection("127.0.0.1", running.port, timeout=240)
     link.putrequest(method, path, skip_host=True, skip_accept_encoding=True)
     for name, value in own.items():
         link.putheader(name, value)

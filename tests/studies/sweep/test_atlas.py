@@ -66,7 +66,7 @@ def test_a_sweep_is_not_continued_with_another_table(tmp_path, monkeypatch):
     run_sweep(study, store, workers=1)
     assert run_sweep(study, store, workers=1).computed == 0
     table = cell_atlas()
-    monkeypatch.setattr(acoustic_fem.atlas, "cell_atlas", lambda: replace(table, digest="0123456789ab"))
+    monkeypatch.setattr("studies.study.study.cell_atlas", lambda: replace(table, digest="0123456789ab"))
     with pytest.raises(StudyError) as error:
         run_sweep(study, store, workers=1)
     assert str(error.value) == (

@@ -105,6 +105,7 @@ REFUSED = {
     "of format 3": older(3),
     "of format 1": older(1),
     "no sweep": older(None),
+    "no records": without("records"),
     "no metadata and no records": without("records", "zarr.json"),
     "records of a later version": of_format("records/study", "sweep 4\n", "sweep 5\n"),
 }
@@ -133,6 +134,7 @@ MENDED = {
     "metrics of another place": (
         lambda store: shutil.copy(store / "records/000002.metrics", store / METRICS_3), METRICS_3, "cases 9 to 11 are",
     ),
+    "metrics missing": (without(METRICS_3), METRICS_3, "cases 9 to 11 are computed again"),
     "responses missing": (without(RESPONSES_2), RESPONSES_2, "cases 6 to 8 are computed again"),
     "study": (flip("records/study"), "records/study", "restored from the study"),
     "study cut": (cut("records/study"), "records/study", "restored from the study"),
@@ -193,7 +195,7 @@ def test_many_damaged_blocks_are_told_in_few_lines(study: Study, finished: Path,
 
 
 def test_a_block_that_waits_is_computed_whatever_lies_in_its_place(study: Study, finished: Path, store: Path) -> None:
-    without("records/000001.metrics")(store)
+    without("records/000001.metrics", "state/c/1")(store)
     waiting = open_sweep(store).dataset.isel(case=slice(2, 7)).load()
     known = [True, False, False, False, True]
     np.testing.assert_array_equal(np.isfinite(waiting["volume"].values), known)

@@ -38,7 +38,7 @@ def test_a_case_that_cannot_be_built_fails_with_the_reason_and_is_counted_before
 def test_a_base_that_cannot_be_built_is_refused_with_what_mends_it_before_any_work(tmp_path: Path) -> None:
     study = read_study(STUDY)
     study = replace(study, base=study.base.with_values({"microphone_tube.length": 3.1}))
-    with pytest.raises(OverlapError, match=r"shell 1 overlaps microphone A by .*; mend: microphone_tube\.length of "):
+    with pytest.raises(OverlapError, match=r"shell 1 overlaps microphone A by .*; set microphone_tube\.length = "):
         run_sweep(study, tmp_path / "r.zarr", workers=1)
     assert list(tmp_path.iterdir()) == []
 

@@ -194,25 +194,6 @@ def test_a_finished_sweep_is_not_computed_again(study: Study, finished: tuple[Pa
     assert summary.failures == finished[1].failures
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "message"),
-    [
-        ("from = 0.3", "from = 0.31", "its values of tube.inner_diameter are not the same"),
-        ('"tube.length"', '"microphone_tube.length"', "it does not vary microphone_tube.length"),
-        ("1:100:12", "1:100:13", "its frequencies are 1:100:12, not 1:100:13"),
-        ("cases = 40", "cases = 41", "its cases is 40, not 41"),
-        ("array-2x6", "line-2", "its base design is not the same"),
-        ('"random"', '"random"\nseed = 7', "its seed is 0, not 7"),
-        (', "volume"]', "]", "its metrics is"),
-    ],
-)
-def test_the_store_of_another_study_is_refused_by_name(
-    old: str, new: str, message: str, finished: tuple[Path, Summary]
-) -> None:
-    with pytest.raises(StudyError, match=re.escape(f"{finished[0]}: holds the results of another study: {message}")):
-        run_sweep(read_study(TEXT.replace(old, new, 1)), finished[0], workers=1)
-
-
 def test_nobody_elses_folder_is_touched(study: Study, tmp_path: Path) -> None:
     (tmp_path / "mine.zarr").mkdir()
     (tmp_path / "mine.zarr" / "letter.txt").write_text("dear")

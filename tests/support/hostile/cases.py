@@ -210,9 +210,8 @@ _READERS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("localizer/localizer.json", ("locate", "localizer", "touches.wav")),
     ("localizer/localizer.json", ("evaluate", "localizer", "library.nc")),
     ("localizer/localizer.json", ("onnx", "localizer", "--out", "new.onnx")),
-    ("results.zarr/zarr.json", ("best", "results.zarr")),
-    ("results.zarr/zarr.json", ("report", "results.zarr", "--out", "new.html")),
-    ("results.zarr/zarr.json", ("sweep", "study.toml", "--out", "results.zarr")),
+    ("results.zarr/records/study", ("best", "results.zarr")),
+    ("results.zarr/records/study", ("report", "results.zarr", "--out", "new.html")),
     ("found/trials.journal", ("best", "found")),
 )
 
@@ -289,11 +288,11 @@ def _archives() -> Iterator[Case]:
     for what, change in data_files.NETCDF_CHANGES:
         yield Case("wrong netCDF", what, told("library.nc"), "refused", change, ("library.nc",))
     report = ("report", "results.zarr", "--out", "n.html")
-    for what, change in data_files.STORE_CHANGES:
-        # Without the text of its study a store still has all its results: this is said and nothing else.
-        ending: Ending = "exact" if what.startswith("study ") else "refused"
-        for words in (sweep_told("results.zarr"), ("best", "results.zarr"), report):
-            yield Case("wrong store", f"{what}: {words[0]}", words, ending, change, ("results.zarr",), "n.html")
+    endings: tuple[Ending, Ending] = ("refused", "exact")
+    for ending, changes in zip(endings, (data_files.RECORD_CHANGES, data_files.STORE_CHANGES), strict=True):
+        for what, change in changes:
+            for words in (sweep_told("results.zarr"), ("best", "results.zarr"), report):
+                yield Case("wrong store", f"{what}: {words[0]}", words, ending, change, ("results.zarr",), "n.html")
 
 
 def _recordings() -> Iterator[Case]:

@@ -227,6 +227,13 @@ def _gone(member: str) -> Change:
 
 
 _STORE_ATTRIBUTES = ("study", "study_content", "base_design", "fidelity", "acoustic_fem_sweep")
+#: Changes to what is kept of a sweep, and to the Zarr store that is written from it, which changes no result.
+RECORD_CHANGES: tuple[tuple[str, Change], ...] = (
+    *((f"{name} gone", _gone(f"records/{name}")) for name in ("study", "000000.metrics", "000000.responses")),
+    ("records gone", _gone("records")),
+    ("a text for the study", written("results.zarr/records/study", "study")),
+    ("a text for the metrics", written("results.zarr/records/000000.metrics", "acoustic-fem sweep 99\n")),
+)
 STORE_CHANGES: tuple[tuple[str, Change], ...] = (
     *((f"{name} gone", _attribute(name, None)) for name in _STORE_ATTRIBUTES),
     *(

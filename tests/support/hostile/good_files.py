@@ -98,7 +98,7 @@ def make(folder: Path, commands: Commands) -> None:
 def _write_touches(folder: Path) -> None:
     """Two touches in five seconds, in every format of a recording."""
     library = acoustic_fem.load(folder / "library.nc")
-    drawn = TouchGenerator(response_of(library), 0, "evaluation").samples(0, 4).signals.numpy()
+    drawn = TouchGenerator(response_of(library), 0, "evaluation", 0.0).samples(0, 4).signals.numpy()
     signals = 2e-4 * np.random.default_rng(0).standard_normal((2, 5000))
     for turn in range(2):
         signals[:, 500 + 2000 * turn : 1500 + 2000 * turn] += drawn[turn]

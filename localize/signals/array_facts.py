@@ -1,0 +1,48 @@
+"""Facts of one array that a localizer keeps: enough to read its answers and to compare it with a library."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.library.transfer_functions import MEASURED
+
+
+@dataclass(frozen=True, eq=False)
+class ArrayFacts:
+    """Facts of one array that a localizer keeps: enough to read its answers and to compare it with a library."""
+
+    design: str
+    """Name of the design."""
+    microphones: tuple[str, ...]
+    """Names of the microphones, in the order of the signals."""
+    line: NDArray[np.int64]
+    """Line of each point, as the library numbers it; (n_point,) int64."""
+    place: NDArray[np.int64]
+    """Place of each point along its line, as the library numbers it; (n_point,) int64."""
+    provenance: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    """Design, fidelity, air, frequencies and versions."""
+    noise_rms: float = 0.0
+    """Noise of a microphone that the localizer was made for, Pa rms over 0 to 500 Hz; 0 where none was given."""
+
+    @property
+    def point_count(self) -> int:
+        """Number of sensing points."""
+        return len(self.line)
+
+    @property
+    def assumptions(self) -> str:
+        """What a decoder of the library as it is assumes of the sensor, in words."""
+        if self.provenance.get("fidelity", MEASURED) == MEASURED:
+            return f"that the sensor is as its library has it{self.in_air}"
+        return f"that the sensor is exactly as it was designed{self.in_air}, without manufacturing tolerances"
+
+    @property
+    def in_air(self) -> str:
+        """Air of the library, in words that follow others; empty where it is not known."""
+        medium = self.provenance.get("medium")
+        return f", in air of {medium['pressure'] / 1e3:.1f} kPa" if medium else ""
