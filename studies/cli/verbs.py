@@ -215,7 +215,6 @@ _OPTIONS = {
     "base_samples": "base",
     "library_size": "library",
     "formats": "format",
-    "rejected_fraction": "reject",
     "time_limit": "seconds",
     "subject": "kind",
     "loudest_db_spl": "ambient",

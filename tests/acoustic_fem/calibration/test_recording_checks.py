@@ -262,7 +262,6 @@ def test_a_fault_in_a_file_is_named_and_the_good_point_survives(recorded: Path, 
     check_messages(Path(__file__).with_name("files.txt"), cases, {f"{tmp_path}/": ""})
 
 
-<<<<<<< HEAD
 BAD_MANIFESTS: dict[str, tuple[dict[str, object], str]] = {
     "a point too many": ({"points": {"13": "x.wav"}}, "points.13"),
     "no point": ({"points": {}}, "points"),
@@ -293,45 +292,6 @@ def test_a_bad_manifest_is_refused_before_any_work(recorded: Path, tmp_path: Pat
         assert str(found.value).startswith(f"{path}: {field}"), found.value
         cases[fault] = partial(read_manifest, path)
     check_messages(Path(__file__).with_name("messages.txt"), cases, {f"{tmp_path}/": ""})
-=======
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"points": {"13": "x.wav"}}, "points.13 must be a point from 1 to 12"),
-        ({"points": {}}, "points = {} must be a table of at least 1 entries"),
-        ({"points": {"1": 3}}, "points.1 = 3 is refused: it is neither a file nor a table of one file per channel"),
-        (
-            {"points": {"1": {"reference": "x.wav"}}},
-            "points.1 has files of reference; it must be one file, or",
-        ),
-        ({"channels": {"reference": 1, "A": 2}}, "channels must give reference, A, B a number each, all different"),
-        ({"channels": {"reference": 1, "A": 1, "B": 2}}, "all different"),
-        ({"pascals": {"C": 1.0}}, "pascals.C must be one of: reference, A, B"),
-        (
-            {"pascals": {"A": -1.0}},
-            "pascals.A = -1 is refused: input should be greater than or equal to",
-        ),
-        ({"pascals": {"A": 1e300}}, "pascals.A = 1e+300"),
-        ({"started_late": {"A": 1e9}}, "started_late.A = 1000000000 is refused"),
-        ({"estimator": "H7"}, "estimator = 'H7' must be one of: H1, H2, Hv"),
-        ({"colour": "blue"}, "colour = 'blue' is not a field of a manifest; known: "),
-        ({"design": 3}, "design = 3 must be a text"),
-    ],
-)
-def test_a_bad_manifest_is_refused_before_any_work(
-    change: dict[str, object], message: str, recorded: Path, tmp_path: Path
-) -> None:
-    manifest = tomlkit.parse((recorded / "calibration.toml").read_text(encoding="utf-8"))
-    for key, value in change.items():
-        manifest[key] = value
-    (tmp_path / "design.toml").write_text((recorded / "design.toml").read_text(encoding="utf-8"), encoding="utf-8")
-    path = tmp_path / "calibration.toml"
-    path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
-    with pytest.raises(ManifestError) as refused:
-        read_manifest(path)
-    assert str(refused.value).startswith(f"{path}: ")
-    assert message in str(refused.value)
->>>>>>> geo
 
 
 def test_one_recording_of_two_neighbours_counts_for_neither(recorded: Path, model: Library, tmp_path: Path) -> None:

@@ -145,7 +145,6 @@ FOUR = "".join(entry(f"{k}.wav", k) for k in range(1, 5))
 @pytest.mark.parametrize(
     ("text", "kind", "field", "file"),
     [
-<<<<<<< HEAD
         ("x", Kind.UNREADABLE, "", "touches.toml"),
         ("", Kind.MISSING, "recordings", "touches.toml"),
         ("recordings = []", Kind.OUT_OF_RANGE, "recordings", "touches.toml"),
@@ -161,23 +160,6 @@ FOUR = "".join(entry(f"{k}.wav", k) for k in range(1, 5))
         (FOUR, Kind.UNSUITABLE, "", "touches.toml"),
         (FOUR + entry("quiet.wav", 2), Kind.UNSUITABLE, "", "quiet.wav"),
         (FOUR + entry("clipped.wav", 2), Kind.UNSUITABLE, "", "clipped.wav"),
-=======
-        ("x", "touches.toml: is not TOML"),
-        ("", "touches.toml: recordings is missing; it must be a list of at least 1 entries"),
-        ("recordings = []", "touches.toml: recordings = [] must be a list of at least 1 entries"),
-        (entry(part="knocks"), "recordings.0.part = 'knocks' must be one of: random-1-100, random-1-10, friction"),
-        (entry() + entry("b.wav", 0), "recordings.1.point = 0 must be a whole number at least 1"),
-        (FOUR + entry("5.wav", 5), "recordings.4.point = 5 must be from 1 to 4, the points of the array"),
-        ("full_scale = 0.0\n" + FOUR, "full_scale = 0 must be between 1e-12 and 1e+12"),
-        ("volume = 1\n" + FOUR, "volume = 1 is not a field of a manifest; known: full_scale, recordings"),
-        (FOUR + entry("nowhere.wav"), "nowhere.wav: no such file"),
-        (FOUR + entry("1.wav", 2), "touches.toml: 1.wav is the same recording as 1.wav"),
-        (FOUR + entry("copy.wav", 1), "touches.toml: copy.wav is the same recording as 1.wav"),
-        (entry("1.wav", 1) + entry("3.wav", 3), "no recording of point 2, 4; every point must have one to train on"),
-        (FOUR, "no point has two recordings of one part; none can be held out"),
-        (FOUR + entry("quiet.wav", 2), "quiet.wav: holds no frame that is louder than the microphones' noise"),
-        (FOUR + entry("clipped.wav", 2), "clipped.wav: channel left is clipped"),
->>>>>>> geo
     ],
 )
 def test_a_manifest_that_cannot_be_used_is_refused_by_name(array, tmp_path, text, kind, field, file) -> None:

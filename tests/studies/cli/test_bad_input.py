@@ -46,7 +46,6 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return files
 
 
-<<<<<<< HEAD
 #: Words of a command -> what its one line names: an option, a field or a file.
 REFUSED = [
     ("check array-2x7", "array-2x7"),
@@ -121,76 +120,6 @@ REFUSED = [
 
 @pytest.mark.parametrize(("words", "named"), REFUSED)
 def test_bad_input_ends_in_one_line(command: Command, places: dict[str, Path], words: str, named: str) -> None:
-=======
-@pytest.mark.parametrize(
-    ("words", "reason"),
-    [
-        ("check array-2x7", "neither a design file nor a prototype; did you mean 'array-2x6'?"),
-        ("check <missing>.toml", "no such file"),
-        ("check <pipe>.toml", "pipe.toml: is a pipe, not a design file"),
-        ("solve <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a design file"),
-        ("parts array-2x6 --out <out.nc> --process <pipe>.toml", "pipe.toml: is a pipe, not a file of a process"),
-        ("locate <library.nc> <pipe>.wav", "pipe.wav: is a pipe, not a"),
-        ("live <library.nc> --replay <pipe>.wav", "pipe.wav: is a pipe, not a WAV file"),
-        ("sweep <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a study file"),
-        ("optimize <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a study file"),
-        ("calibrate <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a manifest"),
-        ("check /dev/zero", "/dev/zero: is a device, not a design file"),
-        ("check " + 4000 * "x" + ".toml", "cannot be read: File name too long"),
-        ("check a\u202eb.toml", "a\\u202eb.toml: no such file"),
-        ("check <bad.toml>", "is not TOML"),
-        ("check <wide.toml>", "resonator.cavity_diameter = 99 mm must be between 0.8 and 50 mm"),
-        ("check array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
-        ("prototypes array", "prototype = 'array' is not known"),
-        ("solve array-2x6 --out <folder> --fidelity lumped", "is a folder; --out must be a file"),
-        ("solve array-2x6 --out <text.wav>", "text.wav: --out must be a library, .nc"),
-        ("solve array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
-        ("solve array-2x6 --out <out.nc> --frequencies 0:100:64", "--frequencies = 0 Hz must be between 0.001 and"),
-        ("solve array-2x6 --out <out.nc> --frequencies 1:3000:64", "must be between 0.001 and 2000 Hz"),
-        ("solve array-2x6 --out <out.nc> --frequencies 100:1:64", "--frequencies must ascend"),
-        ("parts array-2x6 --out <text.nc>", "must be a folder"),
-        ("train <missing> --out <out.nc>", "no such file"),
-        ("train <text.nc> --out <out.nc>", "cut short, damaged or not a library in netCDF"),
-        ("train <short.nc> --out <out.nc>", "cut short, damaged or not a library in netCDF"),
-        ("train <narrow.nc> --out <out.nc>", "frequency runs from 1 to 80 Hz; it must cover 1 to 100 Hz"),
-        ("train <library.nc> --out <out.nc> --seconds -1", "acoustic-fem: --seconds = -1.0 must be between"),
-        ("train <library.nc> --out <out.nc> --epochs 0", "acoustic-fem: --epochs = 0 must be a whole number from 1"),
-        ("train <library.nc> --out <out.nc> --noise -1", "acoustic-fem: --noise = -1.0 must be between"),
-        ("train <library.nc> --out <out.nc> --seed -1", "acoustic-fem: --seed = -1 must be a whole number"),
-        ("train <library.nc> --out <out.nc> --network big", "acoustic-fem: --network = 'big' must be one of: patches"),
-        ("evaluate <missing> <library.nc>", "localizer.json: no such file"),
-        ("evaluate <localizer> <glove.nc>", "the localizer is for 3 points and microphones A, B; the library has 12"),
-        ("evaluate <localizer> <library.nc> --touches 0", "--touches = 0 must be between 1 and 1,000,000"),
-        ("evaluate <localizer> <library.nc> --noise -1", "acoustic-fem: --noise = -1.0 must be"),
-        ("evaluate <localizer> <library.nc> --noise 11", "acoustic-fem: --noise = 11.0 Pa must be between 1e-9 and 10"),
-        ("onnx <missing> --out <out.nc>", "localizer.json: no such file"),
-        ("onnx <localizer> --out <none/out.nc>", "must lie in a folder that exists"),
-        ("onnx <localizer> --out <out.nc> --noise 1e-3", "--noise = 0.001 is for a library"),
-        ("onnx <library.nc> --out <out.nc> --noise 11", "--noise = 11.0 Pa must be between 1e-9 and 10 Pa"),
-        ("locate <missing> <text.wav>", "localizer.json: no such file"),
-        ("locate <localizer> <text.wav>", "text.wav: cut short or not a WAV file"),
-        ("locate <localizer> <text.nc>", "its name must end with .wav, .csv, .npz or .mat"),
-        ("locate <localizer> <text.wav> --full-scale 0", "--full-scale = 0.0 Pa must be between 1e-12 and 1e+12"),
-        ("locate <localizer> <text.wav> --noise 1e-3", "--noise = 0.001 is for a library"),
-        ("locate <localizer> <text.wav> --library <glove.nc>", "its microphones are A, B, C, must be A, B"),
-        ("locate <localizer> <text.wav> --ambient 60", "--ambient needs the library of the array"),
-        ("locate <library.nc> <text.wav> --reject 2", "acoustic-fem: --reject = 2.0 must be between 0 and 1"),
-        (
-            "locate <localizer> <text.wav> --library <glove.nc> --ambient 60",
-            "its microphones are A, B, C, must be A, B",
-        ),
-        ("onnx <localizer> --out <out.nc> --ambient 60", "--ambient = 60 is for a library"),
-        ("locate <text.onnx> <text.wav>", "text.onnx: cut short or not an ONNX file"),
-        (
-            "run <one.toml> --out <out.nc>",
-            "one.toml: lines.0.points = 1 must be at least 2: run needs at least 2 points",
-        ),
-        ("run array-2x6 --out <full>", "holds files that no run of this program made"),
-        ("run array-2x6 --out <text.nc>", "must be a folder"),
-    ],
-)
-def test_bad_input_ends_in_one_line(command: Command, places: dict[str, Path], words: str, reason: str) -> None:
->>>>>>> geo
     for name, path in places.items():
         words, named = (text.replace(f"<{name}>", str(path)) for text in (words, named))
     told = command(*words.split())

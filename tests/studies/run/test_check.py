@@ -27,15 +27,10 @@ def test_parts_in_each_others_way_are_named_by_check(capsys):
     found = check_design(prototype("array-2x6").with_values(NARROW))
     assert any(line.startswith("shell 1 and shell 4 are in each other's way: they share ") for line in found.misfits)
     assert found.to_dict()["misfits"] == list(found.misfits)
-<<<<<<< HEAD
     assert (found.error.file, [str(problem) for problem in found.error.problems[1:]]) == (
         "array-2x6", [f"array-2x6: {line}" for line in found.overlaps[1:]],
     )  # fmt: skip
     assert "layout.diameter" in found.error.remedy
-=======
-    assert found.objection.startswith("array-2x6: cannot be built: shell 1 overlaps shell 4 by ")
-    assert "; set layout.diameter = " in found.objection
->>>>>>> geo
     show_check(found)
     printed = capsys.readouterr().out
     assert printed.splitlines()[:2] == ["array-2x6: cannot be built", f"- {found.overlaps[0]}"]
@@ -57,15 +52,9 @@ def test_check_parts_run_and_sweep_count_the_same_problems(tmp_path):
     ):
         with refused(Kind.CONFLICT, error=OverlapError, file="array-2x6") as error:
             call()
-<<<<<<< HEAD
         assert [problem.problem for problem in error.value.others] == list(found.overlaps[1:])
         assert found.overlaps[0] in str(error.value)
         assert found.mend in str(error.value)
-=======
-        told.append(str(refused.value).removesuffix(f"; {ALL_THE_SAME}"))
-        assert tuple(each.problem for each in refused.value.problems[1:]) == found.overlaps[1:]
-    assert told == 3 * [found.objection]
->>>>>>> geo
 
 
 @pytest.mark.slow
@@ -85,11 +74,7 @@ def test_parts_in_each_others_way_are_refused_before_anything_is_drawn_unless_th
 ):
     narrow = prototype("array-2x6").with_values(NARROW)
     out = tmp_path / "out"
-<<<<<<< HEAD
     with refused(Kind.CONFLICT, file="array-2x6") as error:
-=======
-    with pytest.raises(Refusal, match=r"shell 1 overlaps shell 4 .*; set .*; `allow_overlaps` draws it all the same"):
->>>>>>> geo
         call(narrow, out)
     assert "allow_overlaps" in error.value.remedy
     assert error.value.sentence({"allow_overlaps": "--allow-overlaps"}).count("--allow-overlaps") == 1

@@ -56,7 +56,6 @@ def test_the_base_design_is_looked_for_beside_the_study(tmp_path: Path) -> None:
     assert load_study(tmp_path / "study.toml").base.tube.length == 20
 
 
-<<<<<<< HEAD
 #: What makes a study wrong -> kind and field of the refusal.
 WRONG_FIELDS = {
     "cases = 3": (Kind.CONFLICT, "cases"),
@@ -103,34 +102,6 @@ WRONG_PARAMETERS = {
 TEXTS = {name: study(name + "\n") for name in WRONG_FIELDS} | {
     name: study(parameters=f"[parameters]\n{name}\n") for name in WRONG_PARAMETERS
 }
-=======
-@pytest.mark.parametrize(
-    ("head", "message"),
-    [
-        ("cases = 3", "cases = 3 must not be given for sampling = 'grid'"),
-        ('sampling = "sobol"', "cases is missing: sampling = 'sobol' needs the number of samples"),
-        ('sampling = "random"\ncases = 0', "cases = 0 must be a whole number between 1 and 10000000"),
-        ('sampling = "grit"', "sampling = 'grit' must be one of: grid, latin-hypercube, sobol, random"),
-        ("seed = -1", "seed = -1 must be a whole number between 0"),
-        ("basis = 3", "basis = 3 is not a field of a study; did you mean 'base'?"),
-        ('frequencies = "1:100"', "frequencies = '1:100' must be FIRST:LAST:COUNT in Hz"),
-        ('frequencies = "-1:100:3"', "frequencies = '-1:100:3': frequency = -1 Hz must be between"),
-        ('constraints = ["tube.lenth > 3"]', "constraint 'tube.lenth > 3': array-2x6: tube.lenth is not a field"),
-        ('constraints = ["tube.length"]', "constraint 'tube.length' must compare values"),
-        ('constraints = ["tube > 3"]', "tube must be a number or a text, not a table or a list"),
-        ("constraints = [\"__import__('os')\"]", "holds what is not allowed"),
-        ('constraints = ["().__class__ == 3"]', "holds what is not allowed"),
-        ('constraints = ["tube.length > 9 ** 9 ** 9"]', "holds what is not allowed"),
-        ('constraints = ["tube.length >"]', "cannot be read"),
-    ],
-)
-def test_a_wrong_field_is_refused_by_name(head: str, message: str) -> None:
-    with pytest.raises(StudyError) as refusal:
-        read_study(study(head + "\n"), "s.toml")
-    assert str(refusal.value).startswith("s.toml: ")
-    assert message in str(refusal.value)
-    assert "\n" not in str(refusal.value)
->>>>>>> geo
 
 
 @pytest.mark.parametrize(("name", "text"), TEXTS.items())
