@@ -217,7 +217,6 @@ _OPTIONS = {
     "formats": "format",
     "time_limit": "seconds",
     "subject": "kind",
-    "loudest_db_spl": "ambient",
 }
 
 
