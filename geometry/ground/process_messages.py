@@ -21,13 +21,10 @@ _HEAD = struct.Struct("<cQ")
 
 
 class ChildError(Refusal):
-    """A process ended, or was ended by this one, before it had a result.
-
-    Attributes:
-        status: its exit status, negative for the signal that ended it; None where this process gave up waiting.
-    """
+    """A process ended, or was ended by this one, before it had a result."""
 
     status: int | None = None
+    """Exit status of the process, negative for the signal that ended it; None if this process gave up waiting."""
 
     @classmethod
     def ended(cls, name: str, status: int) -> ChildError:

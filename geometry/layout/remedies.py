@@ -7,6 +7,7 @@ from typing import Any
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import value_of
+from geometry.ground.refusal import Text
 from geometry.layout.overlaps import OverlapError, refuse_overlaps
 from geometry.layout.placement import ArrayLayout
 from geometry.schema.field_errors import DesignError
@@ -18,7 +19,7 @@ _GROWTH, _STEPS = 1.1, 14
 _WALLS = (0.95, 0.8, 0.6, 0.4)
 
 
-def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: tuple[str, ...] = ()) -> None:
+def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: Text = "") -> None:
     """Refuse a design that cannot be built as it is laid out, with a change that fixes it.
 
     Args:
@@ -33,7 +34,8 @@ def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, u
         refuse_overlaps(design, layout)
     except OverlapError as error:
         fix = fix_for(design)
-        remedy = (fix, "; ", *unless) if fix and unless else (fix, *unless)
+        pieces = (unless,) if isinstance(unless, str) else unless
+        remedy = (fix, "; " if fix and unless else "", *pieces)
         raise OverlapError.of(error, others=error.others, remedy=remedy) from None
 
 

@@ -193,7 +193,6 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
     for key, value in words.items():
         if not isinstance(value, str) or not value:
             raise Refusal(kind=Kind.WRONG_TYPE, file=path, field=key, value=value, allowed="a text")
-
     rules = model_of(PrintRules, given, str(path), "process", Refusal)
     source = words.pop("source", path.name)
     try:

@@ -20,28 +20,35 @@ from localize.signals.locator import Locator
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
 
-FEWEST, MOST = 8, 32
-"""Numbers of loud frames that are judged together, at least and at most."""
-LOUDEST = 16
-"""Number of those that a level is looked for with."""
-AT_LEVEL = 200.0
-"""Multiple of the noise to which louder frames are brought: they leave more of what a sensor is not as it should be."""
-LEAST_SUSPECT = 4.0
-"""What sensors leave at most: not calibrated ones of two microphones, of more, and calibrated ones.
 
-Medians on virtual rigs of seeds 9110 to 9112: of two microphones 1.5 to 2.5 (2.8 at 2000 m, which nobody told), by
-libraries of other arrays 4.8 and more, as loud as rigs record them 6.8 and more; of three 0.8 to 4.1 (22 at 2000 m) and
-1600 or more, of four 5 to 32 (52 at 2000 m). Calibrated, on two rigs of three designs and by two libraries of other
-arrays only: 1.0 to 1.5 (1.9 and more after a change of stiffness of 20 %), 2.7 or more."""
-LEVELS = tuple(float(level) for level in range(-24, 25, 6))
-"""Levels of a microphone that are tried first, dB; further away it is all but dead."""
-STEPS = (3.0, 1.5, 0.75)
-"""Steps in which the level is looked for then, dB, each around the best so far."""
-OFF = 5.0
-"""Level from which on a microphone is far off, dB: its own tolerance is 1 dB."""
-FALLS = 2.0
-"""Factor by which what is left must fall at least, and to what is expected, with the level of one microphone; by
-libraries of other arrays it falls to 6.6 at best (seeds 9100 to 9112)."""
+@dataclass(frozen=True)
+class FitOptions:
+    """Numbers that tune the test of how well a library fits its sensor."""
+
+    fewest: int = 8
+    """Least number of loud frames that are fitted together."""
+    most: int = 32
+    """Largest number of loud frames that are fitted together."""
+    loudest: int = 16
+    """Number of the loudest frames that a level is looked for with."""
+    noise_multiple: float = 200.0
+    """Multiple of the noise to which louder frames are brought: their residual shows more of the difference of the
+    sensor from its library."""
+    least_suspect: float = 4.0
+    """Residual over that of the noise that sensors of two microphones leave at most without a calibration. Medians on
+    virtual rigs of seeds 9110 to 9112: of two microphones 1.5 to 2.5 (2.8 at 2000 m with the air of the design), by
+    libraries of other arrays 4.8 and more; of three 0.8 to 4.1 (22 at 2000 m) and 1600 or more, of four 5 to 32 (52 at
+    2000 m). Calibrated 1.0 to 1.5 (1.9 and more after a change of stiffness of 20 %), by libraries of other arrays 2.7
+    or more."""
+    levels: tuple[float, ...] = (-24.0, -18.0, -12.0, -6.0, 0.0, 6.0, 12.0, 18.0, 24.0)
+    """Levels of a microphone that are tried first, dB; further away it is all but dead."""
+    steps: tuple[float, ...] = (3.0, 1.5, 0.75)
+    """Steps in which the level is looked for then, dB, each around the best so far."""
+    off: float = 5.0
+    """Level from which on a microphone is far off, dB: its own tolerance is 1 dB."""
+    falls: float = 2.0
+    """Factor by which the residual must fall at least, and to the expected one, with the level of one microphone; by
+    libraries of other arrays it falls to 6.6 at best (seeds 9100 to 9112)."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +86,8 @@ class SensorFit:
 class LoudFrames:
     """Loudest frames of a stream whose samples are others, gathered while it goes on."""
 
-    def __init__(self) -> None:
+    def __init__(self, options: FitOptions = FitOptions()) -> None:
+        self._options = options
         self._kept: list[Decision] = []
 
     def take(self, events: Iterable[object]) -> None:
@@ -93,7 +101,7 @@ class LoudFrames:
         if any(each.level >= event.level for each in near):
             return
         self._kept = [each for each in self._kept if each not in near] + [event]
-        if len(self._kept) > MOST:
+        if len(self._kept) > self._options.most:
             self._kept.remove(min(self._kept, key=lambda each: each.level))
 
     @property
@@ -103,13 +111,19 @@ class LoudFrames:
 
 
 @one_thread()
-def sensor_fit(decoder: Locator, frames: ArrayLike, noise: ArrayLike | None = None) -> SensorFit | None:
-    """How well a decoder explains the loudest touches, and whether one microphone is far off its level.
+def sensor_fit(
+    decoder: Locator,
+    frames: ArrayLike,
+    noise: ArrayLike | None = None,
+    options: FitOptions = FitOptions(),
+) -> SensorFit | None:
+    """Fit of a decoder to the loudest touches, and the microphone that is far off its level if there is one.
 
     Args:
         decoder: of a library.
         frames: (n, n_microphone, 250), Pa, at 1 kHz: of touches, at several points if possible.
         noise: of the microphones as it was measured, (n_microphone,) Pa rms; by default that of the decoder.
+        options: numbers that tune the test.
 
     Returns:
         None for fewer than 8 frames, and where it is not known what sensors leave: of a computed library whose
@@ -119,24 +133,24 @@ def sensor_fit(decoder: Locator, frames: ArrayLike, noise: ArrayLike | None = No
         Refusal: as :meth:`localize.BayesDecoder.locate`, or noise of another number of microphones.
     """
     expected, given = decoder.largest_misfit, np.asarray(frames)
-    if expected is None or len(given) < FEWEST:
+    if expected is None or len(given) < options.fewest:
         return None
-    heard = checked_signals(given, decoder.microphones)[0][:MOST].copy()
+    heard = checked_signals(given, decoder.microphones)[0][: options.most].copy()
     if noise is not None:
         # Before loud frames are brought to their level: what the sensor leaves is then still seen above the noise.
         heard /= _louder(decoder, np.asarray(noise, np.float64))
-    level = heard.std(2).max(1) / (AT_LEVEL * decoder.noise_rms)
+    level = heard.std(2).max(1) / (options.noise_multiple * decoder.noise_rms)
     heard /= np.maximum(level, 1.0)[:, None, None]
     misfit = _left(decoder, heard)
     # Of more microphones one that is off may leave less than sensors of some designs do.
-    if misfit <= min(expected, LEAST_SUSPECT):
+    if misfit <= min(expected, options.least_suspect):
         return SensorFit(misfit, expected, decoder.microphones)
-    loudest = heard[np.argsort(-level, kind="stable")[:LOUDEST]]
+    loudest = heard[np.argsort(-level, kind="stable")[: options.loudest]]
     unchanged = _left(decoder, loudest)
-    found = [_level(decoder, loudest, k, unchanged) for k in range(len(decoder.microphones))]
+    found = [_level(decoder, loudest, k, unchanged, options) for k in range(len(decoder.microphones))]
     best = min(range(len(found)), key=lambda k: found[k][1])
     level, left = found[best]
-    off = OFF <= abs(level) <= LEVELS[-1] and left <= min(expected, unchanged / FALLS)
+    off = options.off <= abs(level) <= options.levels[-1] and left <= min(expected, unchanged / options.falls)
     return SensorFit(misfit, expected, decoder.microphones, (decoder.microphones[best], level) if off else None)
 
 
@@ -155,7 +169,9 @@ def _left(decoder: Locator, frames: NDArray[np.float64]) -> float:
     return float(np.median(decoder.misfit(frames)))
 
 
-def _level(decoder: Locator, frames: NDArray[np.float64], microphone: int, unchanged: float) -> tuple[float, float]:
+def _level(
+    decoder: Locator, frames: NDArray[np.float64], microphone: int, unchanged: float, options: FitOptions
+) -> tuple[float, float]:
     """Level of a microphone, dB, at which touches are explained best, and what is left then; unchanged at 0 dB."""
 
     def left(level: float) -> float:
@@ -163,8 +179,8 @@ def _level(decoder: Locator, frames: NDArray[np.float64], microphone: int, uncha
         as_told[:, microphone] /= 10 ** (level / 20)
         return _left(decoder, as_told)
 
-    tried = {level: left(level) if level else unchanged for level in LEVELS}
-    for step in STEPS:
+    tried = {level: left(level) if level else unchanged for level in options.levels}
+    for step in options.steps:
         best = min(tried, key=lambda each: tried[each])
         if best == 0:
             break

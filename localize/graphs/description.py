@@ -6,7 +6,6 @@ for is allocated later without another look.
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -15,7 +14,7 @@ from typing import Annotated, Any, Literal, Self, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -55,11 +54,14 @@ class Array(Strict):
     @model_validator(mode="after")
     def _agrees(self) -> Self:
         if len(set(self.microphones)) < len(self.microphones):
-            raise Refusal(f"microphones = {self.microphones} must be different names")
+            raise Refusal(kind=Kind.CONFLICT, field="microphones", value=self.microphones, allowed="different names")
         if len(self.line) != len(self.place):
-            raise Refusal(f"line and place must hold {len(self.line)} values each, a line and a place of every point")
+            raise Refusal(
+                f"line and place must hold {len(self.line)} values each, a line and a place of every point",
+                kind=Kind.MISMATCH,
+            )
         if not isinstance(self.provenance.get("design", ""), str):
-            raise Refusal("provenance.design must be a text")
+            raise Refusal(kind=Kind.WRONG_TYPE, field="provenance.design", allowed="a text")
         return self
 
 
@@ -81,7 +83,7 @@ class GraphDescription(Array):
     def _as_signals_are(self) -> Self:
         for name, value in (("sample_rate", SAMPLE_RATE), ("frame", FRAME), ("unit", "Pa")):
             if getattr(self, name) != value:
-                raise Refusal(f"{name} = {getattr(self, name)!r} must be {value!r}")
+                raise Refusal(kind=Kind.MISMATCH, field=name, value=getattr(self, name), allowed=repr(value))
         return self
 
 
@@ -107,13 +109,15 @@ def check_format(
         Exception: by ``refusal``.
     """
     if not isinstance(values, dict) or values.get("format") != format:
-        raise refusal(f"{source}: not {what}: its format is not {format!r}")
+        raise refusal(f"is not {what}: its format is not {format!r}", kind=Kind.UNREADABLE, file=source)
     if values.get("version") != version:
-        raise refusal(f"{source}: version = {values.get('version')} must be {version}")
+        raise refusal(
+            kind=Kind.MISMATCH, file=source, field="version", value=values.get("version"), allowed=str(version)
+        )
 
 
 def described(model: type[_Model], text: str | bytes, source: str | os.PathLike[str], refusal: type[Refusal]) -> _Model:
-    """What a JSON text states, checked.
+    """Content of a JSON text, checked.
 
     Args:
         model: the schema.
@@ -130,18 +134,21 @@ def described(model: type[_Model], text: str | bytes, source: str | os.PathLike[
         found = error.errors(include_url=False)[0]
         where = ".".join(str(step) for step in found["loc"])
         if found["type"] == "missing":
-            raise refusal(f"{source}: {where!r} is missing") from None
-        said = str(found.get("ctx", {}).get("error") or found["msg"])
-        if found["type"] == "value_error":
-            raise refusal(f"{source}: {where}{': ' * bool(where)}{said}") from None
-        shown = json.dumps(found["input"], default=str)
-        raise refusal(f"{source}: {where} = {shown:.80} is refused: {said[:1].lower()}{said[1:]}") from None
+            raise refusal(kind=Kind.MISSING, file=source, field=where) from None
+        inner = found.get("ctx", {}).get("error")
+        if isinstance(inner, Refusal):
+            field = ".".join(filter(None, (where, inner.field)))
+            raise refusal.of(inner, file=source, field=field) from None
+        unknown, typed = found["type"] == "extra_forbidden", found["type"].endswith("_type")
+        kind = Kind.UNKNOWN if unknown else Kind.WRONG_TYPE if typed else Kind.OUT_OF_RANGE
+        problem = f"is not allowed: {found['msg'][:1].lower()}{found['msg'][1:]}"
+        raise refusal(problem, kind=kind, file=source, field=where, value=found["input"]) from None
 
 
 @contextmanager
 def naming(path: Path, refusal: type[Refusal]) -> Iterator[None]:
-    """Refusals within name the file, and are of the class given."""
+    """Block whose refusals name the file, and are of the class given."""
     try:
         yield
     except Refusal as error:
-        raise refusal(f"{path}: {error}") from None
+        raise refusal.of(error, file=path) from None

@@ -133,7 +133,7 @@ def test_cells_outside_are_refused_by_name(design):
     for values, what, value in (
         ({"resonator.shape": "dome"}, "", Refusal.NOT_GIVEN),
         ({"resonator.cavity_height": 7.0}, "cavity height by radius", 2.333),
-        ({"microphone.chamber_diameter": 8.0}, "bore by cavity diameter", 0.05),
+        ({"microphone.chamber_diameter": 8.0}, "bore by cavity diameter", 0.0558),
         ({"microphone.sound_hole_diameter": 1.3}, "sound hole by chamber diameter", 0.6842),
     ):
         outside = design.with_values(values)
@@ -163,8 +163,9 @@ def test_the_quick_fidelity_is_the_atlas_or_3d_and_why(design):
 def test_a_batch_with_a_design_outside_is_refused_by_name(design):
     topology = Topology.of(design)
     tall = ArrayParameters.from_designs([design, design.with_values({"resonator.cavity_height": 7.0})])
-    with refused(Kind.NO_RESULT, "lines.0 tube 0 at points of column 0: cavity height by radius", error=OutsideAtlas):
+    with refused(Kind.NO_RESULT, error=OutsideAtlas) as found:
         batch_response(tall, topology, BAND, AIR, "atlas")
+    assert found.value.field.endswith("tube at points of column 0: cavity height by radius")
     wide = ArrayParameters.from_design(design.with_values({"microphone.sound_hole_diameter": 1.3}))
     with refused(Kind.NO_RESULT, error=OutsideAtlas):
         batch_response(wide, topology, BAND, AIR, "atlas")

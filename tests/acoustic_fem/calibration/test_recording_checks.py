@@ -238,7 +238,6 @@ FILE_FAULTS: dict[str, Callable[[Path], object]] = {
 OTHER_FILES: dict[str, Callable[[Path], object]] = {
     "a.mp3": lambda file: file.write_bytes(b"ID3"),
     "no archive.npz": lambda file: file.write_bytes(b"PK"),
-    "no file.mat": lambda file: file.write_bytes(b"MATLAB" * 40),
     "not finite.npz": lambda file: np.savez(
         file, **{name: np.full(30_000, np.nan) for name in ("reference", "A", "B")}, sample_rate=1000.0
     ),

@@ -16,7 +16,7 @@ from acoustic_fem.scatter import ScatteredDesign, scatter_factors
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
 from geometry import Kind
 from localize import Decision
-from localize.evaluation.goodness_of_fit import FEWEST, MOST, LoudFrames, sensor_fit
+from localize.evaluation.goodness_of_fit import FitOptions, LoudFrames, sensor_fit
 from localize.signals.array_response import ArrayResponse, response_of
 
 GRID = np.arange(1.0, 201.0)
@@ -101,7 +101,7 @@ def test_nothing_is_said_of_few_touches_or_of_a_design_without_tolerances(
     library: acoustic_fem.Library, decoder: localize.TolerantDecoder, made: ArrayResponse
 ) -> None:
     frames = heard(made)
-    assert sensor_fit(decoder, frames[: FEWEST - 1]) is None
+    assert sensor_fit(decoder, frames[: FitOptions.fewest - 1]) is None
     assert sensor_fit(localize.BayesDecoder(library, NOISE), frames) is None
 
 
@@ -130,7 +130,7 @@ def test_the_loudest_frames_are_kept_and_none_overlap() -> None:
     for first in range(0, 2000, 100):
         loud.take([*events[first : first + 100], "anything else"])
     numbers = sorted(int(frame[0, 0]) for frame in loud.frames)
-    assert len(numbers) == MOST
+    assert len(numbers) == FitOptions.most
     assert np.diff(numbers).min() * 0.016 >= 0.25
     assert all(number % 7 for number in numbers)
     assert max(events, key=lambda event: event.level if event.state == "touch" else 0.0).time == pytest.approx(

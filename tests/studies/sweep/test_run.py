@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from refusals import refused
 from stores import assert_same_store
 from typer.testing import CliRunner
 
@@ -26,7 +27,7 @@ from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimen
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
-from geometry.ground.refusal import Kind
+from geometry.ground.refusal import Kind, Refusal
 from studies.cli.app import app
 from studies.metrics.shared import SharedFigures
 from studies.study.cases import Cases, by_kind, cases_of
@@ -201,7 +202,7 @@ def test_nobody_elses_folder_is_touched(study: Study, tmp_path: Path) -> None:
         run_sweep(study, tmp_path / "mine.zarr", workers=1)
     assert (refused.value.kind, refused.value.file) == (Kind.MISMATCH, str(tmp_path / "mine.zarr"))
     (tmp_path / "file").write_text("")
-    with pytest.raises(ValueError, match="`out` must be a folder"):
+    with pytest.raises(Refusal, match="out must be a folder"):
         run_sweep(study, tmp_path / "file", workers=1)
     assert [entry.name for entry in (tmp_path / "mine.zarr").iterdir()] == ["letter.txt"]
 
@@ -327,7 +328,7 @@ class Starved(Cases):
 
 def test_metrics_that_the_frequencies_cannot_give_are_refused_before_any_work(tmp_path: Path) -> None:
     text = TEXT.replace('"1:100:12"', '"150:200:5"')
-    with pytest.raises(StudyError, match=r"^study.toml: metric distance_smallest needs frequencies from 1 to 100 Hz"):
+    with refused(Kind.UNSUITABLE, "frequencies", file="study.toml", error=StudyError):
         run_sweep(read_study(text), tmp_path / "r.zarr", workers=1)
     assert list(tmp_path.iterdir()) == []
 
