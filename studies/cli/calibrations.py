@@ -156,8 +156,8 @@ def _prospect(found: SensorCalibration) -> str:
     if shares is None:
         return f"--frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz: what to expect of the fit is not known"
     text = (
-        f"to expect: {100 * shares.mean():.1f} % of touches named right, {100 * shares[0]:.1f} % in the worst of "
-        f"{len(shares)} cases"
+        f"to expect: {100 * shares.mean():.1f} % of touches classified correctly, {100 * shares[0]:.1f} % in the worst "
+        f"of {len(shares)} cases"
     )
     if found.measure_next is None:
         return text

@@ -107,7 +107,7 @@ def train(
     _show_recorded(localizer)
     tell(
         f"{out}: {counted(localizer.training['epochs'], 'epoch')}{short}, {accuracy:.1%} of held-out touches "
-        f"({', '.join(chosen.stimuli)} on the sensor of the library{_room(localizer)}) named right"
+        f"({', '.join(chosen.stimuli)} on the sensor of the library{_room(localizer)}) classified correctly"
     )
 
 
@@ -172,15 +172,15 @@ def evaluate(
         Path | None,
         typer.Option(
             help="A folder for evaluation.json and evaluation.html: also under other noise, ambient sound, touches, "
-            "lengths, on mis-made sensors and virtual rigs.",
+            "lengths, on as-built sensors and virtual rigs.",
             show_default=False,
         ),
     ] = None,
 ) -> None:
     """How often a localizer names the touched point, on touches it has never heard; the Bayes decoder beside it.
 
-    The touches are sums of sines on the nominal sensor; taps on it, and sums of sines on sensors made with a workshop's
-    tolerances, stand in the lines below.
+    The first line of each localizer is for multi-sine touches on the nominal sensor. The lines below are for taps on
+    it, and for multi-sine touches on sensors with manufacturing scatter.
 
     Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
     """
@@ -214,14 +214,14 @@ def _show_evaluations(results: dict[str, Headline]) -> None:
     show(table)
     unscattered = next(iter(results.values())).unscattered
     if unscattered:
-        tell(f"mis-made sensors are not judged: {unscattered}")
+        tell(f"as-built sensors are left out: {unscattered}")
 
 
 def _show_recorded(localizer: Localizer) -> None:
     """How held-out recordings were named, by part, where there are any."""
     if "held_out_recordings" not in localizer.training:
         return
-    table = table_of("recorded", "held-out recordings", "frames", "named right (%)", numbers=(1, 2, 3))
+    table = table_of("recorded", "held-out recordings", "frames", "classified correctly (%)", numbers=(1, 2, 3))
     for part, found in localizer.training["held_out_recordings"].items():
         table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['right']:.1f}")
     show(table)
