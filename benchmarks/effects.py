@@ -10,7 +10,7 @@ from rubber import GRID, HEAD, Complex, largest_changes, transfer_function
 
 import geometry
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter import ScatteredDesign, Tolerance, made_transfer_functions
+from acoustic_fem.scatter import AsBuiltSensors, ScatteredDesign, Tolerance
 from geometry import ArrayDesign
 from geometry.ground.whole_files import replace_section
 
@@ -48,7 +48,7 @@ def with_oval_tubes(design: ArrayDesign, ovality: float) -> Complex:
     """Transfer functions where all tubes are oval by as much, (n_point, n_microphone, n_freq)."""
     scattered = ScatteredDesign(design, [Tolerance("ovality", ovality, "relative", "benchmarks/effects.py")])
     draws = {name: np.ones_like(values) for name, values in scattered.draws(0, 1, 0).items()}
-    return made_transfer_functions(scattered, draws, GRID, design_air(design))[0]
+    return AsBuiltSensors(scattered, GRID, design_air(design)).transfer_functions(draws)[0]
 
 
 def effects(design: ArrayDesign) -> Iterator[tuple[str, Complex, Complex]]:

@@ -45,7 +45,9 @@ def main() -> None:
         old, new = (factor * METRICS[name].of_library(library) for library in libraries)
         better = (new > old) == (METRICS[name].better == "larger")
         lines.append(f"| {title} | {old:.3g} | {new:.3g} | {'better' if better else 'worse'} |")
-    scattered = [scatter_effects(design, GRID, samples=SENSORS, base=0, seed=SEED).accuracy for design in (base, found)]
+    scattered = [
+        scatter_effects(design, GRID, samples=SENSORS, base_samples=0, seed=SEED).accuracy for design in (base, found)
+    ]
     for name, title in SCATTERED:
         old, new = (100 * accuracy[name] for accuracy in scattered)
         change = new - old  # the same deviations of both

@@ -125,7 +125,7 @@ def evaluate_sensors(
     touches_per_point: int,
     microphone_noise: NoiseChoice,
     seed: int = 0,
-    group: str = "mis-made sensors",
+    group: str = "as-built sensors",
 ) -> list[Outcome]:
     """Results of a localizer on sensors that were made differently from the library's.
 

@@ -22,7 +22,6 @@ from geometry.ground.extras import what_to_install
 from geometry.ground.refusal import Refusal, in_one_line
 from geometry.ground.system_libraries import what_is_missing
 from geometry.ground.whole_files import FULL
-from studies.cli.options import in_options
 from studies.cli.verbs import VERBS, VerbGroup, option_names
 
 __all__ = ["app", "fail", "main"]
@@ -102,7 +101,7 @@ def _tell(error: Exception) -> None:
     """End with one line where something was refused, or the command line, the system or an installation is wrong."""
     if isinstance(error, Refusal):
         verb = next((each for each in sys.argv[1:] if each in VERBS), None)
-        fail(in_options(error.sentence(option_names(verb) if verb else {})))
+        fail(error.sentence(option_names(verb) if verb else {}))
     if isinstance(error, _USAGE):
         message = error.format_message().removeprefix("Invalid value: ").rstrip(".")
         fail(f"{message}; try {error.ctx.command_path if error.ctx else 'acoustic-fem'} --help", 2)

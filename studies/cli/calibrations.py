@@ -16,6 +16,7 @@ from studies.cli.options import (
     Altitude,
     Design,
     Frequencies,
+    FullScale,
     LibraryFile,
     Noise,
     Pressure,
@@ -155,8 +156,8 @@ def _prospect(found: SensorCalibration) -> str:
     if shares is None:
         return f"--frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz: what to expect of the fit is not known"
     text = (
-        f"to expect: {100 * shares.mean():.1f} % of touches named right, {100 * shares[0]:.1f} % in the worst of "
-        f"{len(shares)} cases"
+        f"to expect: {100 * shares.mean():.1f} % of touches classified correctly, {100 * shares[0]:.1f} % in the worst "
+        f"of {len(shares)} cases"
     )
     if found.measure_next is None:
         return text
@@ -175,13 +176,7 @@ def recalibrate(
         ),
     ],
     out: Annotated[Path, typer.Option(help="The library to write, netCDF, a new file.", show_default=False)],
-    full_scale: Annotated[
-        float | None,
-        typer.Option(
-            help="Pa: of WAV files the pressure at full scale, of others that at which they clip.",
-            show_default="1 Pa; flat tops",
-        ),
-    ] = None,
+    full_scale: FullScale = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Of the choice of the touches that judge.", min=0)] = _SEED,
     pressure: Pressure = None,

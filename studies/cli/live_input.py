@@ -18,7 +18,7 @@ from localize.live.listener import Heard
 from localize.live.sound_device import input_devices
 from studies.cli.live_display import LivePicture
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
-from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
+from studies.cli.options import Altitude, Model, Pressure, Temperature, noise_choice
 from studies.cli.terminal_tables import show, table_of
 from studies.inference.live import LiveInput, LiveSession, LiveSummary, listen
 from studies.inference.recorded import Decoding
@@ -36,15 +36,7 @@ def _list_devices(wanted: bool) -> None:
 
 
 def live(
-    model: Annotated[
-        Path,
-        typer.Argument(
-            metavar="MODEL",
-            help="A trained localizer (a folder), an .onnx file, or a library for the model-based decoder, which "
-            "expects the tolerances of manufacturing unless the library is a calibrated one.",
-            show_default=False,
-        ),
-    ],
+    model: Model,
     device: Annotated[
         str | None,
         typer.Option(help="The sound card: its number, or a part of its name.", show_default="that of the system"),
@@ -110,14 +102,9 @@ def live(
         raise typer.BadParameter("--device must not be given beside --replay")
     wanted = int(device) if device is not None and device.isdecimal() else device
     source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
-    words = {name: f"--{name}" for name in ("channels", "device", "radius")}
-    words["rejected_fraction"] = "--reject"
-    with (
-        named(full_scale="--full-scale", microphone_noise="--noise", loudest="--ambient", **words, **AIR_OPTIONS),
-        _Output(waveform) as output,
-    ):
-        air = LocalAir(pressure, altitude, temperature)
-        decoding = Decoding("design" if noise is None else noise, library, waveform, ambient, reject, air, follow_drift)
+    air = LocalAir(pressure, altitude, temperature)
+    decoding = Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
+    with _Output(waveform) as output:
         summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
     _print_summary(summary)
     if summary.unrecorded:

@@ -11,27 +11,16 @@ import typer
 from geometry.ground.refusal import counted
 from localize.learned.training_plan import PLANS, TrainingPlan
 from localize.recognition.recognition_plan import RecognitionPlan
-from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
+from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, noise_choice
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.evaluation.localizer_evaluation import evaluate_localizer
 from studies.evaluation.localizer_training import train_kinds, train_localizer
 
 if TYPE_CHECKING:
     from localize import Localizer
-    from localize.signals.noise_model import NoiseChoice
     from studies.evaluation.headline import Headline
 
 _EVALUATION = defaults_of(evaluate_localizer)
-#: Options of ``train`` by the names that refusals of a localizer's plan have for them.
-_FIELDS = {
-    "time_limit": "--seconds",
-    "epochs": "--epochs",
-    "microphone_noise": "--noise",
-    "seed": "--seed",
-    "network": "--network",
-    "stimuli": "--stimuli",
-    "plan": "--plan",
-}
 
 
 def train(
@@ -101,24 +90,24 @@ def train(
         of_localizers = {"--stimuli": bool(stimuli), "--plan": plan != PLANS[0]}
         _train_kinds(library, out, kind, seconds, epochs, noise, seed, network, recordings, of_localizers)
         return
-    with named(**_FIELDS), display_on_stderr() as display:
-        base = TrainingPlan.of(plan)
-        chosen = replace(
-            base,
-            time_limit=seconds,
-            epochs=base.epochs if epochs is None else epochs,
-            microphone_noise=base.microphone_noise if noise is None else noise,
-            seed=seed,
-            network=network or base.network,
-            stimuli=tuple(stimuli) if stimuli else base.stimuli,
-        )
+    base = TrainingPlan.of(plan)
+    chosen = replace(
+        base,
+        time_limit=seconds,
+        epochs=base.epochs if epochs is None else epochs,
+        microphone_noise=base.microphone_noise if noise is None else noise,
+        seed=seed,
+        network=network or base.network,
+        stimuli=tuple(stimuli) if stimuli else base.stimuli,
+    )
+    with display_on_stderr() as display:
         localizer = train_localizer(library, out, plan=chosen, recordings=recordings, display=display).localizer
     accuracy = localizer.training["held_out_accuracy"][-1]
     short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
     _show_recorded(localizer)
     tell(
         f"{out}: {counted(localizer.training['epochs'], 'epoch')}{short}, {accuracy:.1%} of held-out touches "
-        f"({', '.join(chosen.stimuli)} on the sensor of the library{_room(localizer)}) named right"
+        f"({', '.join(chosen.stimuli)} on the sensor of the library{_room(localizer)}) classified correctly"
     )
 
 
@@ -144,18 +133,16 @@ def _train_kinds(
     for option, is_given in of_localizers.items():
         if is_given:
             raise typer.BadParameter(f"{option} is of localizers; with --kind it says nothing")
-    options = {"time_limit": "--seconds", "microphone_noise": "--noise", "subject": "--kind"}
-    options |= {name: f"--{name}" for name in ("epochs", "seed", "network")}
-    with named(**options), display_on_stderr() as display:
-        usual = RecognitionPlan.of(kind)
-        plan = replace(
-            usual,
-            epochs=TrainingPlan.epochs if epochs is None else epochs,
-            microphone_noise="design" if noise is None else noise,
-            seed=seed,
-            time_limit=seconds,
-            network=network or usual.network,
-        )
+    usual = RecognitionPlan.of(kind)
+    plan = replace(
+        usual,
+        epochs=TrainingPlan.epochs if epochs is None else epochs,
+        microphone_noise=noise_choice(noise),
+        seed=seed,
+        time_limit=seconds,
+        network=network or usual.network,
+    )
+    with display_on_stderr() as display:
         recognizer = train_kinds(library, out, kind, plan=plan, recordings=recordings, display=display)
     record = recognizer.training
     # A long touch makes several windows.
@@ -185,20 +172,20 @@ def evaluate(
         Path | None,
         typer.Option(
             help="A folder for evaluation.json and evaluation.html: also under other noise, ambient sound, touches, "
-            "lengths, on mis-made sensors and virtual rigs.",
+            "lengths, on as-built sensors and virtual rigs.",
             show_default=False,
         ),
     ] = None,
 ) -> None:
     """How often a localizer names the touched point, on touches it has never heard; the Bayes decoder beside it.
 
-    The touches are sums of sines on the nominal sensor; taps on it, and sums of sines on sensors made with a workshop's
-    tolerances, stand in the lines below.
+    The first line of each localizer is for multi-sine touches on the nominal sensor. The lines below are for taps on
+    it, and for multi-sine touches on sensors with manufacturing scatter.
 
     Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
     """
-    with named(touches_per_point="--touches", microphone_noise="--noise"), display_on_stderr() as display:
-        level: NoiseChoice = "design" if noise is None else noise
+    level = noise_choice(noise)
+    with display_on_stderr() as display:
         results = evaluate_localizer(model, library, out, touches=touches, noise=level, seed=seed, display=display)
     _show_evaluations(results)
     if out is not None:
@@ -227,14 +214,14 @@ def _show_evaluations(results: dict[str, Headline]) -> None:
     show(table)
     unscattered = next(iter(results.values())).unscattered
     if unscattered:
-        tell(f"mis-made sensors are not judged: {unscattered}")
+        tell(f"as-built sensors are left out: {unscattered}")
 
 
 def _show_recorded(localizer: Localizer) -> None:
     """How held-out recordings were named, by part, where there are any."""
     if "held_out_recordings" not in localizer.training:
         return
-    table = table_of("recorded", "held-out recordings", "frames", "named right (%)", numbers=(1, 2, 3))
+    table = table_of("recorded", "held-out recordings", "frames", "classified correctly (%)", numbers=(1, 2, 3))
     for part, found in localizer.training["held_out_recordings"].items():
         table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['right']:.1f}")
     show(table)

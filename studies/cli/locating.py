@@ -12,8 +12,16 @@ from geometry.ground.refusal import counted
 from localize.contacts.contact import MOVING
 from localize.embedded.decoder_tables import Precision
 from localize.live.events import State
-from localize.signals.noise_model import NoiseChoice
-from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
+from studies.cli.options import (
+    Altitude,
+    FullScale,
+    LibraryFile,
+    Model,
+    Pressure,
+    Recording,
+    Temperature,
+    noise_choice,
+)
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.inference.embedding import PRECISION, embed_decoder
 from studies.inference.exporting import export_decoder
@@ -21,12 +29,6 @@ from studies.inference.pulse_reading import RecordedPulse, read_pulse
 from studies.inference.recognized import recognize_recording
 from studies.inference.recorded import Decoding, LocatedTouches, locate_recording
 from studies.inference.tracked import TrackedRecording, track_recording
-
-
-def _noise(given: float | None) -> NoiseChoice:
-    """Noise of an option: that of the design where none is given."""
-    return "design" if given is None else given
-
 
 DecoderNoise = Annotated[
     float | None,
@@ -88,8 +90,7 @@ def onnx(
 
     Example: [bold]acoustic-fem onnx localizer --out localizer.onnx[/bold]
     """
-    with named(microphone_noise="--noise"):
-        written = export_decoder(model, out, noise=_noise(noise), ambient=ambient)
+    written = export_decoder(model, out, noise=noise_choice(noise), ambient=ambient)
     tell(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"
@@ -121,10 +122,8 @@ def embed(
 
     Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
     """
-    with named(microphone_noise="--noise", precision="--precision", budget="--budget"):
-        written = embed_decoder(
-            library, out, precision=cast("Precision", precision), budget=budget, noise=_noise(noise)
-        )
+    chosen = cast("Precision", precision)
+    written = embed_decoder(library, out, precision=chosen, budget=budget, noise=noise_choice(noise))
     cost, table = written.decoder.cost, table_of("", "at most", numbers=(1,))
     for name, value in (("flash", cost.flash), ("ram", cost.ram), ("stack", cost.stack)):
         table.add_row(name, f"{value} bytes")
@@ -140,23 +139,8 @@ def embed(
 
 
 def locate(
-    model: Annotated[
-        Path,
-        typer.Argument(
-            metavar="MODEL",
-            help="A trained localizer (a folder), an .onnx file, or a library for the model-based decoder, which "
-            "expects the tolerances of manufacturing unless the library is a calibrated one.",
-            show_default=False,
-        ),
-    ],
-    recording: Annotated[
-        Path,
-        typer.Argument(
-            metavar="RECORDING",
-            help="WAV with a channel per microphone; CSV with their names on top; NPZ or MAT with 'signals'.",
-            show_default=False,
-        ),
-    ],
+    model: Model,
+    recording: Recording,
     out: Annotated[
         Path | None,
         typer.Option(help="Write a line of JSON for every frame here, 16 ms apart.", show_default=False),
@@ -164,13 +148,7 @@ def locate(
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE.png", help="Draw the signals and the touches.", show_default=False)
     ] = None,
-    full_scale: Annotated[
-        float | None,
-        typer.Option(
-            help="Pa: of WAV files the pressure at full scale, of others that at which they clip.",
-            show_default="1 Pa; flat tops",
-        ),
-    ] = None,
+    full_scale: FullScale = None,
     noise: DecoderNoise = None,
     library: ArrayLibrary = None,
     waveform: Annotated[
@@ -190,11 +168,9 @@ def locate(
     """
     if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
-    options = {"microphone_noise": "--noise", "loudest": "--ambient", "rejected_fraction": "--reject"}
-    with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
-        air = LocalAir(pressure, altitude, temperature)
-        decoding = Decoding(_noise(noise), library, waveform, ambient, reject, air, follow_drift)
-        found = locate_recording(model, recording, out, picture=picture, full_scale=full_scale, decoding=decoding)
+    air = LocalAir(pressure, altitude, temperature)
+    decoding = Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
+    found = locate_recording(model, recording, out, picture=picture, full_scale=full_scale, decoding=decoding)
     _show_touches(found)
     told: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}
     seconds = found.seconds_by_state
@@ -240,9 +216,7 @@ def recognize(
             show_default="that of a straight slide over three points or more",
         ),
     ] = None,
-    full_scale: Annotated[
-        float | None, typer.Option(help="Pa: of WAV files the pressure at full scale.", show_default="1 Pa")
-    ] = None,
+    full_scale: FullScale = None,
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
     pressure: Pressure = None,
@@ -253,13 +227,11 @@ def recognize(
 
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
-    options = {"microphone_noise": "--noise", "loudest": "--ambient", "speed": "--speed", "point": "--point"}
-    options["ambient"] = "--ambient"
-    with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
-        decoding = Decoding(noise=_noise(noise), ambient=ambient, air=LocalAir(pressure, altitude, temperature))
-        found = recognize_recording(
-            model, library, recording, out, point=point, speed=speed, full_scale=full_scale, decoding=decoding
-        )
+    air = LocalAir(pressure, altitude, temperature)
+    decoding = Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
+    found = recognize_recording(
+        model, library, recording, out, point=point, speed=speed, full_scale=full_scale, decoding=decoding
+    )
     table = table_of("from (s)", "to (s)", "point", "kind", "probability (%)", numbers=(0, 1, 2, 4))
     for each in found:
         share = f"{100 * each.probability:.1f}"
@@ -287,26 +259,13 @@ def _show_touches(found: LocatedTouches) -> None:
 
 def track(
     library: LibraryFile,
-    recording: Annotated[
-        Path,
-        typer.Argument(
-            metavar="RECORDING",
-            help="WAV with a channel per microphone; CSV with their names on top; NPZ or MAT with 'signals'.",
-            show_default=False,
-        ),
-    ],
+    recording: Recording,
     out: Annotated[Path, typer.Option(help="Write a row for every 16 ms of each path here.", show_default=False)],
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE.png", help="Draw the paths on the array.", show_default=False)
     ] = None,
     radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm: a stylus has 0.5.")] = MOVING,
-    full_scale: Annotated[
-        float | None,
-        typer.Option(
-            help="Pa: of WAV files the pressure at full scale, of others that at which they clip.",
-            show_default="1 Pa; flat tops",
-        ),
-    ] = None,
+    full_scale: FullScale = None,
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
     pressure: Pressure = None,
@@ -317,12 +276,11 @@ def track(
 
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
-    options = {"microphone_noise": "--noise", "loudest": "--ambient", "radius": "--radius"}
-    with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
-        decoding = Decoding(noise=_noise(noise), ambient=ambient, air=LocalAir(pressure, altitude, temperature))
-        found = track_recording(
-            library, recording, out, picture=picture, radius=radius, full_scale=full_scale, decoding=decoding
-        )
+    air = LocalAir(pressure, altitude, temperature)
+    decoding = Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
+    found = track_recording(
+        library, recording, out, picture=picture, radius=radius, full_scale=full_scale, decoding=decoding
+    )
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")
     tell(f"assumed is {found.assumptions}")
@@ -346,9 +304,7 @@ def pulse(
         int | None,
         typer.Option(help="The point under which it is felt.", show_default="the one that the decoder names"),
     ] = None,
-    full_scale: Annotated[
-        float | None, typer.Option(help="Pa: of WAV files the pressure at full scale.", show_default="1 Pa")
-    ] = None,
+    full_scale: FullScale = None,
     noise: DecoderNoise = None,
     pressure: Pressure = None,
     altitude: Altitude = None,
@@ -358,11 +314,8 @@ def pulse(
 
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """
-    with named(full_scale="--full-scale", microphone_noise="--noise", point="--point", **AIR_OPTIONS):
-        decoding = Decoding(noise=_noise(noise), air=LocalAir(pressure, altitude, temperature))
-        found = read_pulse(
-            library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding
-        )
+    decoding = Decoding(noise=noise_choice(noise), air=LocalAir(pressure, altitude, temperature))
+    found = read_pulse(library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding)
     _show_pulse(found)
     tell(f"{recording}: {found.seconds:.1f} s; points are those of the design {found.design}")
     tell(f"assumed is {found.assumptions}")

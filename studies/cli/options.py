@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import inspect
-import re
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
-from geometry.ground.refusal import Refusal
 from studies.output.display import Display
 
 if TYPE_CHECKING:
@@ -63,8 +60,30 @@ Temperature = Annotated[
     float | None,
     typer.Option("--temperature", metavar="DEGC", help="Temperature of the air there.", show_default="the design's"),
 ]
-#: Fields of :class:`acoustic_fem.quantities.local_air.LocalAir` -> options, for :func:`named`.
-AIR_OPTIONS = {"pressure": "--pressure", "altitude": "--altitude", "temperature_c": "--temperature"}
+Model = Annotated[
+    Path,
+    typer.Argument(
+        metavar="MODEL",
+        help="A trained localizer (a folder), an .onnx file, or a library for the model-based decoder, which "
+        "expects the tolerances of manufacturing unless the library is a calibrated one.",
+        show_default=False,
+    ),
+]
+Recording = Annotated[
+    Path,
+    typer.Argument(
+        metavar="RECORDING",
+        help="WAV with a channel per microphone; CSV with their names on top; NPZ or MAT with 'signals'.",
+        show_default=False,
+    ),
+]
+FullScale = Annotated[
+    float | None,
+    typer.Option(
+        help="Pa: of WAV files the pressure at full scale, of others that at which they clip.",
+        show_default="1 Pa; flat tops",
+    ),
+]
 
 
 def noise_choice(given: float | None) -> NoiseChoice:
@@ -97,20 +116,3 @@ def defaults_of(call: Callable[..., Any]) -> dict[str, Any]:
     """The defaults of a call by argument: those of a verb are its call's, and stand there alone."""
     parameters = inspect.signature(call).parameters.values()
     return {each.name: each.default for each in parameters if each.default is not each.empty}
-
-
-@contextmanager
-def named(**options: str) -> Iterator[None]:
-    """Call the argument with which a refusal begins by the option that the user gave."""
-    try:
-        yield
-    except Refusal as error:
-        field = re.match(r"\w+", str(error))
-        if error.field or field is None or field[0] not in options:
-            raise
-        raise Refusal(options[field[0]] + str(error)[field.end() :]) from None
-
-
-def in_options(message: str) -> str:
-    """Call the arguments that a refusal names in backticks by their options."""
-    return re.sub(r"`([a-z_]+)`", lambda name: "--" + name[1].replace("_", "-"), message)

@@ -215,6 +215,8 @@ _OPTIONS = {
     "base_samples": "base",
     "library_size": "library",
     "formats": "format",
+    "time_limit": "seconds",
+    "subject": "kind",
 }
 
 

@@ -1,4 +1,4 @@
-"""A localizer trained and judged, also under other conditions, and its report.
+"""A localizer trained and evaluated, also under other conditions, and its report.
 
 Stands on: output, test_rig.
 """

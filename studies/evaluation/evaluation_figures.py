@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from localize.evaluation.accuracy import wilson_interval
 from localize.evaluation.conditions import Outcome
-from studies.evaluation.full_evaluation import Judged
+from studies.evaluation.full_evaluation import LocalizerResult
 from studies.output.figure_style import WIDTH, figure_in_style as figure_in_style, save_figure
 
 if TYPE_CHECKING:
@@ -22,35 +22,35 @@ _COLOURS = ("#2a6f97", "#d1731f", "#5b8c3e")
 _MARKS = ("o", "s", "^")
 
 
-def draw_reliability(judged: Sequence[Judged], path: str | os.PathLike[str]) -> Path:
-    """Picture of the share named right against the probability that was stated, below how often it was; its path."""
+def draw_reliability(results: Sequence[LocalizerResult], path: str | os.PathLike[str]) -> Path:
+    """Picture of the fraction classified correctly against the stated probability, and its histogram; its path."""
     with figure_in_style((WIDTH / 1.6, 5.0)) as figure:
         upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
         upper.plot([0, 1], [0, 1], color="#999999", linestyle="--", linewidth=1)
-        for each, colour, mark in zip(judged, _COLOURS, _MARKS, strict=False):
+        for each, colour, mark in zip(results, _COLOURS, _MARKS, strict=False):
             bins = [each_bin for each_bin in each.overall.reliability.bins if each_bin.touches]
             stated, right = ([getattr(each_bin, name) for each_bin in bins] for name in ("stated", "right"))
             error = each.overall.reliability.expected_error
             label = f"{each.name}: expected calibration error {100 * error:.1f} %"
             upper.plot(stated, right, marker=mark, color=colour, label=label)
             lower.plot(stated, [each_bin.touches for each_bin in bins], marker=mark, color=colour)
-        upper.set(ylabel="named right", ylim=(0, 1.03), title="stated probability and truth")
+        upper.set(ylabel="classified correctly", ylim=(0, 1.03), title="stated probability and truth")
         upper.legend(loc="upper left")
         lower.set(xlabel="stated probability", ylabel="touches", yscale="log", xlim=(0, 1.03))
         return save_figure(figure, path)
 
 
-def draw_conditions(judged: Sequence[Judged], path: str | os.PathLike[str]) -> Path:
+def draw_conditions(results: Sequence[LocalizerResult], path: str | os.PathLike[str]) -> Path:
     """Picture of top-1 in every condition with its 95 % interval, a panel per group, of several sensors the worst one
     dashed; its path.
     """
-    groups = list(dict.fromkeys(outcome.group for each in judged for outcome in each.outcomes))
+    groups = list(dict.fromkeys(outcome.group for each in results for outcome in each.outcomes))
     rows = -(-(len(groups) + 1) // 2)
     with figure_in_style((WIDTH, 0.4 + 2.9 * rows)) as figure:
         panels = figure.subplots(rows, 2, squeeze=False).flat
-        _draw_components(judged, panels[0])
+        _draw_components(results, panels[0])
         for panel, group in zip(panels[1:], groups, strict=False):
-            for number, each in enumerate(judged):
+            for number, each in enumerate(results):
                 _draw_group(panel, [outcome for outcome in each.outcomes if outcome.group == group], number, each.name)
             panel.set(title=group)
         for panel in panels[len(groups) + 1 :]:
@@ -61,12 +61,12 @@ def draw_conditions(judged: Sequence[Judged], path: str | os.PathLike[str]) -> P
         return save_figure(figure, path)
 
 
-def _draw_components(judged: Sequence[Judged], panel: Axes) -> None:
-    for number, each in enumerate(judged):
+def _draw_components(results: Sequence[LocalizerResult], panel: Axes) -> None:
+    for number, each in enumerate(results):
         counted = list(each.overall.by_components.values())
         shares = [100 * share for share, _ in counted]
         bars = _error_bars([(share, *wilson_interval(share, touches)) for share, touches in counted])
-        _draw_bars(panel, list(each.overall.by_components), shares, bars, number, len(judged), each.name)
+        _draw_bars(panel, list(each.overall.by_components), shares, bars, number, len(results), each.name)
     panel.set(title="components of the touch")
 
 

@@ -47,8 +47,8 @@ def render(found: FullEvaluation) -> str:
         style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
         found=found,
         verdict=_verdict(found),
-        noise=found.judged[0].overall.noise_in_words,
-        rows=list(zip(*(each.outcomes for each in found.judged), strict=True)),
+        noise=found.results[0].overall.noise_in_words,
+        rows=list(zip(*(each.outcomes for each in found.results), strict=True)),
         sensors=SENSORS,
         pictures=_pictures(found),
         provenance=_provenance(found),
@@ -57,12 +57,12 @@ def render(found: FullEvaluation) -> str:
 
 def _verdict(found: FullEvaluation) -> str:
     """The page in three sentences."""
-    headlines = [Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.judged]
+    headlines = [Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.results]
     shares = " and ".join(
-        f"the {each.name} names the right point for {100 * each.overall.top1:.1f} %" for each in found.judged
+        f"the {each.name} names the right point for {100 * each.overall.top1:.1f} %" for each in found.results
     )
     hardest = []
-    for each in found.judged:
+    for each in found.results:
         worst = min(each.outcomes, key=lambda outcome: outcome.top1)
         hardest.append(f"for the {each.name} {worst.group}, {worst.name} ({100 * worst.top1:.1f} %)")
     beside = [
@@ -79,10 +79,10 @@ def _pictures(found: FullEvaluation) -> dict[str, str]:
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder)
         paths = {
-            "reliability": draw_reliability(found.judged, place / "reliability.png"),
-            "conditions": draw_conditions(found.judged, place / "conditions.png"),
+            "reliability": draw_reliability(found.results, place / "reliability.png"),
+            "conditions": draw_conditions(found.results, place / "conditions.png"),
         }
-        for index, each in enumerate(found.judged):
+        for index, each in enumerate(found.results):
             name = f"confusion-{index}"
             paths[name] = draw_confusion(each.overall.confusion, found.points, place / f"{name}.png")
         encoded = {name: base64.b64encode(path.read_bytes()).decode("ascii") for name, path in paths.items()}

@@ -41,7 +41,7 @@ LEAST = 600
 
 
 @dataclass(frozen=True)
-class Judged:
+class LocalizerResult:
     """Results of one localizer."""
 
     name: str
@@ -64,14 +64,14 @@ class FullEvaluation:
     """Name of the design."""
     points: tuple[int, ...]
     """Numbers of the points."""
-    judged: tuple[Judged, ...]
+    results: tuple[LocalizerResult, ...]
     """Results of each localizer, in the order in which they were given."""
     created: datetime
     """Time at which the evaluation was made."""
     provenance: dict[str, Any]
     """Design, fidelity, library, seed and versions."""
     unscattered: str = ""
-    """Reason for which nothing was judged on mis-made sensors; empty where it was."""
+    """Reason for which as-built sensors are left out; empty if they are evaluated."""
 
     def to_dict(self) -> dict[str, Any]:
         """Results as JSON can hold them."""
@@ -79,7 +79,7 @@ class FullEvaluation:
             "design": self.design,
             "created": self.created.isoformat(timespec="seconds"),
             "provenance": self.provenance,
-            **{each.name: each.to_dict() for each in self.judged},
+            **{each.name: each.to_dict() for each in self.results},
         }
 
 
@@ -92,7 +92,7 @@ def evaluate_fully(
     seed: int,
     progress: Progress,
 ) -> FullEvaluation:
-    """Results of localizers on a library, then under each condition that it allows, then on mis-made sensors.
+    """Results of localizers on a library, then under each condition that it allows, then on as-built sensors.
 
     Args:
         locators: by name.
@@ -101,14 +101,14 @@ def evaluate_fully(
         touches: held-out touches per point; in a condition a tenth as many, at least 600 of all points together, but
             never more.
         noise: of the microphones, where the condition is not the noise.
-        seed: of touches and of mis-made sensors.
+        seed: of touches and of as-built sensors.
         progress: called with what is being done and the fraction done.
     """
     from localize import evaluate
     from localize.evaluation.conditions import evaluate_conditions, evaluate_sensors
 
     few = min(touches, max(round(SHARE * touches), math.ceil(LEAST / response.point_count)))
-    progress("mis-made sensors", 0.0)
+    progress("as-built sensors", 0.0)
     made, unscattered = scattered_sensors(library, response, seed, SENSORS, SCATTER)
     rigs = [] if unscattered else rig_sensors(library, response, seed, RIGS)
     found = []
@@ -117,14 +117,14 @@ def evaluate_fully(
         stage("all touches", 0.0)
         overall = evaluate(locator, response, touches, noise, seed=seed)
         outcomes = evaluate_conditions(locator, response, few, noise, seed, stage)
-        stage("mis-made sensors", 1.0)
+        stage("as-built sensors", 1.0)
         outcomes += evaluate_sensors(locator, response, made, max(1, few // 5), noise, seed)
         outcomes += evaluate_sensors(locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP)
-        found.append(Judged(name, overall, tuple(outcomes)))
+        found.append(LocalizerResult(name, overall, tuple(outcomes)))
     return FullEvaluation(
         design=response.name,
         points=tuple(range(1, response.point_count + 1)),
-        judged=tuple(found),
+        results=tuple(found),
         created=datetime.now(UTC),
         provenance={
             **versions(seed, ("numpy", "scipy", "torch", "onnxruntime")),
@@ -170,17 +170,17 @@ def rig_sensors(
 def scattered_sensors(
     library: Library, response: ArrayResponse, seed: int, count: int, shares: Sequence[float]
 ) -> tuple[list[tuple[str, float, NDArray[np.complex128]]], str]:
-    """Sets of :func:`mis_made` and an empty text; none, and the reason, where the scatter of a design is not known.
+    """Sets of :func:`sensor_sets` and an empty text; none, and the reason, where the scatter of a design is not known.
 
     Arguments as there, shapes too: (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
     """
     try:
-        return mis_made(library, response, seed, count, shares), ""
+        return sensor_sets(library, response, seed, count, shares), ""
     except Refusal as error:
         return [], str(error)
 
 
-def mis_made(
+def sensor_sets(
     library: Library, response: ArrayResponse, seed: int, count: int = SENSORS, shares: Sequence[float] = SCATTER
 ) -> list[tuple[str, float, NDArray[np.complex128]]]:
     """Sets of sensors with shares of the workshop's tolerances.

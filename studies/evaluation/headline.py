@@ -1,4 +1,4 @@
-"""Headline figures of a localizer: sums of sines on the nominal sensor, beside them what they do not promise.
+"""Headline figures of a localizer: multi-sine touches on the nominal sensor, beside them what they do not promise.
 
 Taps on the same sensor, and the same sines on sensors that are not calibrated: made with a workshop's tolerances, which
 the tolerant decoder draws too, and virtual rigs, which have what no decoder knows.
@@ -20,24 +20,24 @@ from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
 from studies.evaluation.full_evaluation import LEAST, RIG_GROUP, RIGS, Progress, rig_sensors, scattered_sensors
 
-#: Whose signals a headline figure is of.
-SIGNALS = "sums of sines on the nominal sensor"
-#: Name of the decoder that knows the tolerances of manufacturing.
+#: Signals of a headline figure.
+SIGNALS = "multi-sine touches on the nominal sensor"
+#: Name of the decoder that models manufacturing tolerances.
 TOLERANT = "tolerant decoder"
-#: Mis-made sensors that are judged, the seed that they are drawn with, and their share of the workshop's tolerances.
+#: Number of as-built sensors, the seed that they are drawn with, and their fraction of the workshop's tolerances.
 SENSORS, SENSOR_SEED, WHOLE = 8, 1, 1.0
 
 
 @dataclass(frozen=True, eq=False)
 class Headline(Evaluation):
-    """Results on sums of sines on the nominal sensor, and what stands beside them."""
+    """Results on multi-sine touches on the nominal sensor, and what stands beside them."""
 
     outcomes: tuple[Outcome, ...]
-    """Results on taps, then on mis-made sensors and on virtual rigs where these are known."""
+    """Results on taps, then on as-built sensors and on virtual rigs where these are known."""
     sensors: int = SENSORS
-    """Number of the mis-made sensors."""
+    """Number of the as-built sensors."""
     unscattered: str = ""
-    """Reason for which mis-made sensors are not among them; empty where they are."""
+    """Reason for which as-built sensors are not among them; empty where they are."""
 
     @classmethod
     def of(cls, overall: Evaluation, outcomes: Sequence[Outcome], sensors: int, unscattered: str) -> Headline:
@@ -47,14 +47,14 @@ class Headline(Evaluation):
 
     @property
     def signals(self) -> str:
-        """Whose signals the headline figures are of."""
+        """Signals of the headline figures."""
         return SIGNALS
 
     @property
     def beside(self) -> tuple[tuple[str, Outcome], ...]:
-        """What stands beside the headline: whose signals, and the results."""
-        made = f"sums of sines on {self.sensors} mis-made sensors"
-        of_rigs = f"sums of sines on {RIGS} virtual rigs"
+        """Results beside the headline, each with its signals."""
+        made = f"multi-sine touches on {self.sensors} as-built sensors"
+        of_rigs = f"multi-sine touches on {RIGS} virtual rigs"
 
         def signals(each: Outcome) -> str:
             if each.worst is None:
@@ -70,15 +70,15 @@ class Headline(Evaluation):
 
 
 def is_beside(group: str, name: str, value: float | None) -> bool:
-    """Whether a condition stands beside the headline: taps, sensors with the whole of the tolerances, virtual rigs."""
+    """True for conditions beside the headline: taps, sensors with the whole tolerances, virtual rigs."""
     return (
         (group, name) == ("stimulus", "taps")
-        or (group == "mis-made sensors" and value == WHOLE)
+        or (group == "as-built sensors" and value == WHOLE)
         or (group == RIG_GROUP)
     )
 
 
-def judge_headlines(
+def evaluate_headlines(
     locators: dict[str, Locator],
     library: Library,
     response: ArrayResponse,
@@ -99,7 +99,7 @@ def judge_headlines(
         seed: of the touches.
         progress: called with what is being done and the fraction done.
     """
-    progress("mis-made sensors", 0.0)
+    progress("as-built sensors", 0.0)
     made, unscattered = scattered_sensors(library, response, SENSOR_SEED, SENSORS, (WHOLE,))
     rigs = [] if unscattered else rig_sensors(library, response, SENSOR_SEED, RIGS)
     few = min(touches, math.ceil(LEAST / response.point_count))

@@ -38,14 +38,14 @@ def evaluate_localizer(
 ) -> dict[str, Headline]:
     """Evaluations of a localizer on touches that it has never heard, the Bayes decoder beside it.
 
-    The touches are sums of sines on the nominal sensor; beside them stand taps, and sensors that are made with a
+    The touches are multi-sine touches on the nominal sensor; beside them stand taps, and sensors that are made with a
     workshop's tolerances.
 
     Args:
         model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
         library: from which touches are made: its path, or a library or an open model in memory.
         out: a folder for ``evaluation.json`` and ``evaluation.html``: with it, both are also judged under other noise,
-            ambient sound, touches and lengths, and on mis-made sensors.
+            ambient sound, touches and lengths, and on as-built sensors.
         touches: held-out touches of every point.
         noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
         seed: of the touches.
@@ -60,7 +60,7 @@ def evaluate_localizer(
             out of range.
     """
     from studies.evaluation.evaluation_report import JSON_FILE, write_evaluation
-    from studies.evaluation.headline import TOLERANT, Headline, judge_headlines
+    from studies.evaluation.headline import TOLERANT, Headline, evaluate_headlines
 
     folder = None if out is None else Path(out)
     if folder is not None:
@@ -80,8 +80,8 @@ def evaluate_localizer(
         locators[TOLERANT] = tolerant
     with (display or Display()).stage("Evaluation") as report:
         if folder is None:
-            return judge_headlines(locators, solved, response, touches, noise, seed, report)
+            return evaluate_headlines(locators, solved, response, touches, noise, seed, report)
         found = evaluate_fully(locators, solved, response, touches, noise, seed, report)
         report("report", 1.0)
         write_evaluation(found, folder)
-    return {each.name: Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.judged}
+    return {each.name: Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.results}

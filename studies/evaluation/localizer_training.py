@@ -31,7 +31,7 @@ class TrainedLocalizer:
     """Folder of the localizer, its curves and its confusions."""
     localizer: localize.Localizer
     """Localizer as :func:`localize.load_localizer` reads it from there."""
-    judged: localize.Evaluation
+    evaluation: localize.Evaluation
     """Evaluation on touches that it has not seen."""
 
 
@@ -70,9 +70,9 @@ def train_localizer(
             recordings=recordings,
         )
         localizer.save(folder)
-        judged = localize.evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
-        write_training_files(folder, localizer, judged)
-    return TrainedLocalizer(folder, localizer, judged)
+        evaluation = localize.evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
+        write_training_files(folder, localizer, evaluation)
+    return TrainedLocalizer(folder, localizer, evaluation)
 
 
 def train_kinds(

@@ -22,7 +22,7 @@ CURVES, CONFUSION = "training", "confusion"
 TOUCHES = 50
 
 
-def write_training_files(folder: Path, localizer: Localizer, judged: Evaluation) -> None:
+def write_training_files(folder: Path, localizer: Localizer, evaluation: Evaluation) -> None:
     """Write ``training.csv`` and ``.png`` (loss and accuracy by epoch) and ``confusion.csv`` and ``.png``.
 
     Where there were recordings, the curves have a column for each part of those that were held out.
@@ -30,10 +30,10 @@ def write_training_files(folder: Path, localizer: Localizer, judged: Evaluation)
     Args:
         folder: must exist; files of these names are replaced.
         localizer: just trained.
-        judged: of the localizer, on touches that it has not seen.
+        evaluation: evaluation of the localizer on touches that it has not seen.
     """
     points = tuple(range(1, localizer.point_count + 1))
-    _write(folder, localizer.training, points, judged.confusion, "point")
+    _write(folder, localizer.training, points, evaluation.confusion, "point")
 
 
 def write_recognizer_files(folder: Path, recognizer: Recognizer) -> None:

@@ -1,4 +1,4 @@
-"""How often neighbours, and all others, will be named in place of the touched point of a mis-made sensor: with slopes.
+"""How often neighbours, and all others, will be named in place of the touched point of a as-built sensor: with slopes.
 
 A sensor that nobody calibrated differs from its library by the deviations of its parts. To first order these move the
 logarithms of the ratios of microphones by a Gaussian with covariance S = J J^T + noise; J is had from differences, one

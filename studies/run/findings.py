@@ -72,7 +72,7 @@ def beside_sentence(result: RunResult) -> str:
     text = f"Of {name} the two name {share} right{worst}"
     text += "".join(f", of {name} {share}{worst}" for name, share, worst in others)
     unscattered = result.network.unscattered
-    return f"{text}." + (f" Mis-made sensors are not judged: {unscattered}." if unscattered else "")
+    return f"{text}." + (f" As-built sensors are left out: {unscattered}." if unscattered else "")
 
 
 def _tolerant_sentence(result: RunResult) -> str:
@@ -80,14 +80,14 @@ def _tolerant_sentence(result: RunResult) -> str:
     if result.tolerant is None:
         return ""
     text = f" The decoder that knows the tolerances names {_percent(result.tolerant.top1)} on the nominal sensor"
-    made = _mis_made(result.tolerant)
+    made = _as_built(result.tolerant)
     return f"{text}, {made}." if made else f"{text}."
 
 
-def _mis_made(headline: Headline) -> str:
-    """Shares of touches of mis-made sensors that are named right, in words; empty where they were not judged."""
+def _as_built(headline: Headline) -> str:
+    """Accuracies on as-built sensors, in words; empty if they are left out."""
     found = [
-        f"{_percent(each.top1)} on {'virtual rigs' if each.group == RIG_GROUP else 'mis-made ones'} (the worst of them "
+        f"{_percent(each.top1)} on {'virtual rigs' if each.group == RIG_GROUP else 'as-built ones'} (the worst of them "
         f"{_percent(each.worst)})"
         for each in headline.outcomes
         if each.worst is not None
@@ -128,7 +128,7 @@ def confusion_sentence(result: RunResult) -> str:
 
 
 def noise_sentence(result: RunResult) -> str:
-    """Sentences on which noise the localizer was trained and judged with, and where its figures come from."""
+    """Sentences on the noise of training and evaluation, and where its figures come from."""
     network, microphone = result.network, result.design.microphone
     text = f"Training and held-out touches have {network.noise_in_words}"
     if network.noise_source == "white":
@@ -205,7 +205,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
         KeyFigure("localizer, top-2", _percent(network.top2), f"within one place: {_percent(network.within_one)}"),
         KeyFigure("Bayes decoder, top-1", _percent(bayes.top1), "no training, the same touches"),
         *(
-            [KeyFigure("tolerant decoder, top-1", _percent(result.tolerant.top1), _mis_made(result.tolerant))]
+            [KeyFigure("tolerant decoder, top-1", _percent(result.tolerant.top1), _as_built(result.tolerant))]
             if result.tolerant is not None
             else []
         ),
@@ -357,7 +357,7 @@ def write_results(result: RunResult, path: Path) -> None:
 
 
 def _beside(result: RunResult) -> list[tuple[str, str, str]]:
-    """Whose signals stand beside the headline, the shares named right by localizer and decoder, and the worst ones."""
+    """Signals beside the headline, accuracies of localizer and decoder on them, and the worst ones."""
     found = []
     for (name, own), other in zip(result.network.beside, result.bayes.outcomes, strict=True):
         share, worst = f"{_percent(own.top1)} and {_percent(other.top1)}", ""

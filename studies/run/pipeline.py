@@ -228,7 +228,7 @@ def _trained_localizer(
 ) -> tuple[Localizer, Headline, Headline, Headline | None]:
     """The trained localizer, and evaluations of it, the model-based decoder and the tolerance-aware one."""
     from localize import train
-    from studies.evaluation.headline import TOLERANT, judge_headlines
+    from studies.evaluation.headline import TOLERANT, evaluate_headlines
 
     with show.stage("Localizer", of=_STAGES) as report:
         report("training", 0.0)
@@ -244,7 +244,7 @@ def _trained_localizer(
         tolerant = tolerant_decoder(library, noise)
         if tolerant is not None:
             locators[TOLERANT] = tolerant
-        judged = judge_headlines(locators, library, response_of(library), touches, noise, SEED, report)
+        judged = evaluate_headlines(locators, library, response_of(library), touches, noise, SEED, report)
     return localizer, judged["network"], judged["Bayes decoder"], judged.get(TOLERANT)
 
 

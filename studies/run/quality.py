@@ -31,7 +31,7 @@ from studies.scatter.effects import quick_scattered_accuracy
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Mis-made sensors for designs of up to so many points; of larger ones fewer, as each takes the square of its points,
+#: As-built sensors for designs of up to so many points; of larger ones fewer, as each takes the square of its points,
 #: and never less than the last.
 SENSORS, SENSORS_UP_TO, _LEAST_SENSORS = 64, 24, 4
 #: Designs of more points have none here.
@@ -40,12 +40,12 @@ _MOST_POINTS = 256
 
 @dataclass(frozen=True, eq=False)
 class DesignQuality:
-    """Predicted quality of a design: sums of sines, the noise of the design's microphone."""
+    """Predicted quality of a design: multi-sine touches, the noise of the design's microphone."""
 
     named: float
     """Share of touches on the nominal sensor whose point a trained localizer is predicted to name, 0 to 1."""
     sensors: int
-    """Number of mis-made sensors; 0 where the batch does not take the design, or it has over 256 points."""
+    """Number of as-built sensors; 0 where the batch does not take the design, or it has over 256 points."""
     mis_made: float
     """The same share on sensors with a workshop's scatter, not calibrated, by their mean; NaN without sensors."""
     worst: float
@@ -65,7 +65,7 @@ class DesignQuality:
     fidelity: QuickFidelity
     """Fidelity of the nominal sensor's transfer functions: the atlas, or 3-D and why."""
     made_fidelity: QuickFidelity | None
-    """That of the mis-made sensors; None without sensors."""
+    """That of the as-built sensors; None without sensors."""
     per_point: NDArray[np.float64] = field(repr=False)
     """Share of the touches of each point on the nominal sensor that name it; (n_point,) float64."""
 
@@ -75,10 +75,14 @@ class DesignQuality:
         first, second = self.hardest
         made = f"{100 * self.mis_made:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
         of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "told by acoustic-fem tolerance"
-        fidelities = {"nominal sensor": self.fidelity, "mis-made sensors": self.made_fidelity}
+        fidelities = {"nominal sensor": self.fidelity, "as-built sensors": self.made_fidelity}
         return (
-            ("named right, nominal sensor", f"{100 * self.named:.1f} %", "sums of sines, predicted for a localizer"),
-            ("named right, mis-made sensors", made, of),
+            (
+                "classified correctly, nominal sensor",
+                f"{100 * self.named:.1f} %",
+                "multi-sine touches, predicted for a localizer",
+            ),
+            ("classified correctly, as-built sensors", made, of),
             ("hardest pair", f"{first} and {second}", f"{self.level:.2g} dB, {self.phase:.2g} degrees apart"),
             ("smallest force", f"{number(1e9 * self.force)} nN", f"rms, point {self.weakest}, over the noise"),
             ("cost", f"{self.cost:.2f} USD", "materials of one array, assumed prices"),
@@ -113,7 +117,7 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
     predicted = SharedFigures(Responses.of_library(library)).confusion(None)
     limits = np.asarray(detection_limits(library, BAND)["force"].values)
     weakest = int(np.argmax(limits))
-    made, made_fidelity = _mis_made(design)
+    made, made_fidelity = _as_built(design)
     return DesignQuality(
         named=float(predicted.top1[0]),
         sensors=len(made),
@@ -131,8 +135,8 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
     )
 
 
-def _mis_made(design: ArrayDesign) -> tuple[NDArray[np.float64], QuickFidelity | None]:
-    """Predicted shares of mis-made sensors, (n,) float64, and their fidelity; none where the batch does not take the
+def _as_built(design: ArrayDesign) -> tuple[NDArray[np.float64], QuickFidelity | None]:
+    """Predicted shares of as-built sensors, (n,) float64, and their fidelity; none where the batch does not take the
     design or it takes long.
     """
     if design.point_count > _MOST_POINTS:
@@ -158,7 +162,7 @@ def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.Pat
         _plan(axes, design, quality)
         axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")
         figure.suptitle(
-            f"{design.name}: predicted to be named right {100 * quality.named:.1f} % on the nominal sensor"
+            f"{design.name}: predicted to be classified correctly {100 * quality.named:.1f} % on the nominal sensor"
             + (f", {100 * quality.mis_made:.1f} % on mis-made ones" if quality.sensors else "")
         )
         figure.legend(loc="outside lower center", ncols=2)

@@ -137,12 +137,12 @@ def _assumptions(result: RunResult) -> list[str]:
         "pushes the air in the shape of its first mode; its material: "
         f"{design.membrane.material}, {membrane.law_in_words} ({membrane.source}).",
         noise_sentence(result),
-        "One point is touched at a time. But where mis-made sensors are named, the made sensor is exactly the designed "
-        "one. Mis-made ones have the scatter of bores, lengths, cavities and membranes of a careful workshop and are "
+        "One point is touched at a time. But where as-built sensors are named, the made sensor is exactly the designed "
+        "one. As-built ones have the scatter of bores, lengths, cavities and membranes of a careful workshop and are "
         "not calibrated; calibration is what removes this loss. Virtual rigs are not calibrated either, and have "
         "besides what no decoder knows: a rubber of another slope and loss, microphones, and the air of another place.",
-        f"Sums of sines have 1 to 100 components from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are pulses "
-        "of 5 to 100 ms. A network names only what it was trained on, here sums of sines.",
+        f"Multi-sine touches have 1 to 100 components from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are "
+        "pulses of 5 to 100 ms. A network names only what it was trained on, here multi-sine touches.",
     ]
 
 

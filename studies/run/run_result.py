@@ -41,7 +41,7 @@ class RunResult:
     separability: Separability
     """Distances of all pairs of points."""
     network: Headline
-    """Results of the trained localizer on held-out touches: sums of sines, beside them taps and mis-made sensors."""
+    """Results of the trained localizer on held-out multi-sine touches, beside them taps and as-built sensors."""
     bayes: Headline
     """Results of the model-based decoder on the same touches."""
     tolerant: Headline | None

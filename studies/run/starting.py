@@ -161,7 +161,7 @@ def new_design(
     asked = _Asked(name, usual, points, pitch, microphones, diameter)
     design = _buildable(asked)
     if isinstance(design, Refusal):
-        problem = f"with a pitch of {pitch:g} mm do not fit {usual.words}: {design.problem}"
+        problem = f"with a pitch of {pitch:g} mm do not fit {usual.words}: {Refusal.of(design, file=None)}"
         raise Refusal(problem, kind=Kind.CONFLICT, field="points", value=points, remedy=_instead(asked))
     save_design(design, path)
     return design

@@ -8,15 +8,16 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from refusals import refused
 from typer.testing import CliRunner
 
 import acoustic_fem
 import geometry
 from acoustic_fem.library.transfer_functions import MEASURED
+from geometry import Kind
 from geometry.design.design_file import write_design
 from studies.cli import calibrations
 from studies.cli.app import app
-from studies.cli.options import in_options
 from studies.test_rig.virtual_rig import Recorder, Rig
 
 GRID = np.linspace(1.0, 100.0, 34)
@@ -43,7 +44,9 @@ def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path:
     assert "cut short" in result.output
     assert "1 of 4 points measured, 3 fitted" in result.output
     assert "fit: agrees with the measurement, chi-squared" in result.output
-    assert re.search(r"to expect: \d+\.\d % of touches named right, \d+\.\d % in the worst of 20", result.output)
+    assert re.search(
+        r"to expect: \d+\.\d % of touches classified correctly, \d+\.\d % in the worst of 20", result.output
+    )
     assert (tmp_path / "made.png").stat().st_size > 10_000
     assert acoustic_fem.load(out).fidelity == MEASURED
 
@@ -59,21 +62,23 @@ def test_a_fit_that_is_not_used_is_said_not_to_agree(capsys: pytest.CaptureFixtu
 
 
 @pytest.mark.parametrize(
-    ("earlier", "out", "message"),
+    ("earlier", "out", "kind", "file"),
     [
-        ("made.nc", "made.nc", "made.nc: exists, and a measured library is never overwritten; name another file"),
-        ("made.png", "made.nc", "made.png: exists, and the figure of one is never overwritten; name another file"),
-        ("other.nc", "made.txt", "made.txt: --out must be a library, .nc; its figure goes beside it as .png"),
-        ("other.nc", "made.png", "made.png: --out must be a library, .nc; its figure goes beside it as .png"),
+        ("made.nc", "made.nc", Kind.EXISTS, "made.nc"),
+        ("made.png", "made.nc", Kind.EXISTS, "made.png"),
+        ("other.nc", "made.txt", Kind.OUT_OF_RANGE, "made.txt"),
+        ("other.nc", "made.png", Kind.OUT_OF_RANGE, "made.png"),
     ],
 )
 def test_the_verb_overwrites_nothing_and_says_so_before_any_work(
-    tmp_path: Path, earlier: str, out: str, message: str
+    tmp_path: Path, earlier: str, out: str, kind: Kind, file: str
 ) -> None:
     (tmp_path / earlier).write_bytes(b"of an earlier calibration")
-    refused = CliRunner().invoke(app, ["calibrate", str(tmp_path / "no-recordings"), "--out", str(tmp_path / out)])
-    assert isinstance(refused.exception, ValueError)
-    assert message in in_options(str(refused.exception))
+    with refused(kind, "out", file=tmp_path / file):
+        CliRunner().invoke(
+            app, ["calibrate", str(tmp_path / "no-recordings"), "--out", str(tmp_path / out)],
+            standalone_mode=False, catch_exceptions=False,
+        )  # fmt: skip
     assert [path.name for path in tmp_path.iterdir()] == [earlier]
     assert (tmp_path / earlier).read_bytes() == b"of an earlier calibration"
 

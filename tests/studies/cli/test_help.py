@@ -3,43 +3,45 @@
 from __future__ import annotations
 
 import inspect
-import itertools
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
+import typer
 from command import Command
-from typer.testing import CliRunner
+from typer.main import get_command
 
 import acoustic_fem
 from studies.cli import app, verbs
 
 ROOT = Path(__file__).parents[3]
-VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "onnx", "locate", "live", "run")
 
 
-@pytest.mark.parametrize("verb", VERBS)
-def test_the_help_of_every_verb_has_an_example_and_out(command: Command, verb: str) -> None:
-    told = command(verb, "--help")
-    assert told.code == 0
-    assert f"acoustic-fem {verb}" in told.out.partition("Example:")[2]
-    assert "--out" in told.out
+def parsed(verb: str) -> Any:
+    """The command of a verb, with its help and its options, as click has it."""
+    alone = typer.Typer(add_completion=False)
+    alone.command(verb, cls=verbs.Verb)(verbs.verb_named(verb))
+    return typer.main.get_command(alone)
+
+
+def options(verb: str) -> set[str]:
+    """Long options of a verb."""
+    return {name for each in parsed(verb).params for name in each.opts if name.startswith("--")}
 
 
 @pytest.mark.parametrize("verb", verbs.VERBS)
-def test_help_fills_the_lines_of_a_terminal(verb: str) -> None:
-    told = CliRunner().invoke(app.app, [verb, "--help"], env={"COLUMNS": "80"})
-    lines = [line.rstrip() for line in told.output.splitlines()]
-    assert max(map(len, lines)) <= 80
-    words = lines[: next(k for k, line in enumerate(lines) if line.startswith("╭"))]
-    for line, after in itertools.pairwise(words):
-        assert not line or not after or len(line) + 1 + len(after.split()[0]) > 79, f"{line} | {after}"
+def test_the_help_of_every_verb_has_an_example_in_paragraphs_of_one_line(verb: str) -> None:
+    paragraphs = parsed(verb).help.split("\n\n")
+    assert f"acoustic-fem {verb}" in paragraphs[-1].partition("Example:")[2]
+    assert not any("\n" in each for each in paragraphs)  # a terminal has its own width
 
 
 def test_the_help_lists_every_verb_in_the_order_of_work(command: Command) -> None:
     told = command("--help")
-    assert [told.out.index(f"│ {verb} ") for verb in VERBS] == sorted(told.out.index(f"│ {verb} ") for verb in VERBS)
+    assert list(get_command(app.app).commands) == list(verbs.VERBS)  # type: ignore[attr-defined]
+    assert all(verb in told.out.split() for verb in verbs.VERBS)
     assert command("--version").out.startswith("acoustic-fem")
 
 
@@ -50,7 +52,7 @@ def test_the_line_of_a_verb_is_the_first_of_its_docstring(verb: str) -> None:
 
 
 def test_help_of_a_search_names_its_section(command: Command) -> None:
-    assert "A study file with a section [optimize]." in command("optimize", "--help").out
+    assert "[optimize]" in command("optimize", "--help").out
 
 
 def test_help_loads_nothing_heavy() -> None:
@@ -67,14 +69,10 @@ def test_help_loads_nothing_heavy() -> None:
 
 
 def test_run_takes_a_design_and_a_folder_and_nothing_else(command: Command, tmp_path: Path) -> None:
-    assert command("run", "array-2x6", "--out", tmp_path, "--fidelity", "lumped").code == 2
-    told = command("run", "--help")
-    options = [word for word in told.out.split() if word.startswith("--")]
-    assert set(options) == {"--out", "--allow-overlaps", "--help"}
+    assert "--fidelity" in command("run", "array-2x6", "--out", tmp_path, "--fidelity", "lumped").refusal(code=2)
+    assert options("run") == {"--out", "--allow-overlaps"}
 
 
 def test_the_fidelities_of_the_command_are_those_of_the_library(command: Command, tmp_path: Path) -> None:
-    told = command("solve", "array-2x6", "--out", str(tmp_path / "library.nc"), "--fidelity", "exact")
-    assert told.code == 2
-    offered = " ".join(told.err.replace("│", " ").split())
-    assert ", ".join(map(repr, acoustic_fem.FIDELITIES)) in offered
+    line = command("solve", "array-2x6", "--out", tmp_path / "library.nc", "--fidelity", "exact").refusal(code=2)
+    assert all(repr(fidelity) in line for fidelity in acoustic_fem.FIDELITIES)

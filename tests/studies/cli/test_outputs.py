@@ -14,6 +14,7 @@ from typer.testing import CliRunner
 
 import acoustic_fem
 import geometry
+from geometry import Kind
 from studies.cli.app import app
 from studies.output.folders import MARK
 
@@ -47,6 +48,7 @@ FILES = {
     "report": ("results.zarr", ".html"),
     "best": ("results.zarr 0", ".toml"),
 }
+Refused = Callable[..., geometry.Refusal]
 FOLDERS = {
     "parts": "row.toml",
     "run": "row.toml",
@@ -77,17 +79,16 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def refused(place: Path) -> Callable[..., str]:
-    """Runs a verb that must be refused in one line and leave everything as it is; the line."""
+def refusal(place: Path) -> Refused:
+    """Runs a verb that must be refused in one line and leave everything as it is; the refusal."""
 
-    def run(verb: str, *words: object) -> str:
+    def run(verb: str, *words: object) -> geometry.Refusal:
         before = content(place)
         result = CliRunner().invoke(app, [verb, *map(str, words)])
         assert isinstance(result.exception, geometry.Refusal), (verb, result.exception, result.output)
         assert content(place) == before
-        line = str(result.exception)
-        assert "\n" not in line
-        return line
+        assert "\n" not in str(result.exception)
+        return result.exception
 
     return run
 
@@ -104,12 +105,12 @@ def test_the_tables_name_every_verb_that_writes() -> None:
 
 
 @pytest.mark.parametrize("verb", FILES)
-def test_a_file_of_another_kind_is_never_written_over(refused: Callable[..., str], verb: str) -> None:
+def test_a_file_of_another_kind_is_never_written_over(refusal: Refused, verb: str) -> None:
     words, _ = FILES[verb]
     for name in ("take.wav", "notes.txt", "library.nc", "take.csv", "row.toml"):
-        line = refused(verb, *words.split(), "--out", name)
-        assert line.startswith(name)
-        assert "`out` must be" in line or "exists, and" in line or "is read; name another" in line
+        found = refusal(verb, *words.split(), "--out", name)
+        assert found.file == name
+        assert found.kind in (Kind.EXISTS, Kind.CONFLICT, Kind.OUT_OF_RANGE), found
 
 
 @pytest.mark.parametrize(
@@ -118,7 +119,7 @@ def test_a_file_of_another_kind_is_never_written_over(refused: Callable[..., str
 )
 @pytest.mark.parametrize("link", [os.link, os.symlink, "other name"])
 def test_a_file_that_is_read_is_not_written_under_any_name(
-    refused: Callable[..., str], place: Path, verb: str, read: str, link: Callable[[str, str], None] | str
+    refusal: Refused, place: Path, verb: str, read: str, link: Callable[[str, str], None] | str
 ) -> None:
     words, suffix = FILES[verb]
     out = f"other{suffix}"
@@ -129,62 +130,61 @@ def test_a_file_that_is_read_is_not_written_under_any_name(
         if renamed != read:
             shutil.move(read, renamed)
         words, out = words.replace(read, renamed), f"./../{place.name}/{renamed}"
-    line = refused(verb, *words.split(), "--out", out)
     # what is never overwritten needs not be known to be read
-    assert "is read; name another file" in line or "never overwritten" in line
+    assert refusal(verb, *words.split(), "--out", out).kind in (Kind.CONFLICT, Kind.EXISTS)
 
 
-def test_a_library_replaces_a_computed_one_and_nothing_else(refused: Callable[..., str], place: Path) -> None:
+def test_a_library_replaces_a_computed_one_and_nothing_else(refusal: Refused, place: Path) -> None:
     library = acoustic_fem.solve(small_design(), [10.0, 20.0], fidelity="lumped")
     acoustic_fem.save(library, "good.nc")
     shutil.copy("good.nc", "earlier.nc")
-    line = refused("convert", "good.nc", "--out", "take.csv")
-    assert line == "take.csv: exists, and is no library that can be read; name another file, or remove this one"
+    found = refusal("convert", "good.nc", "--out", "take.csv")
+    assert (found.kind, found.file) == (Kind.EXISTS, "take.csv")
     solve = ["solve", "row.toml", "--fidelity", "lumped", "--frequencies", "1:3:2", "--out"]
-    assert "no library that can be read" in refused(*solve, "library.nc")
+    assert refusal(*solve, "library.nc").kind is Kind.EXISTS
     assert CliRunner().invoke(app, [*solve, "earlier.nc"]).exit_code == 0
     assert acoustic_fem.load("earlier.nc").frequency.tolist() == [1.0, 3.0]
 
 
 @pytest.mark.parametrize("verb", FOLDERS)
-def test_a_folder_with_files_of_others_is_left_alone(refused: Callable[..., str], place: Path, verb: str) -> None:
+def test_a_folder_with_files_of_others_is_left_alone(refusal: Refused, place: Path, verb: str) -> None:
     words = FOLDERS[verb].split()
     Path("work").mkdir()
     Path("work", "thesis.txt").write_text("all my work", encoding="utf-8")
     Path("link").symlink_to("work")
     Path("nothing").symlink_to("gone")
     for out in ("work", "link", ".", f"../{place.name}", "localizer"):
-        line = refused(verb, *words, "--out", out)
-        assert line.startswith(f"{out.removeprefix('./')}: holds ")
-    assert "is a file" in refused(verb, *words, "--out", "take.wav")
-    assert "is a link to nothing" in refused(verb, *words, "--out", "nothing")
+        found = refusal(verb, *words, "--out", out)
+        assert (found.kind in (Kind.EXISTS, Kind.CONFLICT), found.file) == (True, str(Path(out)))
+    for out in ("take.wav", "nothing"):
+        found = refusal(verb, *words, "--out", out)
+        assert (found.kind, found.file) == (Kind.EXISTS, out)
 
 
 @pytest.mark.parametrize(("verb", "mark"), [("train", "checkpoint.safetensors"), ("evaluate", "evaluation.json")])
 def test_a_folder_of_its_own_is_refused_while_it_holds_what_is_read(
-    refused: Callable[..., str], place: Path, verb: str, mark: str
+    refusal: Refused, place: Path, verb: str, mark: str
 ) -> None:
     Path("own").mkdir()
     Path("own", mark).write_text("", encoding="utf-8")
     shutil.copy("library.nc", "own/library.nc")
     words = FOLDERS[verb].replace("library.nc", "own/library.nc").split()
-    assert refused(verb, *words, "--out", "./own") == (
-        "own: holds own/library.nc, which is read; `out` must be another folder"
-    )
+    found = refusal(verb, *words, "--out", "./own")
+    assert (found.kind, found.field, found.file) == (Kind.CONFLICT, "out", "own")
 
 
-def test_a_verb_comes_back_to_its_own_folder_and_to_no_other(refused: Callable[..., str], place: Path) -> None:
+def test_a_verb_comes_back_to_its_own_folder_and_to_no_other(refusal: Refused, place: Path) -> None:
     bend = ["bend", "--angles", "0", "--fidelity", "helmholtz", "--frequencies", "50:50:1", "--out", "bent"]
     for _ in range(2):
         result = CliRunner().invoke(app, bend)
         assert result.exit_code == 0, result.output
     for verb, words in FOLDERS.items():
         if verb != "bend":
-            assert refused(verb, *words.split(), "--out", "bent").startswith("bent: holds ")
+            assert refusal(verb, *words.split(), "--out", "bent").file == "bent"
 
 
 def test_a_run_keeps_a_design_that_was_changed_by_hand_and_a_measured_library(
-    refused: Callable[..., str], place: Path, monkeypatch: pytest.MonkeyPatch
+    refusal: Refused, place: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     from dataclasses import replace
 
@@ -201,10 +201,9 @@ def test_a_run_keeps_a_design_that_was_changed_by_hand_and_a_measured_library(
     text = design.read_text(encoding="utf-8")
     design.write_text("# mine\n" + text, encoding="utf-8")
     for source in ("row.toml", "demo/design.toml"):
-        line = refused("run", source, "--out", "demo")
-        assert line.startswith("demo/design.toml: was changed since a run wrote it")
+        assert refusal("run", source, "--out", "demo").file == "demo/design.toml"
     design.write_text(text, encoding="utf-8")
     library = acoustic_fem.solve(small_design(), [10.0, 20.0], fidelity="lumped")
     acoustic_fem.save(replace(library, fidelity=MEASURED), "demo/library.nc")
-    assert "a measured library is never overwritten" in refused(*words)
+    assert refusal(*words).file == "demo/library.nc"
     assert (Path("demo") / MARK).is_file()

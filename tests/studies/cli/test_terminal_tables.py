@@ -80,14 +80,16 @@ def headline(signals: str, *beside: tuple[str, float | None]) -> Any:
 
 
 def test_an_evaluation_has_a_row_for_each_kind_of_touches(capsys: pytest.CaptureFixture[str]) -> None:
-    beside = ("taps, nominal sensor", None), ("sums of sines, 20 mis-made sensors", 0.77)
-    _show_evaluations({name: headline("sums of sines, nominal sensor", *beside) for name in ("network", "decoder")})
+    beside = ("taps, nominal sensor", None), ("multi-sine touches, 20 as-built sensors", 0.77)
+    _show_evaluations(
+        {name: headline("multi-sine touches, nominal sensor", *beside) for name in ("network", "decoder")}
+    )
     lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
     assert max(map(len, lines)) <= 80
     figures = ["99.8", "100.0", "100.0"]
     for words in ("network", "decoder", "most confused: 3 and 14, 1.2 %", "the worst sensor: 77.0 % right"):
         assert words in lines
-    for words, error in (("sums of sines, nominal sensor", "0.1"), *((name, "10.0") for name, _ in beside)):
+    for words, error in (("multi-sine touches, nominal sensor", "0.1"), *((name, "10.0") for name, _ in beside)):
         rows = [line.removeprefix(words).split() for line in lines if line.startswith(words)]
         assert rows == 2 * [[*figures, error]]
 

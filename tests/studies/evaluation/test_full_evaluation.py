@@ -14,7 +14,7 @@ import acoustic_fem
 import localize
 from localize.signals.array_response import response_of
 from studies.evaluation.evaluation_report import write_evaluation
-from studies.evaluation.full_evaluation import evaluate_fully, mis_made, rig_sensors, scattered_sensors
+from studies.evaluation.full_evaluation import evaluate_fully, rig_sensors, scattered_sensors, sensor_sets
 from studies.test_rig.virtual_rig import Rig
 
 
@@ -22,9 +22,9 @@ def test_conditions_have_touches_enough_for_four_points_either_way_but_no_more_t
     decoder = localize.BayesDecoder(library, 1e-2)
     for touches, expected in ((250, 600), (4, 12)):
         found = evaluate_fully({"decoder": decoder}, library, response_of(library), touches, 1e-1, 0, lambda *_: None)
-        counted = [each for each in found.judged[0].outcomes if each.worst is None]
+        counted = [each for each in found.results[0].outcomes if each.worst is None]
         assert {each.touches for each in counted} == {expected}
-        assert all(each.low <= each.top1 <= each.high for each in found.judged[0].outcomes)
+        assert all(each.low <= each.top1 <= each.high for each in found.results[0].outcomes)
         if expected == 600:
             assert max(each.high - each.low for each in counted) <= 0.08
 
@@ -36,12 +36,12 @@ def library():
 
 def test_mis_made_sensors_scatter_around_the_library_whatever_its_fidelity(library):
     response = response_of(library)
-    sets = mis_made(library, response, seed=0, count=6)
+    sets = sensor_sets(library, response, seed=0, count=6)
     spread = [np.abs(np.log(made / response.transfer_function)).std() for _, _, made in sets]
     assert spread[0] < spread[1] < spread[2]
     assert spread[2] == pytest.approx(4 * spread[0], rel=0.2)
     turned = replace(response, transfer_function=1.5j * response.transfer_function)
-    again = mis_made(library, turned, seed=0, count=6)
+    again = sensor_sets(library, turned, seed=0, count=6)
     assert again[1][2] == pytest.approx(1.5j * sets[1][2])
 
 
@@ -80,7 +80,7 @@ def test_the_page_is_one_file_with_all_figures_and_the_json_has_their_numbers(li
     first = numbers["first"]
     assert f"{100 * first['top1']:.1f}" in page
     assert {each["group"] for each in first["conditions"]} == {
-        "microphone noise", "ambient sound", "stimulus", "length", "mis-made sensors", "virtual rigs"
+        "microphone noise", "ambient sound", "stimulus", "length", "as-built sensors", "virtual rigs"
     }  # fmt: skip
     for each in first["conditions"]:
         assert f">{each['name']}<" in page

@@ -256,7 +256,7 @@ WRONG = (
     ("to = 0.3 }", "to = 0.1 }", Kind.OUT_OF_RANGE, "parameters.tube.inner_diameter"),
     ("trials = 96", "trials = 96\nrefine = 30", Kind.UNKNOWN, "optimize.refine"),
     ("1:100:12", "5:50:10", Kind.UNSUITABLE, "frequencies"),
-    ("1:100:12", "1:100:3", Kind.UNSUITABLE, "frequencies"),
+    ("1:100:12", "1:100:2", Kind.UNSUITABLE, "frequencies"),
 )
 
 

@@ -78,9 +78,9 @@ def test_the_results_are_those_of_the_library() -> None:
 
 def test_taps_and_mis_made_sensors_stand_beside_the_headline() -> None:
     for each in (results()["network"], results()["bayes"]):
-        assert each["signals"] == "sums of sines on the nominal sensor"
+        assert each["signals"] == "multi-sine touches on the nominal sensor"
         assert [(own["group"], own["name"]) for own in each["conditions"]] == [
-            ("stimulus", "taps"), ("mis-made sensors", "1 of the tolerances"), ("virtual rigs", "uncalibrated")
+            ("stimulus", "taps"), ("as-built sensors", "1 of the tolerances"), ("virtual rigs", "uncalibrated")
         ]  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""How good a design is said to be: what the metrics of a study and of mis-made sensors say of it."""
+"""How good a design is said to be: what the metrics of a study and of as-built sensors say of it."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_a_design_at_the_edge_of_the_atlas_is_solved_in_3d_as_built_and_says_so(
     assert found.made_fidelity.words.startswith("navier-stokes: lines.0 tube 0 at points of column 0: ")
     assert other.fidelity.words.startswith("navier-stokes: resonator ")
     rows = {what: value for what, value, _ in found.lines}
-    assert (rows["fidelity, nominal sensor"], rows["fidelity, mis-made sensors"]) == ("atlas", "navier-stokes")
+    assert (rows["fidelity, nominal sensor"], rows["fidelity, as-built sensors"]) == ("atlas", "navier-stokes")
 
 
 def test_a_large_design_has_a_few_mis_made_sensors_and_never_one_alone(monkeypatch):
@@ -60,7 +60,7 @@ def test_what_takes_too_long_is_said_not_to_be_known(monkeypatch):
     found = design_quality(small_design())
     assert (found.sensors, found.to_dict()["mis_made"]) == (0, None)
     assert math.isnan(found.worst)
-    assert found.lines[1][:2] == ("named right, mis-made sensors", "not known")
+    assert found.lines[1][:2] == ("classified correctly, as-built sensors", "not known")
 
 
 def test_the_picture_rings_the_hardest_pair(tmp_path):

@@ -133,21 +133,21 @@ def test_the_headline_says_whose_signals_it_is_of_and_what_taps_and_mis_made_sen
     assert SIGNALS in figures["localizer, top-1"].remark
     for name in (
         "taps on the nominal sensor",
-        "sums of sines on 8 mis-made sensors",
-        "sums of sines on 8 virtual rigs",
+        "multi-sine touches on 8 as-built sensors",
+        "multi-sine touches on 8 virtual rigs",
     ):
         assert f"of {name}" in text.replace("Of", "of")
         assert figures[f"{name}, top-1"].value in text
     for each in (result.network, result.bayes):
         taps, made, rigs = each.outcomes
         assert (taps.group, taps.name, taps.worst) == ("stimulus", "taps", None)
-        assert (made.group, made.value) == ("mis-made sensors", 1.0)
+        assert (made.group, made.value) == ("as-built sensors", 1.0)
         assert made.worst is not None
         assert made.worst <= made.top1 <= 1.0
         assert (rigs.group, rigs.name, rigs.value) == ("virtual rigs", "uncalibrated", None)
     assert result.bayes.outcomes[0].top1 > 0.9
     cut = [replace(each, outcomes=each.outcomes[:1], unscattered="why not") for each in (result.network, result.bayes)]
-    assert "Mis-made sensors are not judged: why not." in verdict(replace(result, network=cut[0], bayes=cut[1]))
+    assert "As-built sensors are left out: why not." in verdict(replace(result, network=cut[0], bayes=cut[1]))
 
 
 def test_a_comparison_outside_the_limits_is_explained() -> None:

@@ -1,4 +1,4 @@
-"""Libraries of mis-made sensors: whole or not there, each sensor made again alone, read a block at a time."""
+"""Libraries of as-built sensors: whole or not there, each sensor made again alone, read a block at a time."""
 
 from __future__ import annotations
 
