@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+import geometry
 from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped, ThermalField, condense
 from acoustic_fem.fields.cylinder_heat import CylinderAir, CylinderField, cylinder_field
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
@@ -178,8 +179,6 @@ def solve_solid(
     Raises:
         As :func:`port_admittance`.
     """
-    from geometry.air.mirror_symmetry import mirror_half
-
     accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)
     physics = checked_physics(fidelity)
     ports = port_points(ports)
@@ -187,7 +186,7 @@ def solve_solid(
         raise Refusal(f"must be a Medium, not a {type(medium).__name__}", kind=Kind.WRONG_TYPE, field="medium")
     shape = sound_solid(as_shape(solid))
     box = shape.BoundingBox()
-    half = mirror_half(shape, ports) if MIRROR not in ports else None
+    half = geometry.air.mirror_half(shape, ports) if MIRROR not in ports else None
     faces = dict(ports) if half is None else {**half.ports, MIRROR: half.mirror}
     return converge(
         MarkedSolid(

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
+from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
 from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.medium import Medium
@@ -73,11 +75,11 @@ def joined_cells(
     Returns:
         Arrays by the names, shapes and units of :data:`acoustic_fem.library.transfer_functions.VARIABLES`.
     """
-    from acoustic_fem.network.array_network import solve_network  # loads finite elements
-
     layout = place_housings(design)
     catalogue = cell_catalogue(design, layout)
-    response = solve_network(design, layout, catalogue, admittances(catalogue.distinct), frequency, medium, discs)
+    response = acoustic_fem.network.solve_network(
+        design, layout, catalogue, admittances(catalogue.distinct), frequency, medium, discs
+    )
     return {
         "transfer_function": response.source_response / response.point_impedance[:, None, :],
         "source_response": response.source_response,
@@ -99,11 +101,7 @@ def closed_form(fidelity: str, cell: Cell, frequency: NDArray[np.float64], mediu
         (n_freq, n_port, n_port) complex128, m^3/(Pa s).
     """
     if fidelity == "lumped":
-        from acoustic_fem.cell.lumped import lumped_admittance  # loads finite elements
-
-        return lumped_admittance(cell, frequency, medium)
-    from acoustic_fem.atlas.cell_in_atlas import atlas_admittance  # loads SciPy
-
+        return acoustic_fem.cell.lumped_admittance(cell, frequency, medium)
     return atlas_admittance(cell, frequency, medium)
 
 
@@ -119,9 +117,7 @@ def _cell_admittances(
         about: dict[str, Any] = {"method": "closed form"} if fidelity == "lumped" else _about_atlas(cells, frequency)
         found = {cell: closed_form(fidelity, cell, frequency, medium) for cell in cells}
         return found, [{"cell": cell.label, **about} for cell in cells]
-    from acoustic_fem.cell.design_cells import solve_cells  # loads finite elements
-
-    solutions = solve_cells(
+    solutions = acoustic_fem.cell.solve_cells(
         cells, frequency, medium, fidelity, progress=lambda label, fraction: report(label, 0.95 * fraction)
     )
     admittances = {cell: solution.admittance for cell, solution in solutions.items()}
@@ -131,8 +127,6 @@ def _cell_admittances(
 
 def _about_atlas(cells: tuple[Cell, ...], frequency: NDArray[np.float64]) -> dict[str, Any]:
     """Provenance of cells in the atlas; warns where its errors are not known."""
-    from acoustic_fem.atlas.cell_in_atlas import least_angle
-
     atlas = cell_atlas()
     atlas.warn_above(frequency)
     atlas.warn_below(least_angle(cells))

@@ -67,8 +67,6 @@ def _try_apart(path: Path, what: str, refusal: type[Refusal]) -> None:
 
 def _trial(path: str) -> bytes:
     """Read every value and attribute, those of the arrays after their sizes were summed; what is wrong, if anything."""
-    import h5netcdf
-
     try:
         with h5netcdf.File(path, "r") as file:
             size = sum(math.prod(one.shape) * getattr(one.dtype, "itemsize", 64) for one in file.variables.values())

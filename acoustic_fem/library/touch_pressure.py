@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+import acoustic_fem
 from acoustic_fem.quantities.checks import one_of
 from geometry.design.array_design import ArrayDesign
 
@@ -70,14 +71,13 @@ def touch_flow(
     Raises:
         Refusal: an unknown touch, or a contact radius out of range.
     """
-    # Here, so that a library can be read and looked at without the finite elements.
-    from acoustic_fem.membrane.disc import design_disc, design_rubber
-
+    # The face loads finite elements when they are first used: a library is read and looked at without them.
     one_of("touch", touch, tuple(TOUCHES))
     grid = np.asarray(point_impedance["frequency"].values)
-    rubber = design_rubber(design)
+    rubber = acoustic_fem.membrane.design_rubber(design)
     vacuum = membranes_in_vacuo(
-        design, lambda alike: design_disc(alike, contact_radius=contact_radius).response(grid, rubber)
+        design,
+        lambda alike: acoustic_fem.membrane.design_disc(alike, contact_radius=contact_radius).response(grid, rubber),
     )
     return injected_flow(touch, grid, vacuum, point_impedance.transpose("point", "frequency").values)
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+import geometry
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
@@ -144,10 +145,6 @@ def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSe
     Raises:
         Refusal: a part is not one valid solid.
     """
-    from geometry.solids.carrier import array_carrier
-    from geometry.solids.housing import build_board, build_housing
-    from geometry.solids.shell import build_shell
-
     design = resolve_design(design)
     layout = layout or lay_out(design)
     plan = _plan(design, layout)
@@ -155,7 +152,7 @@ def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSe
     parts = PartSet()
     about = _common_parameters(design)
     for name, form in plan.shells.items():
-        parts[name] = build_shell(form.resonator, form.membrane, printing, form.ports, design.shell)
+        parts[name] = geometry.solids.build_shell(form.resonator, form.membrane, printing, form.ports, design.shell)
         own = _shell_parameters(form.resonator)
         parts.parameters[name] = {**own, **about["joints"], "ports": _describe(form.ports)}
     for name, alike in membranes_of(design).items():
@@ -171,12 +168,12 @@ def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSe
                 raised = step * design.mold.shim_step
                 parts.parameters[part] |= {"raises_lid": raised, "height": design.mold.land_height + raised}
     for name, ports in plan.housings.items():
-        parts[name] = build_housing(microphone, printing, ports)
+        parts[name] = geometry.solids.build_housing(microphone, printing, ports)
         parts.parameters[name] = {**about["chamber"], **about["joints"], "ports": _describe(ports)}
-    parts["microphone-board"] = build_board(microphone)
+    parts["microphone-board"] = geometry.solids.build_board(microphone)
     parts.parameters["microphone-board"] = about["board"]
     if printing.carrier != "none":
-        carrier = array_carrier(design, [plan.shells[name].ports for name, _ in plan.point_shells])
+        carrier = geometry.solids.array_carrier(design, [plan.shells[name].ports for name, _ in plan.point_shells])
         parts["carrier"] = carrier.part
         joined = {"shells": len(carrier.places), "necks": carrier.necks}
         parts.parameters["carrier"] = {**_shell_parameters(design.resonator), **about["joints"], **joined}

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+import geometry
 from geometry.assembly.part_list import part_set
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
 from geometry.ground.refusal import Kind, Refusal, counted
@@ -67,9 +68,7 @@ class ExportedFile:
 
 def tessellation_tolerance(parts: Mapping[str, cq.Workplane]) -> float:
     """Absolute tolerance for a set of parts, mm: a fiftieth of the narrowest hole, or of the thinnest part."""
-    from geometry.solids.measure import hole_diameters
-
-    holes = [diameter for part in parts.values() for diameter in hole_diameters(_shape(part))]
+    holes = [diameter for part in parts.values() for diameter in geometry.solids.hole_diameters(_shape(part))]
     if holes:
         return min(holes) * _TOLERANCE_IN_HOLES
     boxes = [_shape(part).BoundingBox() for part in parts.values()]
@@ -198,11 +197,9 @@ def tessellate_distinct(
 
 
 def _fine_enough(shape: cq.Shape, tolerance: float) -> Tessellation:
-    from geometry.solids.measure import FACET_ANGLE, tessellate
-
     volume = shape.Volume()
     for halving in range(_REFINEMENTS + 1):
-        facets = tessellate(shape, tolerance / 2**halving, FACET_ANGLE / 2**halving)
+        facets = geometry.solids.tessellate(shape, tolerance / 2**halving, geometry.solids.FACET_ANGLE / 2**halving)
         if abs(facets.volume / volume - 1) <= _VOLUME_ERROR_AIM:
             break
     return facets
@@ -215,8 +212,6 @@ def _shape(part: cq.Workplane) -> cq.Shape:
 
 # -- checks -----------------------------------------------------------------------------------------------
 def _checked_mesh(mesh: trimesh.Trimesh, facets: Tessellation, shape: cq.Shape, name: str, path: Path) -> ExportedFile:
-    from geometry.solids.measure import genus
-
     if not mesh.is_volume or mesh.body_count != 1:
         raise Refusal(
             f"is not one closed body (closed: {mesh.is_watertight}, bodies: {mesh.body_count})",
@@ -224,7 +219,7 @@ def _checked_mesh(mesh: trimesh.Trimesh, facets: Tessellation, shape: cq.Shape, 
             file=path,
             remedy="the part has features finer than the tessellation",
         )
-    through = genus(shape)
+    through = geometry.solids.genus(shape)
     if mesh.euler_number != 2 - 2 * through:
         problem = f"has Euler number {mesh.euler_number} for {counted(through, 'hole')} through the part"
         raise Refusal(f"{problem}; it must be {2 - 2 * through}", kind=Kind.NO_RESULT, file=path)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+import geometry
 from geometry.design.array_design import ArrayDesign
 from geometry.molds.mold_plan import MoldPlan, plan_mold
 
@@ -61,7 +62,6 @@ def build_mold(design: ArrayDesign) -> Mold:
         Refusal: a part is not one valid solid.
     """
     from geometry.molds.mold_parts import base_block, lid, mark, mark_text, scraper, shim, with_pins, with_rails
-    from geometry.solids.round_solids import one_solid
 
     plan = plan_mold(design)
     base = mark(base_block(plan), plan, mark_text(design))
@@ -71,4 +71,6 @@ def build_mold(design: ArrayDesign) -> Mold:
         shapes = {"mold-base": with_pins(base, plan), "mold-lid": lid(plan)}
         for step in range(1, design.mold.shim_count + 1):
             shapes[f"mold-shim-{step}"] = shim(plan, step)
-    return Mold({name: one_solid(shape, name) for name, shape in shapes.items()}, mold_counts(design), plan)
+    return Mold(
+        {name: geometry.solids.one_solid(shape, name) for name, shape in shapes.items()}, mold_counts(design), plan
+    )

@@ -12,6 +12,7 @@ import trimesh
 from trimesh.viewer import scene_to_html
 from trimesh.visual.material import PBRMaterial
 
+import geometry
 from geometry.assembly.model import LOOKS, ArrayModel, PartKind, array_model
 from geometry.assembly.order_table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
@@ -144,13 +145,11 @@ def _aspect(scene: trimesh.Scene) -> float:
 
 def _scene(model: ArrayModel, outer: np.ndarray) -> trimesh.Scene:
     """Every shape once as triangles, every placed part as a node."""
-    from geometry.solids.measure import tessellate
-
     scene = trimesh.Scene(base_frame="array")
     for part in model.placed:
         if part.part not in scene.geometry:
             shape = model.shapes[part.part]
-            facets = tessellate(shape, _DEVIATION * shape.BoundingBox().DiagonalLength, _FACET_ANGLE)
+            facets = geometry.solids.tessellate(shape, _DEVIATION * shape.BoundingBox().DiagonalLength, _FACET_ANGLE)
             mesh = trimesh.Trimesh(facets.vertices, facets.triangles, process=False)
             # Corners where faces meet at an edge are not shared, so that edges stay sharp.
             mesh = trimesh.graph.smooth_shade(mesh, angle=np.radians(30))

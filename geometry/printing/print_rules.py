@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+import geometry
 from geometry.printing.overhangs import overhangs, sealed_cup
 from geometry.printing.pose import Pose, find_pose
 from geometry.schema.print_processes import PrintProcess, Relation, Rule, Verdict
@@ -68,12 +69,11 @@ def judge_printed(
         parameters: what the part was generated from; gaps to what is put into it are judged where they are known.
     """
     from geometry.printing.walls import Faces, narrowest_gap, thinnest_wall
-    from geometry.solids.measure import inner_voids, rounds
 
     faces = Faces(solid, facets)
     wall, gap = thinnest_wall(faces), narrowest_gap(faces)
     findings = [_by_rule(name, "thinnest wall", wall.value, "mm", process.wall, wall.place)]
-    round_ones = rounds(solid)
+    round_ones = geometry.solids.rounds(solid)
     holes = [one for one in round_ones if one.hollow]
     if holes:
         findings.append(_by_rule(name, "narrowest hole", holes[0].diameter, "mm", process.hole, holes[0].place))
@@ -88,7 +88,7 @@ def judge_printed(
             findings.append(_by_rule(name, called, parameters[key], "mm", process.clearance, None))
     pose = find_pose(facets, process)
     findings += _built(name, facets, process, holes, pose)
-    voids = inner_voids(solid)
+    voids = geometry.solids.inner_voids(solid)
     reason = "voids without a way out for liquid resin or powder"
     findings.append(Finding(name, "trapped volumes", voids, 0, "", "fail" if voids else "ok", reason, None, "at most"))
     findings += [_size(name, process, pose), _facets(name, facets, process)]

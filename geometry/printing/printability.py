@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import geometry
 from geometry.assembly.part_list import PartKind, part_set
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
@@ -79,8 +80,6 @@ def print_report(
         rules = find_process(process)
     if not parts:
         raise Refusal("is empty", kind=Kind.MISSING, field="parts", remedy="give at least one part")
-    from geometry.solids.measure import tessellate
-
     tolerance = tessellation_tolerance(parts)
     facets_of = {name: shape.facets for shape in shapes or () for name in shape.names}
     known = part_set(parts)
@@ -92,7 +91,7 @@ def print_report(
         source, kind = known.origin(name), known.kinds.get(name)
         if source == "bought":
             continue
-        facets = facets_of[name] if name in facets_of else tessellate(solid, tolerance)
+        facets = facets_of[name] if name in facets_of else geometry.solids.tessellate(solid, tolerance)
         if source == "cast":
             findings.append(judge_cast(name, facets, rules))
             continue

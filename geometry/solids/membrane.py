@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+import geometry
 from geometry.design.array_design import ArrayDesign
 from geometry.schema.part_fields import Membrane, Resonator
 
@@ -64,6 +65,4 @@ def build_membrane(design: ArrayDesign) -> cq.Workplane:
     Raises:
         Refusal: the drawn membrane is not one valid solid.
     """
-    from geometry.solids.round_solids import one_solid, revolved
-
-    return one_solid(revolved(membrane_profile(design)), "membrane")
+    return geometry.solids.one_solid(geometry.solids.revolved(membrane_profile(design)), "membrane")

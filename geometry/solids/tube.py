@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+import geometry
 from geometry.ground.refusal import Kind, Refusal
 from geometry.plan.routing import path_length, tightest_bend, trimmed
 from geometry.schema.part_fields import Tube
@@ -87,8 +88,6 @@ def _sleeve(points: NDArray[np.float64], inner: float, outer: float, name: str) 
     import cadquery as cq
     from OCP.BRepOffsetAPI import BRepOffsetAPI_MakePipe
 
-    from geometry.solids.round_solids import one_solid
-
     if tightest_bend(points) <= outer:
         problem = f"bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field=name)
@@ -96,7 +95,7 @@ def _sleeve(points: NDArray[np.float64], inner: float, outer: float, name: str) 
     circles = [cq.Wire.makeCircle(radius, start, along) for radius in (outer, inner)]
     section = cq.Face.makeFromWires(circles[0], circles[1:])
     pipe = BRepOffsetAPI_MakePipe(_wire(points).wrapped, section.wrapped)
-    return one_solid(cq.Shape.cast(pipe.Shape()), name)
+    return geometry.solids.one_solid(cq.Shape.cast(pipe.Shape()), name)
 
 
 def _wire(points: NDArray[np.float64]) -> cq.Wire:

@@ -16,10 +16,9 @@ and divides its log-likelihoods by a temperature, so that its probabilities are 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from acoustic_fem import Library
 from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.level_likelihood import LevelLikelihood
@@ -28,9 +27,6 @@ from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 
 class BayesDecoder(PointDecoder):

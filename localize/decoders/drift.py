@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.special import logsumexp
 
+from acoustic_fem import Library
 from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.ground.refusal import Kind, Refusal
@@ -38,8 +39,6 @@ from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-    from acoustic_fem import Library
 
 
 class DriftDecoder(LibraryDecoder):

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.special import logsumexp, softmax
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
@@ -26,8 +27,6 @@ from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-    from acoustic_fem import Library
 
 
 class FamilyDecoder(Locator):

@@ -14,7 +14,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.linalg
@@ -22,6 +21,7 @@ from numpy.typing import NDArray
 from scipy.cluster.vq import kmeans2
 from scipy.interpolate import CubicSpline, make_interp_spline
 
+from acoustic_fem import Library
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import ScatteredDesign, Tolerance
 from geometry.ground.refusal import Kind, Refusal
@@ -30,9 +30,6 @@ from localize.decoders.decoder_options import HypothesisOptions
 from localize.decoders.frame_covariance import DEVIATING, SourceDensity, source_density, touch_covariances
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.stimulus import BAND, SAMPLE_RATE
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 ROUNDING = 1e-12
 """Fraction of the power of a touch that is added to what each microphone hears alone, for the sake of rounding."""

@@ -17,6 +17,7 @@ import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import ResidualOptions
@@ -37,8 +38,6 @@ from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-    from acoustic_fem import Library
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,6 +24,7 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import ArrayLike
 
+from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import SOURCE_RMS, check_noise, noise_covariance, source_density
@@ -35,8 +36,6 @@ from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-    from acoustic_fem import Library
 
 PAPER_WINDOW, PAPER_HOP = 32, 16
 """Window and hop of the paper's short-window transform for reconstruction, samples."""

@@ -15,6 +15,7 @@ import numpy as np
 import scipy.special
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem import Library
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import SoundOptions
 from localize.decoders.frame_covariance import ambient_covariance, check_level, check_noise, low_pass, whitening
@@ -26,8 +27,6 @@ from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-    from acoustic_fem import Library
 
 
 class SoundTest:

@@ -12,11 +12,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem import Library
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign, Tolerance, UnknownScatterError
 from geometry.ground.refusal import Kind, Refusal
@@ -34,9 +34,6 @@ from localize.signals.array_response import response_of
 from localize.signals.frames import cut_frames
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
-
-if TYPE_CHECKING:
-    from acoustic_fem import Library
 
 
 class TolerantDecoder(LibraryDecoder):

@@ -20,6 +20,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem import Library
+from acoustic_fem.scatter.tolerances import Tolerance
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import TwoTouchOptions
@@ -33,9 +35,6 @@ from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-    from acoustic_fem import Library
-    from acoustic_fem.scatter.tolerances import Tolerance
 
 MOST_POINTS = 64
 """Largest number of points whose pairs are searched."""

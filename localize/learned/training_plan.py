@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
+import localize
 from geometry.ground.refusal import Kind, Refusal
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import ROOM_LEVELS, MicrophoneMismatch, check_ambient
@@ -239,11 +240,9 @@ class TrainingPlan:
     @property
     def source(self) -> StimulusSource:
         """Source of the stimuli: one kind, or a mixture of several, at the plan's level."""
-        from localize.signals.finger_stimuli import STIMULI, Louder, Mixture
-
-        sources = tuple(STIMULI[name] for name in self.stimuli)
-        source = sources[0] if len(sources) == 1 else Mixture(sources)
-        return Louder(source, self.touch_level) if self.touch_level else source
+        sources = tuple(localize.signals.STIMULI[name] for name in self.stimuli)
+        source = sources[0] if len(sources) == 1 else localize.signals.Mixture(sources)
+        return localize.signals.Louder(source, self.touch_level) if self.touch_level else source
 
     @property
     def mismatch(self) -> MicrophoneMismatch | None:

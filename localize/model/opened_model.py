@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import acoustic_fem
+import localize
 from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.quantities.local_air import LocalAir
@@ -364,9 +365,7 @@ def _network(source: ModelSource, given: Decoding) -> Locator:
     assert isinstance(source, (str, os.PathLike))
     if file_content(Path(source)) is FileContent.GRAPH:
         return OnnxLocalizer(source)
-    from localize.learned.localizer import load_localizer  # torch, which only networks need
-
-    return load_localizer(source)
+    return localize.load_localizer(source)
 
 
 def _refuse_without_library(source: ModelSource, given: Decoding) -> None:

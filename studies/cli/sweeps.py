@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+import studies
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.ground.refusal import Kind, counted
 from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
 from studies.cli.terminal_tables import show, table_of, tell
 from studies.findings.reporting import BestDesigns, best_designs, save_best_design, sweep_report
 from studies.output.display import duration, number
+from studies.study.file import load_study
 
 if TYPE_CHECKING:
     from studies.sweep.plan import Plan
@@ -62,20 +64,15 @@ def sweep(
         raise typer.BadParameter("--out is missing: the store to write, such as results.zarr")
     check_workers(workers, scheduler)
     if dry_run:
-        from studies.study.file import load_study
-        from studies.sweep.plan import plan_sweep
-
         given = load_study(study)
-        _print_plan(plan_sweep(given, workers), given.fidelity)
+        _print_plan(studies.plan_sweep(given, workers), given.fidelity)
         return
-    from studies.sweep.run import SweepError, run_sweep
-
     assert out is not None
     with display_on_stderr() as display:
-        summary = run_sweep(study, out, workers=workers, scheduler=scheduler, display=display)
+        summary = studies.run_sweep(study, out, workers=workers, scheduler=scheduler, display=display)
     _print_summary(summary, out)
     if summary.objection is not None:
-        raise SweepError(summary.objection, kind=Kind.NO_RESULT, file=out)
+        raise studies.sweep.SweepError(summary.objection, kind=Kind.NO_RESULT, file=out)
 
 
 def report(

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import acoustic_fem
+import localize
 from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.local_air import design_air
@@ -104,9 +105,6 @@ def evaluate_fully(
         seed: of touches and of as-built sensors.
         progress: called with what is being done and the fraction done.
     """
-    from localize import evaluate
-    from localize.evaluation.conditions import evaluate_conditions, evaluate_sensors
-
     few = min(touches, max(round(SHARE * touches), math.ceil(LEAST / response.point_count)))
     progress("as-built sensors", 0.0)
     made, unscattered = scattered_sensors(library, response, seed, SENSORS, SCATTER)
@@ -115,11 +113,13 @@ def evaluate_fully(
     for number, (name, locator) in enumerate(locators.items()):
         stage = _stage(progress, name, number / len(locators), 1 / len(locators))
         stage("all touches", 0.0)
-        overall = evaluate(locator, response, touches, noise, seed=seed)
-        outcomes = evaluate_conditions(locator, response, few, noise, seed, stage)
+        overall = localize.evaluate(locator, response, touches, noise, seed=seed)
+        outcomes = localize.evaluation.evaluate_conditions(locator, response, few, noise, seed, stage)
         stage("as-built sensors", 1.0)
-        outcomes += evaluate_sensors(locator, response, made, max(1, few // 5), noise, seed)
-        outcomes += evaluate_sensors(locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP)
+        outcomes += localize.evaluation.evaluate_sensors(locator, response, made, max(1, few // 5), noise, seed)
+        outcomes += localize.evaluation.evaluate_sensors(
+            locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP
+        )
         found.append(LocalizerResult(name, overall, tuple(outcomes)))
     return FullEvaluation(
         design=response.name,

@@ -6,6 +6,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
+import studies
 from geometry import save_design
 from geometry.ground.refusal import Kind, Refusal, counted
 from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep, with_base_metrics
@@ -37,9 +38,7 @@ def read_results(results: str | os.PathLike[str]) -> ResultTable:
     """
     place = Path(results)
     if place.is_dir() and not is_sweep(place):
-        from studies.findings.search_files import read_search  # loads what searches, which a sweep does without
-
-        return table_of_search(*read_search(place))
+        return table_of_search(*studies.findings.read_search(place))
     return table_of_sweep(open_sweep(place))
 
 
@@ -59,14 +58,14 @@ def sweep_report(
     Raises:
         Refusal: as :func:`read_results`, or a file that cannot be written.
     """
-    from studies.findings.page import write_sweep_report
-
     path = Path(out)
     check_new_file(path, ".html")
     table = read_results(results)
     with (display or Display()).stage("Report"):
         table = with_base_metrics(table)
-        write_sweep_report(table, path, f"acoustic-fem best {results} {{number}} --out design-{{number}}.toml")
+        studies.findings.write_sweep_report(
+            table, path, f"acoustic-fem best {results} {{number}} --out design-{{number}}.toml"
+        )
     return table
 
 
@@ -100,8 +99,6 @@ def save_best_design(results: str | os.PathLike[str], design: str | int, out: st
     Raises:
         Refusal: as :func:`read_results`, no such design, or a file that exists or cannot be written.
     """
-    from studies.findings.page import design_of
-
     path = Path(out)
     check_new_file(path, ".toml", kept="a design")
     table = read_results(results)
@@ -114,5 +111,5 @@ def save_best_design(results: str | os.PathLike[str], design: str | int, out: st
             field="design",
             value=str(design),
         )
-    save_design(design_of(table, rows[str(design)]), path)
+    save_design(studies.findings.design_of(table, rows[str(design)]), path)
     return path

@@ -6,6 +6,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
+import localize
 from geometry.ground.refusal import Kind, Refusal
 from localize.model.opened_model import Decoding, ModelSource, files_of, opened_as_designed
 from localize.signals.noise_model import NoiseChoice
@@ -50,7 +51,5 @@ def export_decoder(
     if path.suffix.lower() != ".onnx":
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="out", value=str(path), allowed="a name that ends in .onnx")
     found = opened_as_designed(model, Decoding(noise=noise, ambient=ambient))
-    from localize.learned.onnx import export_onnx  # torch, which writes graphs
-
-    export_onnx(found.locator, path)
+    localize.export_onnx(found.locator, path)
     return ExportedDecoder(path, found.locator.point_count, found.locator.microphones, found.assumptions)

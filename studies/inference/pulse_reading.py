@@ -17,6 +17,7 @@ from localize.model.located_touches import RecordingResult
 from localize.model.opened_model import Decoding, ModelSource, files_of, open_library
 from localize.recordings.recording import read_recording
 from localize.signals.array_response import response_of
+from studies.output.figure_style import WIDTH, figure_in_style, line_colours, save_figure
 from studies.output.folders import check_new_file, is_own_table
 
 #: Columns of the waveform, at 1 kHz.
@@ -103,8 +104,6 @@ def draw_pulse(reading: localize.PulseReading, path: str | os.PathLike[str]) -> 
     Returns:
         The path.
     """
-    from studies.output.figure_style import WIDTH, figure_in_style, line_colours, save_figure
-
     time = np.arange(len(reading.waveform)) / 1e3
     with figure_in_style((WIDTH, 3.2)) as figure:
         axes = figure.subplots()

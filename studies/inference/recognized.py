@@ -6,8 +6,8 @@ import json
 import os
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import localize
 from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.whole_files import write_text
@@ -15,9 +15,6 @@ from localize.model.opened_model import Decoding, ModelSource, files_of, open_li
 from localize.recordings.recording import read_recording
 from studies.inference.pulse_reading import check_point
 from studies.output.folders import check_new_file
-
-if TYPE_CHECKING:
-    from localize.recognition.recognizer import Recognizer
 
 
 @dataclass(frozen=True)
@@ -37,7 +34,7 @@ class RecognizedTouch:
 
 
 def recognize_recording(
-    model: str | os.PathLike[str] | Recognizer,
+    model: str | os.PathLike[str] | localize.Recognizer,
     library: ModelSource,
     recording: str | os.PathLike[str],
     out: str | os.PathLike[str] | None = None,
@@ -70,9 +67,8 @@ def recognize_recording(
     check_sound_there(recording)
     from localize.recognition.filter_bank import FilterBank  # torch, which recognizers need
     from localize.recognition.handwriting import WRITTEN
-    from localize.recognition.recognizer import Recognizer, load_recognizer
 
-    recognizer = model if isinstance(model, Recognizer) else load_recognizer(model)
+    recognizer = model if isinstance(model, localize.Recognizer) else localize.load_recognizer(model)
     opened_library = opened(library, decoding)
     array, given = opened_library.locator.array, opened_library.decoding
     if array.microphones != recognizer.microphones or array.design != recognizer.design:

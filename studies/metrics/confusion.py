@@ -23,19 +23,16 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
+from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import shape_error
 from studies.metrics.filtered_touches import Listener, ear_of, noise_of_filters, standard_noise
-
-if TYPE_CHECKING:
-    from localize.signals.noise_model import NoiseSpectrum
 
 POWERS = 10.0 ** np.arange(-4.0, 2.1)
 """Values of g that are tried."""

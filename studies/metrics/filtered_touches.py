@@ -9,18 +9,17 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+import localize
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals import stimulus
+from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.stimulus import BAND
-
-if TYPE_CHECKING:
-    from localize.signals.noise_model import NoiseSpectrum
 
 FRAME = 250
 """Length of a frame, samples, as the localizer takes them."""
@@ -74,8 +73,6 @@ class Ear:
     """What lies between transfer functions on one grid and the filtered frames of the simulated touches; linear."""
 
     def __init__(self, grid: Array, listener: Listener, touches: int, seed: int) -> None:
-        from localize.signals.array_response import interpolation
-
         lines = stimulus.lines_within(BAND)
         spectrum = stimulus.multi_sines(seed, "evaluation", 0, touches, BAND).spectrum[:, lines].numpy()
         spectrum = spectrum.astype(np.complex128).T
@@ -91,12 +88,14 @@ class Ear:
         # part and filter, in which those of a polynomial follow each other: small products need no copy.
         seen = [
             np.tensordot(matrix @ self._polynomials, sources, (0, 0))
-            for matrix, sources in zip(interpolation(grid, at), (one + other, 1j * (one - other)), strict=True)
+            for matrix, sources in zip(
+                localize.signals.interpolation(grid, at), (one + other, 1j * (one - other)), strict=True
+            )
         ]
         parts = np.stack([[each.real, each.imag] for each in seen])  # (2, 2, n_number, n_filter, n_touch)
         self._matrix = np.ascontiguousarray(parts.transpose(1, 3, 2, 0, 4)).reshape(-1, 2 * len(grid), touches)
         source = np.arange(BAND[0], BAND[1] + 1e-9, 1.0)
-        self._to_source = interpolation(grid, source)
+        self._to_source = localize.signals.interpolation(grid, source)
         forth, back = filtered(source, listener)
         # mean square of the source per hertz, half of it at the negative frequency
         density = SOURCE_RMS**2 / len(source) / 2
@@ -169,20 +168,18 @@ def filters_of(listener: Listener) -> ComplexArray:
 
 def _wavelets() -> ComplexArray:
     """The wavelets of the features at the end of a frame, continued by its last sample."""
-    from localize.learned.features import BANDWIDTH, CONTINUATION, GRID, TAIL
-
     rows = []
-    spread = 1 / (2 * math.pi * BANDWIDTH)  # standard deviation in frequency, per frequency
+    spread = 1 / (2 * math.pi * localize.learned.BANDWIDTH)  # standard deviation in frequency, per frequency
     count = math.floor(math.log(BAND[1] / BAND[0]) / math.log1p(spread)) + 1
-    spectrum_at = np.fft.fftfreq(GRID, 1 / SAMPLE_RATE)
+    spectrum_at = np.fft.fftfreq(localize.learned.GRID, 1 / SAMPLE_RATE)
     for centre in BAND[0] * (1 + spread) ** np.arange(count):
         shape = np.exp(-0.5 * ((spectrum_at / centre - 1) / spread) ** 2)
         kernel = np.fft.ifft(np.where(spectrum_at > 0, shape, 0.0))
-        times = max(1, round(TAIL / SAMPLE_RATE * centre / BANDWIDTH))
-        middle = FRAME - (TAIL + 1) / 2
-        moments = [middle] if times == 1 else np.linspace(FRAME - TAIL, FRAME - 1, times)
+        times = max(1, round(localize.learned.TAIL / SAMPLE_RATE * centre / localize.learned.BANDWIDTH))
+        middle = FRAME - (localize.learned.TAIL + 1) / 2
+        moments = [middle] if times == 1 else np.linspace(FRAME - localize.learned.TAIL, FRAME - 1, times)
         for moment in np.round(moments).astype(int):
-            row = kernel[(moment - np.arange(FRAME + CONTINUATION)) % GRID]
+            row = kernel[(moment - np.arange(FRAME + localize.learned.CONTINUATION)) % localize.learned.GRID]
             row[FRAME - 1] += row[FRAME:].sum()
             rows.append(row[:FRAME] / np.linalg.norm(row[:FRAME]))
     return np.array(rows)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
@@ -70,13 +71,14 @@ def noise_equivalent_force(responses: Responses, response: ComplexArray) -> Arra
         response: (n_design, n_point, n_microphone, n_freq) complex128, Pa/N, that of :func:`touch_response`.
     """
     from acoustic_fem.library.noise_floor import combined_snr, gas_temperature, port_noise
-    from acoustic_fem.network.microphone import noise_density
 
     inside, _ = _band(responses)
     frequency = responses.frequency[inside]
     mutual = np.moveaxis(required(responses.microphone_impedance)[..., inside], -1, 1)
     temperature = np.array([gas_temperature(medium) for medium in required(responses.medium)])
-    own = np.stack([noise_density(design.microphone, frequency) for design in required(responses.designs)])
+    own = np.stack(
+        [acoustic_fem.network.noise_density(design.microphone, frequency) for design in required(responses.designs)]
+    )
     signal = np.moveaxis(response[..., inside], (3, 2), (1, 2))  # (design, freq, microphone, point)
     density = combined_snr(signal, port_noise(mutual, temperature[:, None], own))
     width = frequency[-1] - frequency[0]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+import acoustic_fem
 from geometry.design.design_file import value_of
 from geometry.ground.refusal import Refusal
 from geometry.ground.typed import Array
@@ -111,9 +112,6 @@ class Descent:
 
     def _known_discs(self) -> SolvedDiscs:
         """Membranes of designs all over the ranges."""
-        from acoustic_fem.membrane.disc import design_shape
-        from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
-
         shares = np.random.default_rng(0).uniform(size=(_DISCS, len(self._low)))
         shares[:2] = [[0.0], [1.0]]
         shapes = []
@@ -122,10 +120,10 @@ class Descent:
             names = [each.name for each in self.parameters]
             try:
                 design = self.problem.study.base.with_values(dict(zip(names, values, strict=True)))
-                shapes += [design_shape(design.of_kind(kind)) for kind in design.kinds]
+                shapes += [acoustic_fem.membrane.design_shape(design.of_kind(kind)) for kind in design.kinds]
             except Refusal:
                 continue
-        return SolvedDiscs(DiscTables(disc_tables(shapes)))
+        return SolvedDiscs(acoustic_fem.membrane.DiscTables(acoustic_fem.membrane.disc_tables(shapes)))
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from geometry import ArrayDesign
+from geometry.design.design_file import value_of
 from geometry.layout.overlaps import OverlapError, refuse_overlaps
 from geometry.schema.part_fields import Tube
 from geometry.schema.print_processes import PrintProcess, Rule, process_of
@@ -53,8 +54,6 @@ def measures(design: ArrayDesign) -> tuple[Measure, ...]:
 
 
 def _measures(design: ArrayDesign, process: PrintProcess) -> Iterator[Measure]:
-    from geometry.design.design_file import value_of
-
     for name, kind in _DIRECT.items():
         yield Measure(name, float(value_of(design, name)), _rule(process, kind))
     resonator, chamber, gap = design.resonator, design.microphone, design.printing.glue_gap

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
+from geometry.design.design_file import value_of
 from geometry.ground.refusal import Kind, counted
 from studies.optimization.descent import Descent
 from studies.optimization.journal import opened, read_only, read_seal, seal
@@ -24,12 +25,10 @@ from studies.optimization.problem import Optimization, searched_range
 from studies.study.cases import by_kind
 from studies.study.study import Parameter, StudyError
 from studies.sweep.one_design import design_metrics
-from studies.sweep.workers import open_workers
+from studies.sweep.workers import Workers, open_workers
 
 if TYPE_CHECKING:
     import optuna
-
-    from studies.sweep.workers import Workers
 
 _PART = 16
 """Designs of a batch that one worker takes at a time."""
@@ -127,8 +126,6 @@ def refusal_of(problem: Optimization, values: dict[str, Any]) -> tuple[ArrayDesi
         design = study.base.with_values(values)
     except DesignError as error:
         return None, str(error)
-    from geometry.design.design_file import value_of
-
     for constraint in study.constraints:
         if not constraint.holds({name: value_of(design, name) for name in constraint.names}):
             return None, f"constraint {constraint.text!r} does not hold"

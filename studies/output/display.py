@@ -6,12 +6,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import perf_counter
 from types import TracebackType
-from typing import TYPE_CHECKING, Self, TextIO
+from typing import Self, TextIO
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from geometry.ground.refusal import in_one_line
-
-if TYPE_CHECKING:
-    from rich.progress import Progress
 
 #: Called with what is being done and the fraction of the stage that is done, 0 to 1.
 Report = Callable[[str, float], None]
@@ -55,9 +55,6 @@ class Display:
 
     def __enter__(self) -> Self:
         if self.terminal:
-            from rich.console import Console
-            from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
             self._bars = Progress(
                 TextColumn("{task.description:<20}"),
                 BarColumn(bar_width=24),

@@ -16,6 +16,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
+import acoustic_fem
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import read_bytes
 from geometry.ground.refusal import Kind, Refusal
@@ -52,7 +53,6 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
             cannot be written.
     """
     from acoustic_fem.library.exchange import fidelity_in
-    from acoustic_fem.library.transfer_functions import MEASURED
 
     folder = Path(out)
     check_folder(folder, "run", MARK)
@@ -63,7 +63,7 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     if found is not None and digests and _digest(found) not in digests and found != design.encode():
         problem = "was changed since a run wrote it, and would be replaced"
         raise Refusal(problem, kind=Kind.EXISTS, file=of_earlier, remedy="move it to another folder")
-    if fidelity_in(library) == MEASURED:
+    if fidelity_in(library) == acoustic_fem.library.MEASURED:
         problem = "exists, and a measured library is never overwritten"
         raise Refusal(problem, kind=Kind.EXISTS, file=library, remedy="move it to another folder")
     # Both designs, for a run may be killed before the one takes the place of the other.

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 
 from localize.signals.stimulus import BAND
 from studies.metrics.pairs import microphone_ratios
@@ -185,8 +186,6 @@ def draw_training(loss: Sequence[float], accuracy: Mapping[str, Sequence[float]]
 
 def _curves(axis: Axes, frequency: NDArray[np.float64], values: NDArray[np.float64]) -> None:
     """A curve per row; between the frequencies of the grid a cubic spline, as the localizer reads a library."""
-    from scipy.interpolate import CubicSpline
-
     if len(frequency) >= 4:
         fine = np.geomspace(frequency[0], frequency[-1], 300)
         values = CubicSpline(np.log(frequency), values, axis=-1)(np.log(fine))

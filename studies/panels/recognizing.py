@@ -12,9 +12,11 @@ from typing import Any
 
 import numpy as np
 
+import localize
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from localize.model.opened_model import open_library
+from localize.recognition import LETTERS, Hand, written
 from studies.panels.touching import decode, decoder_of, without_folder
 
 #: Files of a recognizer's folder.
@@ -34,8 +36,6 @@ def store_recognizer(content: bytes, folder: str) -> dict[str, Any]:
     Raises:
         Refusal: other files than those that ``train`` writes, or no recognizer.
     """
-    from localize import load_recognizer
-
     try:
         files = json.loads(content)
         written = {str(name): base64.b64decode(text, validate=True) for name, text in files.items()}
@@ -51,7 +51,7 @@ def store_recognizer(content: bytes, folder: str) -> dict[str, Any]:
             )
         (Path(folder) / name).write_bytes(data)
     try:
-        found = load_recognizer(folder)
+        found = localize.load_recognizer(folder)
     except Refusal as error:
         raise without_folder(error, folder) from None
     return {"folder": folder, "subject": found.subject, "labels": list(found.labels), "design": found.design}
@@ -74,14 +74,12 @@ def write_letter(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any
     Raises:
         Refusal: no such letter, or a design without places, or one that cannot be decoded.
     """
-    from localize.recognition import LETTERS, Hand, LineReader, written
-
     if letter not in LETTERS:
         raise Refusal(kind=Kind.UNKNOWN, field="letter", value=letter, allowed=LETTERS)
     decoder = decoder_of(design)
     response = decoder.recorder.response
     take = decoder.recorder.take(written(letter, response, Hand(), sample=sample), sample)
-    line = LineReader(response, "design").line(take.signals)
+    line = localize.recognition.LineReader(response, "design").line(take.signals)
     line[:, 0] *= take.signals.shape[1] / 1000
     return {**decode(decoder, take.signals), "line": line.round(4).tolist()}
 
@@ -107,10 +105,9 @@ def with_kinds(
     found = work(design, *options)
     if model is None:
         return found
-    from localize import load_recognizer
     from localize.recognition.filter_bank import FilterBank
 
-    found_model, recognizer = decoder_of(design).model, load_recognizer(model)
+    found_model, recognizer = decoder_of(design).model, localize.load_recognizer(model)
     array = found_model.locator.array
     if (recognizer.design, recognizer.microphones) != (design.name, array.microphones):
         raise Refusal(

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import acoustic_fem
+import localize
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
@@ -217,10 +218,8 @@ def decoder_of(design: ArrayDesign) -> DesignDecoder:
 @lru_cache(maxsize=2)
 def _decoder_of(design_json: str) -> DesignDecoder:
     """Model of a design, which takes a second to be made."""
-    from localize.contacts import ContactRecorder
-
     design = ArrayDesign.model_validate_json(design_json, strict=False)
     fidelity = _fidelity(design)
     library = acoustic_fem.solve(design, LIBRARY_FREQUENCIES, fidelity=fidelity.name)
-    recorder = ContactRecorder(library, microphone_noise="design")
+    recorder = localize.contacts.ContactRecorder(library, microphone_noise="design")
     return DesignDecoder(open_model(library), recorder, fidelity)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import geometry
 from geometry import export, print_report
 from geometry.assembly.bill import Bill, bill_of_materials, write_bill
 from geometry.assembly.fit import misfits
@@ -107,11 +108,6 @@ def _make(
     in_the_way: tuple[str, ...],
     report: Report,
 ) -> MadeParts:
-    from geometry.formats.step_assembly import write_step
-    from geometry.pictures.mold_cut import mold_section
-    from geometry.pictures.viewer import write_gltf, write_viewer
-    from geometry.pictures.views import exploded_view, top_view
-
     design, parts = model.design, model.parts
     shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.1 + 0.25 * done))
     files = export(parts, folder, formats, progress=lambda part, done: report(part, 0.1 + 0.25 * done), shapes=shapes)
@@ -126,17 +122,17 @@ def _make(
     write_bill(bill, folder)
     report("assembly.step", 0.68)
     write_assembly_table(model, folder)
-    write_step(model, folder / "assembly.step")
+    geometry.formats.write_step(model, folder / "assembly.step")
     report("array.glb", 0.78)
-    write_gltf(model, folder / "array.glb")
+    geometry.pictures.write_gltf(model, folder / "array.glb")
     report("array.html", 0.82)
-    write_viewer(model, folder / "array.html")
+    geometry.pictures.write_viewer(model, folder / "array.html")
     report("top-view.png", 0.87)
-    top_view(model, folder / "top-view.png")
+    geometry.pictures.top_view(model, folder / "top-view.png")
     report("exploded-view.png", 0.91)
-    exploded_view(model, folder / "exploded-view.png")
+    geometry.pictures.exploded_view(model, folder / "exploded-view.png")
     report("mold-section.png", 0.96)
-    mold_section(model, folder / "mold-section.png")
+    geometry.pictures.mold_section(model, folder / "mold-section.png")
     report("done", 1.0)
     notes = buildability_notes(design, model.layout)
     return MadeParts(design, page, files, printing, bill, plates.too_large, notes, in_the_way)

@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import acoustic_fem
+import geometry
+import localize
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import write_library
 from acoustic_fem.numerics.disk_cache import CacheWarning
@@ -178,8 +180,6 @@ def _warnings_of_models(caught: list[warnings.WarningMessage], show: Display) ->
 def _make_parts(
     design: ArrayDesign, layout: ArrayLayout, folder: Path, report: Report
 ) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
-    from geometry.pictures.views import draw_array, draw_point
-
     report("CAD", 0.0)
     model = array_model(design, layout=layout)
     report("STL, STEP and 3MF", 0.2)
@@ -191,8 +191,10 @@ def _make_parts(
     printing = print_report(model.parts, design=design, shapes=shapes)
     report("pictures", 0.7)
     figures = {
-        "array": draw_array(model, folder / "figures" / "array.png", size=(1600, _picture_height(model))),
-        "point": draw_point(model, folder / "figures" / "point.png", size=POINT_PICTURE),
+        "array": geometry.pictures.draw_array(
+            model, folder / "figures" / "array.png", size=(1600, _picture_height(model))
+        ),
+        "point": geometry.pictures.draw_point(model, folder / "figures" / "point.png", size=POINT_PICTURE),
     }
     for path in figures.values():
         crop_picture(path)
@@ -227,12 +229,11 @@ def _trained_localizer(
     library: Library, plan: TrainingPlan, folder: Path, show: Display
 ) -> tuple[Localizer, Headline, Headline, Headline | None]:
     """The trained localizer, and evaluations of it, the model-based decoder and the tolerance-aware one."""
-    from localize import train
     from studies.evaluation.headline import TOLERANT, evaluate_headlines
 
     with show.stage("Localizer", of=_STAGES) as report:
         report("training", 0.0)
-        localizer = train(
+        localizer = localize.train(
             library, plan, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
         )
         with replaced_folder(folder / "localizer") as fresh:

@@ -17,11 +17,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem.atlas.fidelity_choice import QuickFidelity
+from acoustic_fem.membrane.disc import KnownDiscs
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
@@ -30,14 +32,10 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals import noise_model
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from studies.metrics.batch_responses import Responses
 from studies.metrics.confusion import check_grid, predict_confusion
 from studies.metrics.separation import pair_distances
-
-if TYPE_CHECKING:
-    from acoustic_fem.atlas.fidelity_choice import QuickFidelity
-    from acoustic_fem.membrane.disc import KnownDiscs
-    from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 
 #: Predicted accuracies by name, and the localizer that decides.
 ACCURACIES = {

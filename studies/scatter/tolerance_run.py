@@ -7,23 +7,22 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+from numpy.typing import ArrayLike
 
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
+from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import PathLike
+from localize.signals.noise_model import NoiseChoice
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.frequencies import FREQUENCIES
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from acoustic_fem.scatter.tolerances import Tolerance
-    from geometry.design.array_design import ArrayDesign
-    from localize.signals.noise_model import NoiseChoice
-    from studies.scatter.effects import ToleranceResult
+from studies.scatter.effects import ToleranceResult, scatter_effects
+from studies.scatter.perturbed_library import MOST_SENSORS, write_perturbed_library
+from studies.scatter.tolerance_files import SUMMARY, save_tolerance
 
 #: File of the library of sensors with scatter.
 _LIBRARY = "library.zarr"
@@ -78,11 +77,6 @@ def tolerance_study(
             read, or a design that the batch does not take.
     """
     folder, show, design = Path(out), display or Display(), resolve_design(design)
-    from acoustic_fem.scatter.tolerances import tolerances_of
-    from studies.scatter.effects import scatter_effects
-    from studies.scatter.perturbed_library import MOST_SENSORS, write_perturbed_library
-    from studies.scatter.tolerance_files import SUMMARY, save_tolerance
-
     for name, value, most in (("library_size", library_size, MOST_SENSORS), ("seed", seed, math.inf)):
         if not 0 <= value <= most:
             allowed = "0 or above" if most == math.inf else f"from 0 to {most}"

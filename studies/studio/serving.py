@@ -10,6 +10,9 @@ import webbrowser
 from collections.abc import Callable
 from ipaddress import ip_address
 
+from threadpoolctl import threadpool_limits
+
+import studies
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras
 from geometry.ground.refusal import Field, Kind, Refusal
@@ -54,17 +57,14 @@ def serve_studio(
         os.environ.setdefault(variable, "1")
     import scipy.linalg  # loads BLAS, which is to have one thread
     import uvicorn
-    from threadpoolctl import threadpool_limits
 
-    from studies.studio.guard import Guard
     from studies.studio.server import MOST_MESSAGE, studio_app
-    from studies.studio.workplace import Workplace
 
     del scipy
     listening = _bound(host, port)
     number = listening.getsockname()[1]
-    guard = Guard(host, number, token)
-    workplace = Workplace()
+    guard = studies.studio.Guard(host, number, token)
+    workplace = studies.studio.Workplace()
     name = f"[{host}]" if ":" in host else host
     address = f"http://{name}:{number}/?token={guard.token}"
     config = uvicorn.Config(

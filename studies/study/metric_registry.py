@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+import studies
 from geometry import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.field_errors import nearest
@@ -220,12 +221,10 @@ SENSORS = 64
 
 
 def _scattered_top1(figures: SharedFigures) -> Values:
-    from studies.scatter.effects import scattered_accuracy
-
     own = figures.responses
 
     def of_design(design: ArrayDesign) -> float:
-        return float(scattered_accuracy(design, own.frequency, sensors=SENSORS, known=own.discs).mean())
+        return float(studies.scatter.scattered_accuracy(design, own.frequency, sensors=SENSORS, known=own.discs).mean())
 
     return _of_designs(of_design, figures)
 

@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from studies.study.cases import Cases
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from geometry import ArrayDesign, DesignError
+from studies.study.cases import PROGRAM_ERROR, Cases
+from studies.study.metric_registry import Metric
+from studies.study.study import Study
+from studies.sweep.workers import Workers
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import KnownDiscs
-    from geometry import ArrayDesign
-    from studies.study.metric_registry import Metric
-    from studies.study.study import Study
-    from studies.sweep.workers import Workers
 
 
 def design_metrics(
@@ -45,8 +46,6 @@ def design_metrics(
     Raises:
         RuntimeError: one failed by a mistake of the program.
     """
-    from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-    from studies.study.cases import PROGRAM_ERROR
     from studies.sweep.block import Job, solve_block
 
     names = [metric.name for metric in metrics]
@@ -78,8 +77,6 @@ def _cases(values: Sequence[Mapping[str, Any]], base: ArrayDesign) -> Cases:
 
 def _valid(values: Sequence[Mapping[str, Any]], study: Study) -> Iterator[ArrayDesign]:
     """Designs whose values go together; of the others their block says why."""
-    from geometry import DesignError
-
     for each in values:
         try:
             yield study.base.with_values(each)

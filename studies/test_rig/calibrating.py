@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import acoustic_fem
+import localize
 from acoustic_fem import Library
 from acoustic_fem.calibration import Calibration, Update
 from acoustic_fem.calibration.fitted_model import UpdatedModel
@@ -113,9 +114,7 @@ def calibrate_sensor(
 
 def _prospect(fit: Update) -> tuple[NDArray[np.float64] | None, int | None]:
     """What is to be expected of the fitted library, and what to measure next."""
-    from localize.recalibration import expected_accuracy, is_enough, least_known
-
     if fit.model.frequency[0] > BAND[0] or fit.model.frequency[-1] < BAND[1]:
         return None, None
-    shares = expected_accuracy(fit)
-    return shares, None if is_enough(fit, shares) else least_known(fit)
+    shares = localize.recalibration.expected_accuracy(fit)
+    return shares, None if localize.recalibration.is_enough(fit, shares) else localize.recalibration.least_known(fit)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import acoustic_fem
+import localize
 from acoustic_fem import Library
 from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import Kind
@@ -21,13 +22,12 @@ from localize.live.stream_options import HIGH_PASS
 from localize.recordings.same_take import find_same_take
 from localize.signals.array_response import response_of
 from localize.signals.frames import FRAME, cut_frames
-from localize.signals.noise_model import NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from studies.output.display import Display
 from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
     from localize import SelfCalibration
-    from localize.signals.noise_model import NoiseChoice
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,8 +75,6 @@ def recalibrate(
     """
     path = Path(out)
     check_new_file(path, ".nc", kept="a calibrated library")
-    from localize import SelfCalibrationError, self_calibrate
-
     present = acoustic_fem.load(library)
     if air is not None:
         present = present.in_air(**asdict(air))
@@ -89,11 +87,13 @@ def recalibrate(
     level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
     _refuse_the_same_take(paths, heard, frames, level)
     with (display or Display()).stage("Touches") as report:
-        found = self_calibrate(present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS)
+        found = localize.self_calibrate(
+            present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS
+        )
     if not found.accepted:
         problem = f"give no calibration that holds: {found.objection}"
         remedy = f"{path} is not written; {library} stays the best library known"
-        raise SelfCalibrationError(problem, kind=Kind.UNSUITABLE, field="recordings", remedy=remedy)
+        raise localize.SelfCalibrationError(problem, kind=Kind.UNSUITABLE, field="recordings", remedy=remedy)
     calibrated = found.library()
     acoustic_fem.save(calibrated, path)
     return Recalibration(path, calibrated, found)
@@ -106,12 +106,9 @@ def _refuse_the_same_take(
     level: float,
 ) -> None:
     """Refuse copies of a take: one could be searched and the other validate the search."""
-    from localize import SelfCalibrationError
-    from localize.recalibration.self_calibration import touched
-
     # the last frame ends with its recording
     first = [
-        signals.shape[1] % FRAME + FRAME * np.flatnonzero(touched(own, level))
+        signals.shape[1] % FRAME + FRAME * np.flatnonzero(localize.recalibration.touched(own, level))
         for signals, own in zip(heard, frames, strict=True)
     ]
     loud = [number for number, own in enumerate(first) if len(own)]
@@ -119,4 +116,6 @@ def _refuse_the_same_take(
     if same is not None:
         first_of_two, second_of_two = paths[loud[same.first]], paths[loud[same.second]]
         problem = f"is the same take as {first_of_two}: the correlation of a section of them is {same.correlation:.4f}"
-        raise SelfCalibrationError(problem, kind=Kind.CONFLICT, file=second_of_two, remedy="give each take once")
+        raise localize.SelfCalibrationError(
+            problem, kind=Kind.CONFLICT, file=second_of_two, remedy="give each take once"
+        )
