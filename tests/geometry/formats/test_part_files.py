@@ -209,7 +209,7 @@ def test_plates_hold_every_printed_part_as_often_as_it_is_needed(tmp_path):
 
 
 def test_a_mesh_that_lost_a_bore_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr("geometry.solids.measure.genus", lambda solid: 2)
+    monkeypatch.setattr("geometry.solids.genus", lambda solid: 2)
     with refused(Kind.NO_RESULT, file="ring.stl"):
         export({"ring": cq.Workplane().circle(2).circle(1).extrude(1)}, tmp_path, ("stl",))
 

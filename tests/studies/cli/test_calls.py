@@ -52,7 +52,7 @@ CALLS = {
     "pulse": "studies.cli.locating.read_pulse",
     "live": "studies.cli.live_input.listen",
     "bend": "studies.cli.bending.bending_study",
-    "sweep": "studies.sweep.run.run_sweep",
+    "sweep": "studies.run_sweep",
     "tolerance": "studies.cli.searches.tolerance_study",
     "optimize": "studies.cli.searches.search",
     "report": "studies.cli.sweeps.sweep_report",

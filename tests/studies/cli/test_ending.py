@@ -19,7 +19,7 @@ from small_run import small_run
 import acoustic_fem
 from acoustic_fem.numerics.processors import cores
 from localize.live.listener import Latencies
-from studies.cli import app, designs
+from studies.cli import app
 from studies.inference.live import LiveSummary
 
 ROOT = Path(__file__).parents[3]
@@ -108,7 +108,7 @@ def test_ctrl_c_ends_as_stopped_whatever_a_library_that_is_being_imported_makes_
         except KeyboardInterrupt:
             raise error from None
 
-    monkeypatch.setattr(designs, "resolve_design", imported)
+    monkeypatch.setattr("studies.run.check.resolve_design", imported)
     before = signal.signal(signal.SIGINT, signal.default_int_handler)  # what runs in the background may ignore it
     try:
         told = command("check", "array-2x6")
@@ -135,7 +135,7 @@ def test_a_mistake_of_the_program_keeps_its_traceback(monkeypatch: pytest.Monkey
     ]
     monkeypatch.setattr(sys, "argv", ["acoustic-fem", "check", "array-2x6"])
     for mistake in mistakes:
-        monkeypatch.setattr(designs, "resolve_design", mistake)
+        monkeypatch.setattr("studies.run.check.resolve_design", mistake)
         with pytest.raises((ValueError, KeyError)):
             app.main()
 
@@ -144,7 +144,7 @@ def test_a_file_that_fails_is_named(command: Command, monkeypatch: pytest.Monkey
     def broken(_: str) -> None:
         raise OSError(5, "Input/output error", "disk/mine.toml")
 
-    monkeypatch.setattr(designs, "resolve_design", broken)
+    monkeypatch.setattr("studies.run.check.resolve_design", broken)
     told = command("check", "mine.toml")
     assert (told.code, told.err) == (1, "acoustic-fem: disk/mine.toml: Input/output error\n")
 

@@ -34,7 +34,7 @@ def test_what_says_nothing_of_letters_is_refused(
     own = SimpleNamespace(
         microphones=("A", "B"), design=library.design.name, at_usual_speed=False, labels=(), subject="letters"
     )
-    monkeypatch.setattr("localize.recognition.recognizer.load_recognizer", lambda _: own)
+    monkeypatch.setattr("localize.load_recognizer", lambda _: own)
     with refused(Kind.CONFLICT, field, value):
         studies.recognize_recording("model", tmp_path / "library.nc", tmp_path / "take.wav", **options)
 
@@ -55,7 +55,7 @@ def test_kinds_are_told_in_the_noise_and_air_of_the_place(tmp_path: Path, monkey
         def touches(self, *_: object) -> tuple[()]:
             return ()
 
-    monkeypatch.setattr("localize.recognition.recognizer.load_recognizer", lambda _: own)
+    monkeypatch.setattr("localize.load_recognizer", lambda _: own)
     monkeypatch.setattr("localize.recognition.filter_bank.FilterBank", FakeFilters)
     there = studies.Decoding(noise=2e-3, ambient=60.0, air=LocalAir(pressure=8e4))
     for decoding in (there, None):
