@@ -26,7 +26,7 @@ def test_a_module_that_cannot_be_loaded_is_one_line(
     def loading(*_: object, **__: object) -> None:
         raise error
 
-    monkeypatch.setattr(app, "application", lambda verbs: loading)
+    monkeypatch.setattr(app, "app", loading)
     monkeypatch.setattr(sys, "argv", ["acoustic-fem"])
     with pytest.raises(SystemExit) as ended:
         app.main()
