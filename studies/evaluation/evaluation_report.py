@@ -8,8 +8,6 @@ import tempfile
 from importlib import resources
 from pathlib import Path
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-
 import studies
 from geometry.ground.refusal import counted
 from geometry.ground.whole_files import write_text
@@ -38,6 +36,8 @@ def write_evaluation(found: FullEvaluation, folder: Path) -> None:
 
 def render(found: FullEvaluation) -> str:
     """Page of an evaluation as text: pictures inlined, no script, nothing fetched."""
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
     environment = Environment(
         loader=PackageLoader("studies"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
         lstrip_blocks=True,
