@@ -82,6 +82,10 @@ class Decoding:
     tolerances: bool = True
     """Whether a computed library is decoded with manufacturing tolerances."""
 
+    def __post_init__(self) -> None:
+        if self.rejected_fraction is not None:
+            StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
+
 
 @dataclass(frozen=True, eq=False)
 class Model:
@@ -372,7 +376,8 @@ def _refuse_without_library(source: ModelSource, given: Decoding) -> None:
     for name in ("waveform", "ambient", "rejected_fraction"):
         if getattr(given, name) != getattr(Decoding, name):
             problem = f"needs the library of the array: {_name(source)} is none"
-            raise Refusal(problem, kind=Kind.MISSING, field=name, remedy=("give it as ", Field("library")))
+            remedy = ("give it as ", Field("library"))
+            raise Refusal(problem, kind=Kind.MISSING, field=name, value=getattr(given, name), remedy=remedy)
 
 
 def _name(source: object) -> str:

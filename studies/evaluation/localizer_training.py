@@ -128,6 +128,7 @@ def _training(
     _check_unfinished(folder)
     check_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings))
     loaded = open_library(library)
+    response_of(loaded)  # refuses what cannot be trained on, before there is a folder
     with sole_writer_of(folder, "train", Refusal), (display or Display()).stage(title) as report:
         _check_unfinished(folder)  # another process may have finished it in the meantime
         yield loaded, report

@@ -48,8 +48,8 @@ def export_decoder(
     """
     path = Path(out)
     check_new_file(path, ".onnx", reads=files_of(model))
+    found = opened_as_designed(model, Decoding(noise=noise, ambient=ambient))
     if path.suffix.lower() != ".onnx":
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="out", value=str(path), allowed="a name that ends in .onnx")
-    found = opened_as_designed(model, Decoding(noise=noise, ambient=ambient))
     localize.export_onnx(found.locator, path)
     return ExportedDecoder(path, found.locator.point_count, found.locator.microphones, found.assumptions)

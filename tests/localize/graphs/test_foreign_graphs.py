@@ -176,27 +176,40 @@ def changed(own, path, **change):
 
 
 @pytest.mark.parametrize(
+    "change",
+    [
+        {"sample_rate": 8000.0},
+        {"frame": 999},
+        {"unit": "mPa"},
+        {"noise_rms": -1.0},
+        {"noise_rms": "design"},
+        {"kind": "oracle"},
+        {"design": None},
+        {"microphones": ["left"]},
+        {"more": 1},
+        {"version": "1"},
+    ],
+    ids=str,
+)
+def test_a_description_of_something_else_is_refused_by_the_field(own, tmp_path, change):
+    changed(own, tmp_path / "changed.onnx", **change)
+    with pytest.raises(localize.LocalizerError) as found:
+        localize.OnnxLocalizer(tmp_path / "changed.onnx")
+    ((field, value),) = change.items()
+    assert (found.value.file, found.value.field, found.value.value) == (str(tmp_path / "changed.onnx"), field, value)
+
+
+@pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"sample_rate": 8000.0}, "sample_rate = 8000.0 must be 1000.0"),
-        ({"frame": 999}, "frame = 999 must be 250"),
-        ({"unit": "mPa"}, "unit = 'mPa' must be 'Pa'"),
-        ({"noise_rms": -1.0}, "noise_rms = -1.0 is refused"),
-        ({"noise_rms": "design"}, "noise_rms = .* is refused"),
-        ({"kind": "oracle"}, "kind = .* is refused"),
-        ({"design": None}, "design = null is refused"),
-        ({"microphones": ["left"]}, "microphones = .* is refused"),
         ({"microphones": ["a", "b", "c"]}, r"frames is \(n, 2, 250\) of FLOAT, must be \(n, 3, 250\)"),
         ({"line": [0, 0], "place": [0, 1]}, r"is \(n, 5\) of FLOAT, must be \(n, 2\)"),
-        ({"more": 1}, "more = 1 is refused"),
-        ({"version": "1"}, "version = 1 must be 1"),
     ],
 )
-def test_a_graph_that_describes_something_else_is_refused_by_the_field(own, tmp_path, change, message):
+def test_a_graph_of_another_array_than_it_describes_is_refused(own, tmp_path, change, message):
     changed(own, tmp_path / "changed.onnx", **change)
-    with pytest.raises(localize.LocalizerError, match=message) as refused:
+    with pytest.raises(localize.LocalizerError, match=message):
         localize.OnnxLocalizer(tmp_path / "changed.onnx")
-    assert str(refused.value).startswith(str(tmp_path / "changed.onnx"))
 
 
 @pytest.mark.parametrize("missing", ["sample_rate", "unit", "line", "microphones", "provenance", "noise_rms"])
@@ -206,7 +219,7 @@ def test_a_description_without_a_field_is_refused_by_it(own, tmp_path, missing):
     del said[missing]
     model.metadata_props[0].value = json.dumps(said)
     onnx.save(model, tmp_path / "without.onnx")
-    with pytest.raises(localize.LocalizerError, match=f"{missing!r} is missing"):
+    with refused(Kind.MISSING, missing, file=tmp_path / "without.onnx", error=localize.LocalizerError):
         localize.OnnxLocalizer(tmp_path / "without.onnx")
 
 

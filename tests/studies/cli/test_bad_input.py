@@ -113,7 +113,7 @@ REFUSED = [
     ("run array-2x6 --out <text.nc>", "<text.nc>"),
     # Files that are called as options are.
     *((f"locate <library.nc> {name}.wav", f"acoustic-fem: {name}.wav: ") for name in ("pressure", "refused", "speed")),
-    *((f"locate {name}.csv r.wav", f"acoustic-fem: {name}.csv: ") for name in ("altitude", "ambient")),
+    *((f"locate {name}.csv <text.wav>", f"acoustic-fem: {name}.csv: ") for name in ("altitude", "ambient")),
     ("recognize <localizer> <library.nc> speed.wav", "acoustic-fem: speed.wav: "),
 ]
 

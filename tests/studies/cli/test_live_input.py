@@ -239,16 +239,16 @@ def test_lines_into_a_program_that_ends_are_no_error(folder):
         (("--replay", "{folder}/model.onnx"), "cut short or not a WAV file"),
         (
             ("--replay", "{folder}/play.wav", "--record", "{folder}/play.wav"),
-            "play.wav: exists, and a recording is never overwritten",
+            "play.wav: record exists, and a recording is never overwritten",
         ),
         (
             ("--replay", "{folder}/play.wav", "--record", "{folder}/model.onnx"),
             "exists, and a recording is never overwritten; name another file, or remove this one",
         ),
-        (("--replay", "{folder}/play.wav", "--record", "{folder}"), "is a folder; --record must be a file"),
+        (("--replay", "{folder}/play.wav", "--record", "{folder}"), "record must be a file, not a folder"),
         (
             ("--replay", "{folder}/play.wav", "--record", "{folder}/no/x.wav"),
-            "--record must lie in a folder that exists",
+            "record must lie in a folder that exists",
         ),
         (("--replay", "{folder}/play.wav", "--noise", "1"), "--noise = 1 Pa is for a library"),
     ],
