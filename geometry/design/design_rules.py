@@ -52,7 +52,10 @@ def check_consistency(design: StatedArray) -> None:
         _print_rules,
     ):
         for problem in rule(design):
-            raise problem
+            try:
+                raise problem
+            finally:
+                del problem  # else its traceback holds this frame, which holds it: a circle for the garbage collector
 
 
 def _materials(design: StatedArray) -> Iterator[Refusal]:

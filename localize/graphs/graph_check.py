@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.ground.refusal import Refusal, said_by
+from geometry.ground.refusal import Kind, Refusal, said_by
 from localize.signals.frames import FRAME
 
 if TYPE_CHECKING:
@@ -55,9 +55,11 @@ def check_interface(model: ModelProto, microphones: int, points: int) -> None:
     inputs = {each.name: each for each in graph.input if each.name not in own}
     outputs = {each.name: each for each in graph.output}
     if list(inputs) != [INPUT]:
-        raise Refusal(f"its inputs are {', '.join(inputs) or 'none'}; the one must be {INPUT}")
+        raise Refusal(f"its inputs are {', '.join(inputs) or 'none'}; the one must be {INPUT}", kind=Kind.UNSUITABLE)
     if sorted(outputs) != sorted(OUTPUTS):
-        raise Refusal(f"its outputs are {', '.join(outputs) or 'none'}; they must be {', '.join(OUTPUTS)}")
+        raise Refusal(
+            f"its outputs are {', '.join(outputs) or 'none'}; they must be {', '.join(OUTPUTS)}", kind=Kind.UNSUITABLE
+        )
     for value, shape in (
         (inputs[INPUT], ("n", microphones, FRAME)),
         *((outputs[name], ("n", points)) for name in OUTPUTS),
@@ -65,14 +67,16 @@ def check_interface(model: ModelProto, microphones: int, points: int) -> None:
         _check_shape(value, shape, stated=value.name == INPUT)
     for tensor in graph.initializer:
         if tensor.data_location == TensorProto.EXTERNAL:
-            raise Refusal(f"the values of {tensor.name} lie in another file; they must be in this one")
+            raise Refusal(
+                f"the values of {tensor.name} lie in another file; they must be in this one", kind=Kind.UNSUITABLE
+            )
         if tensor.data_type in (TensorProto.FLOAT, TensorProto.DOUBLE):
             try:
                 values = numpy_helper.to_array(tensor)
             except Exception as error:  # whatever a library says of a tensor that it cannot read
-                raise Refusal(f"the values of {tensor.name} are damaged: {said_by(error)}") from None
+                raise Refusal(f"the values of {tensor.name} are damaged: {said_by(error)}", kind=Kind.DAMAGED) from None
             if not np.isfinite(values).all():
-                raise Refusal(f"the values of {tensor.name} are not all finite")
+                raise Refusal(f"the values of {tensor.name} are not all finite", kind=Kind.UNSUITABLE)
 
 
 def _check_shape(value: ValueInfoProto, shape: tuple[str | int, ...], stated: bool) -> None:
@@ -89,7 +93,10 @@ def _check_shape(value: ValueInfoProto, shape: tuple[str | int, ...], stated: bo
         found = ", ".join("n" if axis is None else str(axis) for axis in axes)
         wanted = ", ".join(map(str, shape))
         name = TensorProto.DataType.Name(kind.elem_type) if kind.elem_type else "no type"
-        raise Refusal(f"{value.name} is ({found}) of {name}, must be ({wanted}) of FLOAT, for any number n of frames")
+        raise Refusal(
+            f"{value.name} is ({found}) of {name}, must be ({wanted}) of FLOAT, for any number n of frames",
+            kind=Kind.UNSUITABLE,
+        )
 
 
 def doubt(model: ModelProto) -> str | None:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from geometry.ground.file_checks import library_reads, read_bytes
 from geometry.ground.record import is_sealed
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_json
 from geometry.ground.typed import Array
 from localize.graphs.description import (
@@ -54,7 +54,7 @@ class OnnxLocalizer(Locator):
         with library_reads(path, "an ONNX file", LocalizerError):
             model = onnx.load_model_from_string(content)
         if not model.HasField("graph"):
-            raise LocalizerError(f"{path}: cut short or not an ONNX file: it holds no graph")
+            raise LocalizerError("is cut short or not an ONNX file: it holds no graph", kind=Kind.UNREADABLE, file=path)
         stated = _read_description(model, path)
         self.description: dict[str, Any] = stated.model_dump()
         self._kind = str(stated.kind)
@@ -69,7 +69,7 @@ class OnnxLocalizer(Locator):
         try:
             check_interface(model, len(self.microphones), self.point_count)
         except Refusal as error:
-            raise LocalizerError(f"{path}: {error}") from None
+            raise LocalizerError.of(error, file=path) from None
         self._path = path
         self._graph = ForeignGraph(content, str(path), LocalizerError) if doubt(model) else _OwnGraph(content, path)
         self._try()
@@ -81,8 +81,10 @@ class OnnxLocalizer(Locator):
         total = np.exp(score.astype(np.float64)).sum(-1)
         if score.shape != (2, self.point_count) or not np.allclose(total, 1.0, atol=1e-3):
             raise LocalizerError(
-                f"{self._path}: its graph gives values {score.shape} of two frames, must give logarithms of "
-                f"probabilities of {self.point_count} points"
+                f"its graph gives values {score.shape} of two frames, must give logarithms of probabilities of "
+                f"{self.point_count} points",
+                kind=Kind.UNSUITABLE,
+                file=self._path,
             )
 
     @property
@@ -131,13 +133,16 @@ def _read_description(model: ModelProto, path: str | os.PathLike[str]) -> GraphD
     """What a graph says of itself; where it says what its checksum is, it must be that."""
     texts = [entry.value for entry in model.metadata_props if entry.key == KEY]
     if len(texts) != 1:
-        raise LocalizerError(f"{path}: not a localizer: its metadata have no {KEY!r}, or more than one")
-    source = f"{path}: {KEY}"
-    values = parse_json(texts[0], source, LocalizerError)
-    check_format(values, FORMAT, VERSION, source, LocalizerError)
-    stated = described(GraphDescription, texts[0], source, LocalizerError)
+        raise LocalizerError(
+            f"is not a localizer: its metadata have no {KEY!r}, or more than one", kind=Kind.UNREADABLE, file=path
+        )
+    values = parse_json(texts[0], str(path), LocalizerError)
+    check_format(values, FORMAT, VERSION, path, LocalizerError)
+    stated = described(GraphDescription, texts[0], path, LocalizerError)
     if stated.sha256 is not None and not is_sealed(values, bare_graph(model)):
-        raise LocalizerError(f"{path}: changed or damaged: its checksum is not that of what it holds")
+        raise LocalizerError(
+            "is changed or damaged: its checksum differs from the one in it", kind=Kind.DAMAGED, file=path
+        )
     return stated
 
 

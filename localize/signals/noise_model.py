@@ -18,7 +18,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem.network.microphone import noise_density, response
+from acoustic_fem import network
 from acoustic_fem.quantities.medium import Medium
 from geometry.schema.part_fields import Microphone
 
@@ -59,7 +59,8 @@ def input_density(microphone: Microphone, frequency: ArrayLike, medium: Medium) 
     Raises:
         Refusal: a frequency that is not finite and positive.
     """
-    return np.asarray(noise_density(microphone, frequency) / np.abs(response(microphone, frequency, medium)))
+    density = network.noise_density(microphone, frequency)
+    return np.asarray(density / np.abs(network.response(microphone, frequency, medium)))
 
 
 def microphone_noise(microphone: Microphone, medium: Medium) -> NoiseSpectrum:

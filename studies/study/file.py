@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
-from acoustic_fem.atlas.fidelity_choice import quick_fidelity
+from acoustic_fem import atlas
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import Fidelity
 from geometry import ArrayDesign, DesignError, load_design
@@ -159,7 +159,7 @@ def study_of(
             cases=_cases(file, axes),
             seed=file.seed,
             constraints=constraints,
-            fidelity=file.fidelity or quick_fidelity(design, frequency).name,
+            fidelity=file.fidelity or atlas.quick_fidelity(design, frequency).name,
             frequency=frequency,
             metrics=_metrics(file.metrics, frequency),
             transfer_functions=file.transfer_functions,

@@ -55,7 +55,3 @@ def test_another_design_is_refused_by_its_field_and_another_air_is_not(own):
     with refused(Kind.MISMATCH, file="other.nc") as found:
         check_same_design(own, of(tube__length=20.0), "other.nc")
     assert "tube.length = 20.0, must be 12.5" in str(found.value)
-    states_no_law = replace(own, provenance={"design": geometry.design.write_design(DESIGN)})
-    with refused(Kind.MISMATCH, file="older.nc") as found:
-        check_same_design(own, states_no_law, "older.nc")
-    assert "materials.silicone-shore-a-30.law = constant" in str(found.value)

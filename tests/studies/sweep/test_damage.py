@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
 from damage import damaged
+from refusals import check_messages, refused
 from stores import assert_same_store
 from thorough import many
 
@@ -18,6 +20,7 @@ from geometry.ground.refusal import Kind
 from studies.findings.reporting import best_designs
 from studies.study.file import read_study
 from studies.study.study import Study, StudyError
+from studies.sweep import run
 from studies.sweep.records import TRANSFER_FUNCTIONS
 from studies.sweep.run import run_sweep
 from studies.sweep.store import Sweep, open_sweep
@@ -116,13 +119,31 @@ def test_a_store_of_another_version_and_what_is_none_are_refused_by_name(name: s
     REFUSED[name](store)
     before = {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
     for read in (open_sweep, lambda path: run_sweep(study, path, workers=1)):
-        with pytest.raises(StudyError) as refused:
+        with pytest.raises(StudyError) as error:
             read(store)
-        assert refused.value.kind is Kind.MISMATCH
-        assert str(refused.value.file).startswith(str(store))
+        assert error.value.kind is Kind.MISMATCH
+        assert str(error.value.file).startswith(str(store))
         if "format" in name:
-            assert f"is {name}; this version of the program reads format 4" in str(refused.value)
+            assert f"is {name}; this version of the program reads format 4" in str(error.value)
     assert before == {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
+
+
+#: A change to the study, which makes it another one.
+OTHERS = {
+    "values": ("from = 0.3", "from = 0.31"),
+    "parameter": ('"tube.inner_diameter"', '"microphone_tube.inner_diameter"'),
+    "frequencies": ("1:100:4", "1:100:5"),
+    "cases": ("cases = 40", "cases = 41"),
+    "base": ("array-2x6", "line-2"),
+    "seed": ('"random"', '"random"\nseed = 7'),
+    "metrics": (', "volume"]', "]"),
+}
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_the_store_of_another_study_is_refused(name: str, finished: Path) -> None:
+    with refused(Kind.MISMATCH, file=finished, error=StudyError):
+        run_sweep(read_study(TEXT.replace(*OTHERS[name], 1)), finished, workers=1)
 
 
 METRICS_3, RESPONSES_2 = "records/000003.metrics", "records/000002.responses"
@@ -149,10 +170,10 @@ def test_what_is_damaged_is_named_and_the_next_run_makes_it_anew(
     change, member, note = MENDED[name]
     change(store)
     for read in (open_sweep, best_designs):
-        with pytest.raises(StudyError) as refused:
+        with pytest.raises(StudyError) as error:
             read(store)
-        assert str(refused.value).startswith(f"{store / member}: ")
-        assert "another version" in name or "run the same sweep again" in str(refused.value)
+        assert str(error.value).startswith(f"{store / member}: ")
+        assert "another version" in name or "run the same sweep again" in str(error.value)
     summary = run_sweep(study, store, workers=1)
     assert len(summary.notes) == 1
     assert summary.notes[0].startswith(f"{store / member}: ")
@@ -209,9 +230,9 @@ def test_damaged_responses_are_refused_where_they_are_used(study: Study, finishe
     flip("records/000001.responses")(store)
     response = open_sweep(store).dataset["transfer_function_real"]
     assert np.isfinite(response[0].values).all()
-    with pytest.raises(StudyError) as refused:
+    with pytest.raises(StudyError) as error:
         response[4].load()
-    assert (refused.value.kind, refused.value.file) == (Kind.DAMAGED, str(store / "records/000001.responses"))
+    assert (error.value.kind, error.value.file) == (Kind.DAMAGED, str(store / "records/000001.responses"))
     assert "cases 3 to 5 are computed again" in " ".join(run_sweep(study, store, workers=1).notes)
     assert_same_store(store, finished)
 
@@ -219,17 +240,43 @@ def test_damaged_responses_are_refused_where_they_are_used(study: Study, finishe
 def test_a_damaged_record_of_the_study_is_not_restored_over_the_results_of_another(finished: Path, store: Path) -> None:
     flip("records/study")(store)
     before = {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
-    with pytest.raises(StudyError) as refused:
+    with pytest.raises(StudyError) as error:
         run_sweep(read_study(TEXT.replace("cases = 40", "cases = 40\nseed = 7")), store, workers=1)
-    assert (refused.value.kind, refused.value.file) == (Kind.DAMAGED, str(store / "records/study"))
+    assert (error.value.kind, error.value.file) == (Kind.DAMAGED, str(store / "records/study"))
     assert before == {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
 
 
 def test_a_metric_that_this_version_does_not_know_is_refused(store: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("studies.sweep.store.METRICS", {"volume": None})
-    with pytest.raises(StudyError) as refused:
+    with pytest.raises(StudyError) as error:
         open_sweep(store)
-    assert (refused.value.kind, refused.value.value) == (Kind.UNKNOWN, "distance_smallest")
+    assert (error.value.kind, error.value.value) == (Kind.UNKNOWN, "distance_smallest")
+
+
+def test_the_messages_of_stores(finished: Path, tmp_path: Path) -> None:
+    def opened(change: Change) -> None:
+        store = tmp_path / "results.zarr"
+        shutil.rmtree(store, ignore_errors=True)
+        shutil.copytree(finished, store)
+        change(store)
+        open_sweep(store)
+
+    def continued(old: str, new: str, out: Path = finished) -> None:
+        run_sweep(read_study(TEXT.replace(old, new, 1)), out, workers=1)
+
+    def stopped(error: OSError | MemoryError) -> None:
+        raise run._stopped(finished, run._lack(error))
+
+    changes = {**REFUSED, **{name: change for name, (change, *_) in MENDED.items()}}
+    told: dict[str, Callable[[], object]] = {
+        **{f"opened, {name}": partial(opened, change) for name, change in changes.items()},
+        **{f"continued, other {name}": partial(continued, *pair) for name, pair in OTHERS.items()},
+        "continued, no sweep": partial(continued, "", "", finished.parent),
+        "stopped, full disk": partial(stopped, OSError(28, "No space left on device", str(finished))),
+        "stopped, no memory": partial(stopped, MemoryError("Unable to allocate 3.1 GiB")),
+    }
+    hidden = {str(tmp_path): "FOLDER", str(finished.parent): "FOLDER"}
+    check_messages(Path(__file__).with_name("messages.txt"), told, hidden)
 
 
 def assert_same_results(found: Sweep, expected: Sweep) -> None:
@@ -241,7 +288,7 @@ def assert_same_results(found: Sweep, expected: Sweep) -> None:
 def check_damage(study: Study, store: Path, finished: Path, count: int, seed: int, mended: int) -> None:
     """Any damage is refused by its name, or changes nothing; some of it is mended too."""
     expected = open_sweep(finished)
-    refused = 0
+    count_refused = 0
     for number, done in enumerate(damaged(store, count, seed)):
         said = ""
         try:
@@ -249,7 +296,7 @@ def check_damage(study: Study, store: Path, finished: Path, count: int, seed: in
         except StudyError as error:
             said = str(error)
         assert bool(said) == done.startswith("records/"), (done, said)
-        refused += bool(said)
+        count_refused += bool(said)
         assert not said or said.startswith(f"{store}/records/"), (done, said)
         assert "\n" not in said, done
         if number < mended:
@@ -260,7 +307,7 @@ def check_damage(study: Study, store: Path, finished: Path, count: int, seed: in
             except StudyError as error:
                 assert str(error).startswith(f"{again}/records/study: "), (done, error)  # noqa: PT017
             shutil.rmtree(again)
-    assert refused > count / 6
+    assert count_refused > count / 6
 
 
 def test_any_damage_is_refused_or_changes_nothing(study: Study, store: Path, finished: Path) -> None:
