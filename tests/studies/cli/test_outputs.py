@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 from small_run import small_design
-from typer.main import get_command
 from typer.testing import CliRunner
 
 import acoustic_fem
 import geometry
 from geometry import Kind
 from studies.cli.app import app
+from studies.cli.verbs import VERBS, option_names
 from studies.output.folders import MARK
 
 STUDY = """base = "array-2x6"
@@ -99,9 +99,7 @@ def content(folder: Path) -> dict[str, bytes | None]:
 
 
 def test_the_tables_name_every_verb_that_writes() -> None:
-    verbs = get_command(app).commands  # type: ignore[attr-defined]
-    writes = {name for name, verb in verbs.items() if any("--out" in option.opts for option in verb.params)}
-    assert writes == {*FILES, *FOLDERS}
+    assert {verb for verb in VERBS if "out" in option_names(verb)} == {*FILES, *FOLDERS}
 
 
 @pytest.mark.parametrize("verb", FILES)
@@ -155,7 +153,10 @@ def test_a_folder_with_files_of_others_is_left_alone(refusal: Refused, place: Pa
     Path("nothing").symlink_to("gone")
     for out in ("work", "link", ".", f"../{place.name}", "localizer"):
         found = refusal(verb, *words, "--out", out)
-        assert (found.kind in (Kind.EXISTS, Kind.CONFLICT), found.file) == (True, str(Path(out)))
+        assert (
+            found.kind in (Kind.EXISTS, Kind.CONFLICT, Kind.MISMATCH, Kind.UNSUITABLE, Kind.UNREADABLE),
+            found.file,
+        ) == (True, str(Path(out)))
     for out in ("take.wav", "nothing"):
         found = refusal(verb, *words, "--out", out)
         assert (found.kind, found.file) == (Kind.EXISTS, out)

@@ -80,7 +80,7 @@ def headline(signals: str, *beside: tuple[str, float | None]) -> Any:
 
 
 def test_an_evaluation_has_a_row_for_each_kind_of_touches(capsys: pytest.CaptureFixture[str]) -> None:
-    beside = ("taps, nominal sensor", None), ("multi-sine touches, 20 as-built sensors", 0.77)
+    beside = ("taps, nominal sensor", None), ("multi-sine, 20 as-built sensors", 0.77)
     _show_evaluations(
         {name: headline("multi-sine touches, nominal sensor", *beside) for name in ("network", "decoder")}
     )
