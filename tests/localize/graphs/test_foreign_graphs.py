@@ -176,27 +176,26 @@ def changed(own, path, **change):
 
 
 @pytest.mark.parametrize(
-    ("change", "message"),
+    ("change", "kind", "field"),
     [
-        ({"sample_rate": 8000.0}, "sample_rate = 8000.0 must be 1000.0"),
-        ({"frame": 999}, "frame = 999 must be 250"),
-        ({"unit": "mPa"}, "unit = 'mPa' must be 'Pa'"),
-        ({"noise_rms": -1.0}, "noise_rms = -1.0 is refused"),
-        ({"noise_rms": "design"}, "noise_rms = .* is refused"),
-        ({"kind": "oracle"}, "kind = .* is refused"),
-        ({"design": None}, "design = null is refused"),
-        ({"microphones": ["left"]}, "microphones = .* is refused"),
-        ({"microphones": ["a", "b", "c"]}, r"frames is \(n, 2, 250\) of FLOAT, must be \(n, 3, 250\)"),
-        ({"line": [0, 0], "place": [0, 1]}, r"is \(n, 5\) of FLOAT, must be \(n, 2\)"),
-        ({"more": 1}, "more = 1 is refused"),
-        ({"version": "1"}, "version = 1 must be 1"),
+        ({"sample_rate": 8000.0}, Kind.MISMATCH, "sample_rate"),
+        ({"frame": 999}, Kind.MISMATCH, "frame"),
+        ({"unit": "mPa"}, Kind.MISMATCH, "unit"),
+        ({"noise_rms": -1.0}, Kind.OUT_OF_RANGE, "noise_rms"),
+        ({"noise_rms": "design"}, Kind.WRONG_TYPE, "noise_rms"),
+        ({"kind": "oracle"}, Kind.OUT_OF_RANGE, "kind"),
+        ({"design": None}, Kind.WRONG_TYPE, "design"),
+        ({"microphones": ["left"]}, Kind.OUT_OF_RANGE, "microphones"),
+        ({"microphones": ["a", "b", "c"]}, Kind.UNSUITABLE, ""),
+        ({"line": [0, 0], "place": [0, 1]}, Kind.UNSUITABLE, ""),
+        ({"more": 1}, Kind.UNKNOWN, "more"),
+        ({"version": "1"}, Kind.MISMATCH, "version"),
     ],
 )
-def test_a_graph_that_describes_something_else_is_refused_by_the_field(own, tmp_path, change, message):
+def test_a_graph_that_describes_something_else_is_refused_by_the_field(own, tmp_path, change, kind, field):
     changed(own, tmp_path / "changed.onnx", **change)
-    with pytest.raises(localize.LocalizerError, match=message) as refused:
+    with refused(kind, field, file="changed.onnx", error=localize.LocalizerError):
         localize.OnnxLocalizer(tmp_path / "changed.onnx")
-    assert str(refused.value).startswith(str(tmp_path / "changed.onnx"))
 
 
 @pytest.mark.parametrize("missing", ["sample_rate", "unit", "line", "microphones", "provenance", "noise_rms"])
@@ -206,7 +205,7 @@ def test_a_description_without_a_field_is_refused_by_it(own, tmp_path, missing):
     del said[missing]
     model.metadata_props[0].value = json.dumps(said)
     onnx.save(model, tmp_path / "without.onnx")
-    with pytest.raises(localize.LocalizerError, match=f"{missing!r} is missing"):
+    with refused(Kind.MISSING, missing, file="without.onnx", error=localize.LocalizerError):
         localize.OnnxLocalizer(tmp_path / "without.onnx")
 
 
@@ -230,18 +229,11 @@ def test_other_inputs_outputs_and_values_elsewhere_are_refused(own, tmp_path):
         weights = next(each for each in model.graph.initializer if each.name == "weights")
         weights.float_data[0] = np.nan
 
-    for change, message in (
-        (renamed, "its inputs are signals; the one must be frames"),
-        (unasked, "its outputs are probability; they must be probability, log_probability"),
-        (closed, r"frames is \(1, 2, 250\) of FLOAT, must be \(n, 2, 250\)"),
-        (double, r"frames is \(n, 2, 250\) of DOUBLE"),
-        (elsewhere, "the values of weights lie in another file"),
-        (endless_values, "the values of weights are not all finite"),
-    ):
+    for change in (renamed, unasked, closed, double, elsewhere, endless_values):
         model = onnx.load(foreign(own, tmp_path / "other.onnx"))
         change(model)
         (tmp_path / "other.onnx").write_bytes(model.SerializeToString())
-        with pytest.raises(localize.LocalizerError, match=message):
+        with refused(Kind.UNSUITABLE, file="other.onnx", error=localize.LocalizerError):
             localize.OnnxLocalizer(tmp_path / "other.onnx")
 
 
