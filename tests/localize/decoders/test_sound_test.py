@@ -143,5 +143,5 @@ def test_bad_arguments_are_refused(array, sound_test, decoder):
         TouchStream(localize.BayesDecoder(rc_line(4), NOISE), sound_test=sound_test)
     with refused(Kind.OUT_OF_RANGE, "rejected_fraction", 1.5):
         localize.StreamOptions(rejected_fraction=1.5)
-    with pytest.raises(ValueError, match="signals have 3 channels"):
+    with pytest.raises(ValueError, match="signals has 3 channels"):
         sound_test.is_sound(np.ones((1, 3, 250)))

@@ -323,7 +323,7 @@ def test_chunks_of_another_shape_and_bad_thresholds_are_refused(decoder):
         with refused(Kind.WRONG_TYPE, "chunk"):
             stream.push(np.zeros(shape))
     assert stream.push(np.zeros((2, 0))) == []
-    with pytest.raises(ValueError, match=r"silence = 0.0 Pa must be finite and above 0"):
+    with pytest.raises(ValueError, match=r"silence = 0 Pa must be finite and above 0"):
         TouchStream(decoder, silence=0.0)
     other = localize.Reconstructor(replace(rc_line(6), microphones=("other", "right")))
     with pytest.raises(ValueError, match="reconstructor is for microphones other, right, the locator for left, right"):
