@@ -325,7 +325,7 @@ def test_chunks_of_another_shape_and_bad_thresholds_are_refused(decoder):
     assert stream.push(np.zeros((2, 0))) == []
     with pytest.raises(ValueError, match=r"silence = 0 Pa must be finite and above 0"):
         TouchStream(decoder, silence=0.0)
-    other = localize.Reconstructor(replace(rc_line(6), microphones=("other", "right")))
+    other = localize.Reconstructor(replace(rc_line(6), microphones=("other", "right")), NOISE)
     with pytest.raises(ValueError, match="reconstructor is for microphones other, right, the locator for left, right"):
         TouchStream(decoder, reconstructor=other)
     with pytest.raises(ValueError, match=r"limit = nan Pa must be finite and above 0"):
