@@ -153,8 +153,7 @@ def impulse_responses(response: ArrayResponse, high_pass: float | None, heard_sa
         heard_samples: number of decimated samples behind the source.
 
     Returns:
-        (n_footprint, n_microphone, n_sample) float64, from EARLY samples before the source to ``heard_samples``
-        behind it.
+        (n_footprint, n_microphone, n_sample) float64, from EARLY samples before the source on.
     """
     frequency = np.fft.rfftfreq(_PERIOD, 1 / SAMPLE_RATE).astype(np.float64)
     top = SAMPLE_RATE / DECIMATION / 2

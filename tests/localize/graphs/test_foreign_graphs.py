@@ -243,18 +243,11 @@ def test_other_inputs_outputs_and_values_elsewhere_are_refused(own, tmp_path):
         weights = next(each for each in model.graph.initializer if each.name == "weights")
         weights.float_data[0] = np.nan
 
-    for change, message in (
-        (renamed, "its inputs are signals; the one must be frames"),
-        (unasked, "its outputs are probability; they must be probability, log_probability"),
-        (closed, r"frames is \(1, 2, 250\) of FLOAT, must be \(n, 2, 250\)"),
-        (double, r"frames is \(n, 2, 250\) of DOUBLE"),
-        (elsewhere, "the values of weights lie in another file"),
-        (endless_values, "the values of weights are not all finite"),
-    ):
+    for change in (renamed, unasked, closed, double, elsewhere, endless_values):
         model = onnx.load(foreign(own, tmp_path / "other.onnx"))
         change(model)
         (tmp_path / "other.onnx").write_bytes(model.SerializeToString())
-        with pytest.raises(localize.LocalizerError, match=message):
+        with refused(Kind.UNSUITABLE, file="other.onnx", error=localize.LocalizerError):
             localize.OnnxLocalizer(tmp_path / "other.onnx")
 
 
