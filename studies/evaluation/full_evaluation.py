@@ -163,7 +163,7 @@ def rig_sensors(
     grid = np.unique(np.clip(response.frequency, *HEARD))
     place = np.minimum(np.searchsorted(grid, response.frequency), len(grid) - 1)
     nominal = acoustic_fem.solve(library.design, grid, "lumped").transfer_function.values
-    rigs = [Rig(library.design, seed + k).transfer_function(grid) / nominal for k in range(count)]
+    rigs = [Rig(library.design, seed + k, fidelity="lumped").transfer_function(grid) / nominal for k in range(count)]
     return [("uncalibrated", None, response.transfer_function * np.stack(rigs)[..., place])]
 
 

@@ -60,6 +60,8 @@ class Metric:
     takes them."""
     caution: str = ""
     """Caution to whoever ranks designs by it alone, one sentence; empty where there is none."""
+    extras: tuple[str, ...] = ()
+    """Extras of the installation that compute it, see :mod:`geometry.ground.extras`."""
 
     @property
     def words(self) -> dict[str, str]:
@@ -201,6 +203,7 @@ def _predicted() -> Iterable[Metric]:
             needs=needs,
             band=BAND,
             noise_levels=(level,),
+            extras=("train",),
         )
         yield Metric(
             name=f"confused_pair{suffix}",
@@ -213,6 +216,7 @@ def _predicted() -> Iterable[Metric]:
             better="smaller",
             band=BAND,
             noise_levels=(level,),
+            extras=("train",),
         )
 
 
@@ -248,7 +252,7 @@ def _forgiving() -> Iterable[Metric]:
         f"Mean over {SENSORS} sensors made with the scatter of acoustic_fem.scatter.TOLERANCES of the predicted top-1 "
         "of one localizer that was trained on the nominal design; the design's microphone noise, lumped fidelity. Two "
         "seconds per design.",
-        _scattered_top1, frozenset({"designs"}), band=BAND,
+        _scattered_top1, frozenset({"designs"}), band=BAND, extras=("train",),
     )  # fmt: skip
     yield Metric(
         "scatter_detection", "1", "predicted error of sensors with manufacturing scatter",

@@ -20,6 +20,7 @@ import numpy as np
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from geometry.ground.extras import check_extras
 from geometry.ground.refusal import Kind, Refusal, counted, said_by
 from geometry.ground.typed import PathLike
 from studies.output.display import Display
@@ -134,6 +135,8 @@ def _run_sweep(
     check_store(out)
     found = surveyed(study)
     cases, metrics = found.cases, metrics_named(study.metrics)
+    for metric in metrics:
+        check_extras(f"what computes {metric.name}", *metric.extras)
     job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
     with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
         store = SweepStore.claim(out, study, cases, metrics)

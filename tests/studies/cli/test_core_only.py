@@ -106,8 +106,7 @@ def test_a_sweep_needs_torch_for_predicted_accuracies_alone(tmp_path: Path) -> N
         words = ("sweep", "study.toml", "--out", f"{metric}.zarr", "--workers", "1")
         done = acoustic_fem_of_core(with_studies, *words, folder=tmp_path)
         assert done.returncode == code, done.stderr
-    line = "acoustic-fem: torch, which this needs, is not installed: pip install 'acoustic-fem[train]'\n"
-    assert done.stderr == line
+    assert "acoustic-fem[train]" in done.stderr
     assert not (tmp_path / "predicted_top1.zarr").exists()
     assert acoustic_fem_of_core(with_studies, "best", "sensitivity_force.zarr", folder=tmp_path).returncode == 0
 

@@ -13,7 +13,7 @@ from scipy.io import wavfile
 
 from acoustic_fem.sound.sound_file import write_wav
 from geometry import prototype
-from studies.panels.touching import touched
+from studies.panels.touching import simulate_touch
 
 pytestmark = [pytest.mark.slow, pytest.mark.end_to_end]
 FULL_SCALE = 500.0
@@ -25,7 +25,7 @@ TAPPED = (5, 2, 9)
 def taps(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A recording of taps, some seconds long."""
     path = tmp_path_factory.mktemp("taps") / "taps.wav"
-    takes = [touched(prototype("array-2x6"), point, "tap", sample) for sample, point in enumerate(TAPPED * 4, 1)]
+    takes = [simulate_touch(prototype("array-2x6"), point, "tap", sample) for sample, point in enumerate(TAPPED * 4, 1)]
     signals = [np.frombuffer(each["signals"], "<f4").reshape(len(each["microphones"]), -1) for each in takes]
     write_wav(path, np.concatenate(signals, axis=1) / FULL_SCALE, 1000, bits=32)
     return path

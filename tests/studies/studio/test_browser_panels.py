@@ -14,17 +14,17 @@ import pytest
 import sofar
 from browser import PAINTED, ROOT, Studio, downloaded, field, give, lit, opened, until, until_lit
 from scipy.io import wavfile
-from studies.panels.making import check_figures, model_of_array
 
 import acoustic_fem
 from geometry import prototype, save_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.size import array_size
+from studies.panels.cad_panel import check_figures, model_of_array
 from studies.panels.curves import CURVES, curves_of, quick_library
 from studies.panels.exploring import run_study, study_figures
 from studies.panels.form import comparison
 from studies.panels.points import figure_words, mis_made_figures, point_figures
-from studies.panels.touching import touched
+from studies.panels.touching import simulate_touch
 from studies.study import METRICS, load_study
 
 pytestmark = pytest.mark.slow
@@ -169,7 +169,7 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
             assert first_number(value) == pytest.approx(each["value"], rel=1e-2)
             assert first_number(limit) == pytest.approx(each["limit"], rel=1e-2)
 
-    heard = touched(LONGER, 3, "tap", 1)
+    heard = simulate_touch(LONGER, 3, "tap", 1)
     page.locator("#touch-points button").nth(2).click()
     until(page, "document.getElementById('answer').dataset.named")
     (start, end, point, probability, _level) = heard["touches"][0]
@@ -291,7 +291,7 @@ def test_a_letter_is_written_and_its_line_is_drawn(page: Any) -> None:
 
 
 def test_a_finding_lights_its_part_and_a_recording_is_replayed(page: Any, tmp_path: Path) -> None:
-    touch = touched(prototype("array-2x6"), 7, "tap", 3)
+    touch = simulate_touch(prototype("array-2x6"), 7, "tap", 3)
     heard = np.frombuffer(touch["signals"], "<f4").reshape(len(touch["microphones"]), -1)
     wavfile.write(tmp_path / "touch.wav", 1000, np.ascontiguousarray((heard / 8).T))
     page.locator("#touch-title").scroll_into_view_if_needed()
