@@ -85,7 +85,10 @@ def lost_paths(text: str) -> list[str]:
 
 @pytest.mark.parametrize("page", PAGES, ids=page_name)
 def test_the_dotted_paths_of_a_page_exist(page: Path) -> None:
-    assert lost_paths(page.read_text(encoding="utf-8")) == []
+    text = page.read_text(encoding="utf-8")
+    if page.name == "CHANGELOG.md":  # old names stand on the left of its tables
+        text = re.sub(r"^\|[^|]*\|", "|", text, flags=re.MULTILINE)
+    assert lost_paths(text) == []
 
 
 @pytest.mark.parametrize("package", PACKAGES)

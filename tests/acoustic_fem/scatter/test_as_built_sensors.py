@@ -21,11 +21,11 @@ def factors(scattered: ScatteredDesign, count: int = 2, **more: float) -> np.nda
 
 
 def test_without_deviations_the_factors_are_one(scattered: ScatteredDesign) -> None:
-    assert factors(scattered, share=0.0) == pytest.approx(1.0, abs=1e-4)
+    assert factors(scattered, fraction=0.0) == pytest.approx(1.0, abs=1e-4)
 
 
 def test_a_share_of_the_deviations_does_that_share(scattered: ScatteredDesign) -> None:
-    whole, tenth = (np.log(np.abs(factors(scattered, share=share))) for share in (0.1, 0.01))
+    whole, tenth = (np.log(np.abs(factors(scattered, fraction=fraction))) for fraction in (0.1, 0.01))
     assert np.abs(whole - 10 * tenth).max() < 0.1 * np.abs(whole).max()
 
 

@@ -88,7 +88,7 @@ def test_one_take_given_twice_is_refused_by_the_names_of_its_files(
     again = tmp_path / "again.npz"
     np.savez(again, signals=0.9 * np.load(take)["signals"][:, 1111:])
     assert run(monkeypatch, tmp_path / "last.nc", silent, take, other, again, "--out", tmp_path / "now.nc") == 1
-    assert f"{again} is the same take as {take}: the correlation" in " ".join(capsys.readouterr().err.split())
+    assert f"{again}: is the same take as {take}: the correlation" in " ".join(capsys.readouterr().err.split())
     assert not (tmp_path / "now.nc").exists()
 
 

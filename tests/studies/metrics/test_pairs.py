@@ -19,7 +19,6 @@ import geometry
 from acoustic_fem.library.noise_floor import detection_limits
 from geometry import Kind
 from geometry.assembly.bill import Prices, bill_of_materials
-from geometry.layout import size
 from geometry.layout.size import array_size
 from studies.metrics import build, shared
 from studies.metrics.batch_responses import Responses
@@ -233,10 +232,9 @@ def test_distances_are_those_of_their_definition(h: xr.DataArray) -> None:
 
 def test_what_several_metrics_share_is_computed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[str] = []
-    places = dict.fromkeys(("pair_distances", "predict_confusions", "touch_response", "volumes_of"), shared)
-    for name, module in {**places, "array_size": size}.items():
-        own = getattr(module, name)
-        monkeypatch.setattr(module, name, partial(lambda *given, _own, _name: (asked.append(_name), _own(*given))[1],
+    for name in ("array_size", "pair_distances", "predict_confusions", "touch_response", "volumes_of"):
+        own = getattr(shared, name)
+        monkeypatch.setattr(shared, name, partial(lambda *given, _own, _name: (asked.append(_name), _own(*given))[1],
                                                   _own=own, _name=name))  # fmt: skip
     responses = Responses.of_library(acoustic_fem.solve(geometry.prototype("array-2x6"), GRID, "lumped"))
     figures = SharedFigures(responses, (level for metric in METRICS.values() for level in metric.noise_levels))

@@ -103,7 +103,7 @@ def test_a_further_point_costs_and_what_cannot_be_computed_is_refused() -> None:
     assert metric.of_library(acoustic_fem.solve(base, np.linspace(1, 100, 12), "lumped")) == plain
     with refused(Kind.UNSUITABLE, "lines.0.points", 1):
         scatter_detection([base.with_values({"lines.0.points": 1, "layout.columns": 1})])
-    with refused(Kind.UNSUITABLE, "resonator.shape", "box"):
+    with refused(Kind.OUT_OF_RANGE, "resonator.shape", "box"):
         scatter_detection([base.with_values({"resonator.shape": "box"})])
 
 

@@ -42,7 +42,7 @@ def test_a_calibration_from_it_finds_the_made_sensor_and_its_touches(made: studi
         heard = studies.locate_recording(tmp_path / "made.nc", recording.path, full_scale=made.full_scale)
         points = [touch.point for touch in heard.touches]
         assert recording.point == 2 or (points and set(points) == {recording.point})
-        assert heard.assumes.startswith("that the sensor is as its library has it, in air of ")
+        assert heard.assumptions.startswith("that the sensor is as its library has it, in air of ")
 
 
 def test_what_was_hidden_stands_beside(made: studies.RigSession) -> None:
@@ -78,7 +78,7 @@ def test_what_cannot_be_made_is_refused_before_anything_is_written(tmp_path: Pat
     with refused(Kind.OUT_OF_RANGE, "seed", -1):
         record_rig(small_design(), tmp_path / "new", seed=-1, fidelity="lumped")
     box = small_design().with_values({"resonator.shape": "box"})
-    with refused(Kind.UNSUITABLE, "resonator.shape", "box"):
+    with refused(Kind.OUT_OF_RANGE, "resonator.shape", "box"):
         record_rig(box, tmp_path / "new", fidelity="lumped")
     for settings, field, value in (
         (studies.HiddenScatter, "slope", 0.5),
