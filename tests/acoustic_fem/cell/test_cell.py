@@ -269,7 +269,7 @@ def test_cells_are_reused_from_the_cache_and_damaged_files_made_again(tmp_path, 
     content = bytearray(file.read_bytes())
     content[len(content) // 2] ^= 1
     file.write_bytes(content)
-    with pytest.warns(UserWarning, match=r"is damaged; the cell is solved again"):
+    with pytest.warns(UserWarning, match=r"is damaged: .*; the cell is solved again"):
         mended = solve(10.0)
     assert not mended.cached
     np.testing.assert_allclose(mended.admittance, first.admittance, rtol=1e-9)
@@ -299,12 +299,10 @@ def read_only(*_, **__):
 def test_a_full_disk_keeps_the_result_and_leaves_no_half_file(tmp_path, monkeypatch):
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
 
-    def half(path, content):
-        with open(path, "wb") as file:
-            file.write(content[: len(content) // 2])
+    def full(file):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
-    monkeypatch.setattr("pathlib.Path.write_bytes", half)
+    monkeypatch.setattr("os.fsync", full)
     expected = r"cannot be written \(No space left on device\); what was solved is not kept"
     with pytest.warns(UserWarning, match=expected), coarse_cells():
         solution = solve_cells([CHAMBER], [10.0], AIR)[CHAMBER]

@@ -55,8 +55,6 @@ CALLS = {
     "localize.self_calibrate(library, [])": "train",
     "localize.export_onnx(localize.BayesDecoder(library), 'decoder.onnx')": "train",
     "localize.OnnxLocalizer('decoder.onnx')": "onnx",
-    "studies.open_sweep('results.zarr')": "studies",
-    "studies.best_designs('results.zarr')": "studies",
     "studies.sweep_report('results.zarr', 'report.html')": "studies",
     "studies.run_sweep(studies.load_study('study.toml'), 'new.zarr', workers=2)": "studies",
     "studies.optimize('line-36-search.toml', 'found')": "studies",
