@@ -112,11 +112,12 @@ def test_a_stream_names_no_point_for_two_touches_at_once(array, decoder):
     signals, _ = heard(array, None, 240)
     both = signals[:120] + np.roll(signals[:120], 5, 0)
     residuals = localize.ResidualTest(array, NOISE)
+    options = replace(AS_IT_COMES, rejected_fraction=1e-4)
     rejected, named = (
         [
             event.state
             for each in some
-            for event in TouchStream(decoder, residual_test=residuals, refused=1e-4, options=AS_IT_COMES).push(each)
+            for event in TouchStream(decoder, residual_test=residuals, options=options).push(each)
             if isinstance(event, Decision)
         ]
         for some in (both[:20], signals[:20])

@@ -85,7 +85,7 @@ def test_it_names_touches_of_made_sensors_that_the_nominal_library_does_not_and_
     scatter = [Tolerance(name, 0.06, "relative", "a test") for name in ("bore", "cavity_height", "modulus_of_part")]
     made = scatter_factors(ScatteredDesign(library.design, scatter), library.medium, GRID, 4, 5)
     judged = {}
-    for who in (localize.BayesDecoder(library, NOISE), localize.TolerantDecoder(library)):
+    for who in (localize.BayesDecoder(library, NOISE), localize.TolerantDecoder(library, microphone_noise=NOISE)):
         sensors = [response, *(replace(response, transfer_function=response.transfer_function * k) for k in made)]
         judged[type(who).__name__] = [localize.evaluate(who, each, 20, NOISE) for each in sensors]
     nominal, tolerant = judged.values()

@@ -227,7 +227,7 @@ def test_a_library_is_brought_to_the_air_of_the_place(command: Callable[..., str
 @pytest.mark.slow
 def test_a_check_in_python_writes_what_it_found(place: Path) -> None:
     found = studies.check_design(small_design(), "call.json")
-    assert found.objection is None
+    assert found.error is None
     assert json.loads(json.dumps(found.to_dict())) == json.loads(text("call.json"))
 
 
@@ -276,8 +276,8 @@ def test_touches_in_python_are_those_of_the_verbs(command: Callable[..., str], p
     assert text("verb.jsonl") == text("call.jsonl")
     assert f"r.wav: {counted(len(found.touches), 'touch')} in 1.0 s" in out
     assert f"points are those of the design {found.design}, as {library}" in out
-    assert f"assumed is {found.assumes}" in out
-    assert "within the tolerances" in found.assumes
+    assert f"assumed is {found.assumptions}" in out
+    assert "within manufacturing tolerances" in found.assumptions
 
     heard: list[str] = []
     summary = studies.listen(
