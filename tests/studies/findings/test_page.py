@@ -112,7 +112,7 @@ def test_the_page_holds_the_results(page: str, table: ResultTable) -> None:
         assert all(str(number) in data["designs"] for number in numbers)
     assert len(data["maps"]) == 3
     # the smallest distance comes first in the study, and is warned of
-    assert data["metrics"][0]["caution"].startswith("Differences of points know no noise")
+    assert data["metrics"][0]["caution"].startswith("Distances of points ignore noise")
     assert (data["leading"], data["metrics"][1]["caution"]) == (1, "")
     assert data["families"][0]["title"] == "the base design"
     assert len(data["families"][0]["level"]) == 12
