@@ -25,7 +25,7 @@ from acoustic_fem.calibration.measured_library import calibrate
 from acoustic_fem.calibration.model_updating import Update, update
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.whole_files import replace_section
-from localize.recalibration.accuracy_to_expect import ENOUGH, expected_accuracy, is_enough
+from localize.recalibration.accuracy_to_expect import AccuracyOptions, expected_accuracy, is_enough
 from localize.signals.array_response import response_of
 from studies.test_rig.priors import fit_priors
 from studies.test_rig.rig_parameters import rig_tolerances, within_95
@@ -110,7 +110,11 @@ def row(name: str, design: ArrayDesign, modulus: float, rigs: int) -> tuple[str,
         touched = replace(nominal, transfer_function=truth)
         known += [fit.transfer_function for fit in fits]
         accuracies.append([accuracy(replace(nominal, transfer_function=h), touched) for h in known])
-        low = [fit for fit, share in zip(fits, accuracies[-1][-len(fits) :], strict=True) if share < ENOUGH]
+        low = [
+            fit
+            for fit, share in zip(fits, accuracies[-1][-len(fits) :], strict=True)
+            if share < AccuracyOptions().enough
+        ]
         unwarned += sum(is_enough(fit, expected_accuracy(fit)) for fit in low)
         print(name, modulus, seed, np.round(100 * np.array(accuracies[-1]), 1), file=sys.stderr, flush=True)
     shares = 100 * np.array(accuracies)

@@ -63,7 +63,7 @@ def measured(title: str, folder: Path, seconds: int) -> dict[str, Any]:
     response = response_of(library)
     recording, out = folder / "recording.wav", folder / "lines.jsonl"
     write_wav(recording, _signals(response, seconds) / FULL_SCALE, 1000, 24)
-    noise: float | None = None
+    noise: localize.signals.NoiseChoice = "design"
     options: list[str] = []
     if title == "model-based":
         model = folder / "library.nc"

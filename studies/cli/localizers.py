@@ -223,5 +223,5 @@ def _show_recorded(localizer: Localizer) -> None:
         return
     table = table_of("recorded", "held-out recordings", "frames", "classified correctly (%)", numbers=(1, 2, 3))
     for part, found in localizer.training["held_out_recordings"].items():
-        table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['right']:.1f}")
+        table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['top1']:.1f}")
     show(table)

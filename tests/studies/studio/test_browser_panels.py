@@ -23,7 +23,7 @@ from studies.panels.cad_panel import check_figures, model_of_array
 from studies.panels.curves import CURVES, curves_of, quick_library
 from studies.panels.exploring import run_study, study_figures
 from studies.panels.form import comparison
-from studies.panels.points import figure_words, mis_made_figures, point_figures
+from studies.panels.points import as_built_figures, figure_words, point_figures
 from studies.panels.touching import simulate_touch
 from studies.study import METRICS, load_study
 
@@ -130,7 +130,7 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     kinds = Counter(part["kind"] for part in model_of_array(LONGER)["parts"])
     shown_kinds = [int(text.rsplit("(", 1)[1][:-1]) for text in page.locator("#kinds label").all_inner_texts()]
     assert sorted(shown_kinds) == sorted(kinds.values())
-    made = mis_made_figures(LONGER)
+    made = as_built_figures(LONGER)
     shares = [made["sensors"], 100 * made["mean"], 100 * made["worst"]]
     assert numbers(page.locator("#mis-made").inner_text()) == pytest.approx(shares, rel=1e-2)
     x, y, z = array_size(LONGER, lay_out(LONGER))
