@@ -208,7 +208,7 @@ def test_a_study_is_run_and_a_click_on_its_front_loads_that_design(page: Any, tm
     assert listed[best[0].get_attribute("data-design")] == max(listed.values())
     responses = [study.base.with_values({"tube.length": float(row[1])}) for row in rows[:3]]
     expected = [
-        METRICS["distance_smallest"].of_library(acoustic_fem.solve(each, study.frequency, "lumped"))
+        METRICS["distance_smallest"].of_library(acoustic_fem.solve(each, study.frequency, study.fidelity))
         for each in responses
     ]
     np.testing.assert_allclose([float(row[2]) for row in rows[:3]], expected, rtol=1e-4)
