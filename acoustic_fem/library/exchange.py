@@ -160,7 +160,9 @@ def _format_of(path: Path) -> str:
 def _suffix(path: Path) -> str:
     suffix = path.suffix.lower()
     if suffix not in FORMATS:
-        raise LibraryError(f"its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}", file=path)
+        raise LibraryError(
+            f"its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}", kind=Kind.OUT_OF_RANGE, file=path
+        )
     return suffix
 
 
@@ -369,7 +371,9 @@ def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, 
         except ValueError as error:
             raise Refusal(str(error), kind=Kind.WRONG_TYPE, field=f"row {done}") from None
         if len(numbers) > MOST_NUMBERS:
-            raise Refusal(f"holds more than {MOST_NUMBERS} numbers; it must hold at most as many")
+            raise Refusal(
+                f"holds more than {MOST_NUMBERS} numbers; it must hold at most as many", kind=Kind.OUT_OF_RANGE
+            )
         if count == done - 1 and tuple(row[:2]) == places[0]:
             count = done
             continue

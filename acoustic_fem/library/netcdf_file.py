@@ -198,7 +198,7 @@ def library_of(dataset: xr.Dataset) -> Library:
     fidelity = dataset.attrs["fidelity"]
     known = (*FIDELITIES, MEASURED)
     if fidelity not in known:
-        raise Refusal(field="fidelity", value=fidelity, allowed=known)
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="fidelity", value=fidelity, allowed=known)
     design = read_completed(dataset.attrs["design_toml"], "design_toml")
     lines, places = zip(*point_places(design), strict=True)
     for name, expected in (
@@ -251,7 +251,7 @@ def _complex(dataset: xr.Dataset, name: str) -> NDArray[np.complex128]:
 def _deviation(dataset: xr.Dataset) -> NDArray[np.float64]:
     values = _real(dataset, _DEVIATION, DEVIATION[0])
     if (values < 0).any():
-        raise Refusal(field=_DEVIATION, value=float(values.min()), allowed="at least 0")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field=_DEVIATION, value=float(values.min()), allowed="at least 0")
     return values
 
 
@@ -286,7 +286,7 @@ def _medium(text: str) -> Medium:
     try:
         return Medium(**values)
     except (ValueError, OverflowError) as error:
-        raise Refusal(str(error), field="medium") from None
+        raise Refusal(str(error), kind=Kind.WRONG_TYPE, field="medium") from None
 
 
 def _json_object(text: str, attribute: str) -> dict[str, Any]:

@@ -74,7 +74,7 @@ class Refusal(ValueError):
         self,
         problem: Text = "",
         *,
-        kind: Kind = Kind.OUT_OF_RANGE,
+        kind: Kind,
         file: str | PathLike[str] | None = None,
         field: str = "",
         value: object = _NotGiven.NOT_GIVEN,

@@ -76,7 +76,7 @@ class DriftDecoder(LibraryDecoder):
         options: DriftOptions = DriftOptions(),
     ) -> None:
         if not 0 < new <= 1:
-            raise Refusal(field="new", value=new, allowed="above 0 and at most 1")
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="new", value=new, allowed="above 0 and at most 1")
         check_drift(library)
         whole = response_of(library)
         response = whole if microphones is None else whole.heard_by(microphones)

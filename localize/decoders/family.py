@@ -53,7 +53,7 @@ class FamilyDecoder(Locator):
         weight = np.ones(len(libraries)) if prior is None else np.asarray(prior, np.float64)
         if weight.shape != (len(libraries),) or not (np.isfinite(weight) & (weight > 0)).all():
             allowed = f"{len(libraries)} finite values above 0, one per library"
-            raise Refusal(field="prior", value=weight.tolist(), allowed=allowed)
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="prior", value=weight.tolist(), allowed=allowed)
         self.decoders = tuple(BayesDecoder(library, microphone_noise) for library in libraries)
         first = self.decoders[0]
         for k, other in enumerate(self.decoders):

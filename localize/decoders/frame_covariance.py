@@ -58,7 +58,7 @@ def check_noise(choice: NoiseChoice) -> None:
     """
     if choice != "design" and not 1e-9 <= choice <= 10.0:
         allowed = "between 1e-9 and 10 Pa, or 'design'"
-        raise Refusal(field="microphone_noise", value=choice, unit="Pa", allowed=allowed)
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="microphone_noise", value=choice, unit="Pa", allowed=allowed)
 
 
 def low_pass() -> NDArray[np.float64]:
@@ -196,7 +196,13 @@ def check_level(response: ArrayResponse, level: float | None, field: str = "ambi
     if level is None:
         return
     if not 0 <= level <= 140:
-        raise Refusal(field=field, value=level, unit="dB SPL", allowed="between 0 and 140, or None for quiet")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field=field,
+            value=level,
+            unit="dB SPL",
+            allowed="between 0 and 140, or None for quiet",
+        )
     if response.ambient_response is None:
         problem = "needs a library with a design, which says how sound comes in"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field=field, value=level, unit="dB SPL")
@@ -227,7 +233,7 @@ def ambient_waves(
         Hz, (n_freq,) float64.
     """
     if response.ambient_response is None:
-        raise Refusal("sound needs a library with a design")
+        raise Refusal("sound needs a library with a design", kind=Kind.UNSUITABLE)
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
     frequency = np.arange(LOWEST_SOUND, top + 1e-9, INTEGRATION_STEP)
     power = (REFERENCE * 10 ** (level / 20)) ** 2 / frequency / (1 / frequency).sum()

@@ -85,7 +85,9 @@ class ResidualTest:
     ) -> None:
         if not 1e-3 <= loudest_touch_pa <= 1e3:
             allowed = "between 1e-3 and 1e3 Pa"
-            raise Refusal(field="loudest_touch_pa", value=loudest_touch_pa, unit="Pa", allowed=allowed)
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE, field="loudest_touch_pa", value=loudest_touch_pa, unit="Pa", allowed=allowed
+            )
         check_noise(microphone_noise)
         response = response_of(library)
         check_level(response, ambient)
@@ -136,7 +138,7 @@ class ResidualTest:
         points = np.asarray(point, np.int64)
         if points.shape != (len(batch),) or not ((points >= 1) & (points <= len(self.freedom))).all():
             allowed = f"{len(batch)} values from 1 to {len(self.freedom)}, one per signal"
-            raise Refusal(field="point", value=points.tolist(), allowed=allowed)
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="point", value=points.tolist(), allowed=allowed)
         frames = cut_frames(batch)
         x = (frames @ self._reduce).reshape(*frames.shape[:2], -1)
         residual = np.empty(len(x))
@@ -175,9 +177,16 @@ def judge(
         Refusal: an argument out of range, or as :meth:`localize.BayesDecoder.locate`.
     """
     if not 1 <= top <= decoder.point_count:
-        raise Refusal(field="top", value=top, allowed=f"between 1 and {decoder.point_count}, the number of points")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="top",
+            value=top,
+            allowed=f"between 1 and {decoder.point_count}, the number of points",
+        )
     if not 0 < false_alarm < 1:
-        raise Refusal(field="false_alarm", value=false_alarm, allowed="between 0 and 1, both excluded")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="false_alarm", value=false_alarm, allowed="between 0 and 1, both excluded"
+        )
     batch, _ = checked_signals(signals, decoder.microphones)
     score = decoder.log_probability(batch)
     order = np.argsort(-score, axis=1, kind="stable")

@@ -80,12 +80,24 @@ class Reconstructor:
     ) -> None:
         check_noise(microphone_noise)
         if not 2 <= window <= LONGEST:
-            raise Refusal(field="window", value=window, unit="samples", allowed=f"between 2 and {LONGEST} samples")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="window",
+                value=window,
+                unit="samples",
+                allowed=f"between 2 and {LONGEST} samples",
+            )
         if not 0 <= latency < window:
             allowed = f"between 0 and {window - 1} samples, a window less one"
-            raise Refusal(field="latency", value=latency, unit="samples", allowed=allowed)
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="latency", value=latency, unit="samples", allowed=allowed)
         if not 1e-6 <= source_rms <= 1e3:
-            raise Refusal(field="source_rms", value=source_rms, unit="Pa", allowed="between 1e-6 and 1e3 Pa")
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="source_rms",
+                value=source_rms,
+                unit="Pa",
+                allowed="between 1e-6 and 1e3 Pa",
+            )
         response = response_of(library)
         self.microphones = response.microphones
         self.window = window
@@ -184,9 +196,21 @@ def short_window_waveform(
     response = response_of(library)
     _check_point(point, response.point_count)
     if not 4 <= window <= LONGEST:
-        raise Refusal(field="window", value=window, unit="samples", allowed=f"between 4 and {LONGEST} samples")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="window",
+            value=window,
+            unit="samples",
+            allowed=f"between 4 and {LONGEST} samples",
+        )
     if not 1 <= hop <= window // 2:
-        raise Refusal(field="hop", value=hop, unit="samples", allowed=f"between 1 and {window // 2}, half the window")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="hop",
+            value=hop,
+            unit="samples",
+            allowed=f"between 1 and {window // 2}, half the window",
+        )
     batch, _ = checked_signals(signals, response.microphones)
     transform = scipy.signal.ShortTimeFFT(np.hanning(window + 1)[:window], hop, SAMPLE_RATE)
     spectrum = transform.stft(batch)
@@ -200,4 +224,9 @@ def short_window_waveform(
 
 def _check_point(point: int, count: int) -> None:
     if not 1 <= point <= count:
-        raise Refusal(field="point", value=point, allowed=f"between 1 and {count}, the points of the array")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="point",
+            value=point,
+            allowed=f"between 1 and {count}, the points of the array",
+        )

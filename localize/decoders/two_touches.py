@@ -87,7 +87,7 @@ class TwoTouchDecoder:
         if threshold is None:
             threshold = options.threshold if tolerances is None else options.tolerant_threshold
         if not threshold >= 0:
-            raise Refusal(field="threshold", value=threshold, unit="nats", allowed="0 or above")
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="threshold", value=threshold, unit="nats", allowed="0 or above")
         response = response_of(library)
         if response.point_count > MOST_POINTS:
             problem = f"has {response.point_count} points; pairs are searched among at most {MOST_POINTS}"

@@ -138,7 +138,7 @@ def checked_channels(
     if set(given) != set(microphones) or len(set(given.values())) < len(given):
         stated = ",".join(f"{name}={number}" for name, number in given.items())
         allowed = f"a number each for {', '.join(microphones)}, all different"
-        raise SourceError(field="channels", value=stated, allowed=allowed)
+        raise SourceError(kind=Kind.OUT_OF_RANGE, field="channels", value=stated, allowed=allowed)
     for name, number in given.items():
         if not 1 <= number <= available:
             problem = f"is not there for microphone {name}: {what} has {available} channels"
@@ -149,7 +149,7 @@ def checked_channels(
 def rate_out_of_range(rate: float, file: str | os.PathLike[str]) -> SourceError:
     """Refusal of a sample rate, Hz, of a file or the device of a name."""
     allowed = f"between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
-    return SourceError(file=file, field="sample rate", value=rate, unit="Hz", allowed=allowed)
+    return SourceError(kind=Kind.OUT_OF_RANGE, file=file, field="sample rate", value=rate, unit="Hz", allowed=allowed)
 
 
 class ReplaySource:

@@ -82,7 +82,7 @@ class TouchStream:
         self.silence, self.limit = usual if silence is None else silence, limit
         for name, value in (("silence", self.silence), ("limit", limit)):
             if value is not None and not 0 < value < np.inf:
-                raise Refusal(field=name, value=value, unit="Pa", allowed="finite and above 0")
+                raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, unit="Pa", allowed="finite and above 0")
         self._microphones = tuple(locator.microphones)
         self._classifier_of = Fallback(FrameClassifier(locator, sound_test, residual_test), options.fallback)
         self._state = locator.start

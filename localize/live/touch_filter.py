@@ -37,7 +37,7 @@ class TouchFilter:
     ) -> None:  # fmt: skip
         if not (stay > 0 and jump > 0 and stay + jump <= 1):
             allowed = f"above 0, and with jump = {jump} at most 1"
-            raise Refusal(field="stay", value=stay, allowed=allowed)
+            raise Refusal(kind=Kind.OUT_OF_RANGE, field="stay", value=stay, allowed=allowed)
         lines, places = np.asarray(line), np.asarray(place)
         if lines.ndim != 1 or lines.shape != places.shape or not len(lines):
             problem = f"has shape {places.shape}, must be that of line, (n_point,) = {lines.shape}"

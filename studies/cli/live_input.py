@@ -13,7 +13,7 @@ import typer
 from rich.console import Console
 
 from acoustic_fem.quantities.local_air import LocalAir
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.live.listener import Heard
 from localize.live.sound_device import input_devices
 from studies.cli.live_display import LivePicture
@@ -108,7 +108,7 @@ def live(
         summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
     _print_summary(summary)
     if summary.unrecorded:
-        raise Refusal(f"{summary.unrecorded}; what came in until then is in the file")
+        raise Refusal(f"{summary.unrecorded}; what came in until then is in the file", kind=Kind.STOPPED)
 
 
 class _Output:

@@ -91,7 +91,9 @@ def read_pulse(
 def check_point(point: int | None, count: int) -> None:
     """Refuse a point that an array of so many does not have; None is for the one that is named."""
     if point is not None and not 1 <= point <= count:
-        raise Refusal(field="point", value=point, allowed=f"from 1 to {count}, the points of the array")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="point", value=point, allowed=f"from 1 to {count}, the points of the array"
+        )
 
 
 def draw_pulse(reading: localize.PulseReading, path: str | os.PathLike[str]) -> Path:

@@ -73,9 +73,14 @@ def study_file(
         Refusal: not a study: the line that its reader gives.
     """
     if not 1 <= len(metrics) <= MOST_METRICS:
-        raise Refusal(field="metrics", value=list(metrics), allowed=f"1 to {MOST_METRICS} figures of merit")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="metrics",
+            value=list(metrics),
+            allowed=f"1 to {MOST_METRICS} figures of merit",
+        )
     if not 1 <= designs <= MOST_DESIGNS:
-        raise Refusal(field="designs", value=designs, allowed=f"between 1 and {MOST_DESIGNS}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="designs", value=designs, allowed=f"between 1 and {MOST_DESIGNS}")
     stated: dict[str, Any] = {
         "name": f"{design.name[:70]}-{'search' if search else 'sweep'}",
         "base": f"{design.name}.toml",

@@ -72,7 +72,7 @@ def simulate_touch(design: ArrayDesign, point: int, kind: str, sample: int) -> d
     if kind not in made:
         raise Refusal(kind=Kind.UNKNOWN, field="kind", value=kind, allowed=TOUCHES)
     if not 1 <= point <= design.point_count:
-        raise Refusal(field="point", value=point, allowed=f"between 1 and {design.point_count}")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="point", value=point, allowed=f"between 1 and {design.point_count}")
     decoder = decoder_of(design)
     place, _ = surface_of(decoder.recorder.response)
     x, y = (float(each) for each in place[point - 1])
@@ -98,7 +98,9 @@ def simulate_slide(design: ArrayDesign, start: Sequence[float], end: Sequence[fl
     length = math.dist(start, end)
     if not 1 <= length <= LONGEST_SLIDE:
         allowed = f"between 1 and {LONGEST_SLIDE:g} mm"
-        raise Refusal(field="length of the slide", value=round(length, 1), unit="mm", allowed=allowed)
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="length of the slide", value=round(length, 1), unit="mm", allowed=allowed
+        )
     decoder = decoder_of(design)
     (x0, y0), (x1, y1) = start, end
     take = decoder.recorder.take(slide((x0, y0), (x1, y1), SLIDE_SPEED, sample=sample), sample)

@@ -77,7 +77,9 @@ def write_perturbed_library(
     """
     target = Path(path)
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_SENSORS:
-        raise Refusal(field="count", value=count, allowed=f"a whole number from 1 to {MOST_SENSORS}")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="count", value=count, allowed=f"a whole number from 1 to {MOST_SENSORS}"
+        )
     if target.exists():
         raise Refusal("exists; a library is never overwritten", kind=Kind.EXISTS, file=target)
     check_folder(target)
@@ -184,7 +186,9 @@ class PerturbedLibrary:
         """
         if not (first >= 0 and count >= 1 and first + count <= self.sensor_count):
             raise Refusal(
-                f"sensors {first} to {first + count - 1} must be of 0 to {self.sensor_count - 1}", file=self.path
+                f"sensors {first} to {first + count - 1} must be of 0 to {self.sensor_count - 1}",
+                kind=Kind.OUT_OF_RANGE,
+                file=self.path,
             )
         pieces = []
         for block in range(first // BLOCK, (first + count - 1) // BLOCK + 1):

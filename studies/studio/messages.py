@@ -53,7 +53,7 @@ def read_message(text: str) -> dict[str, Any]:
 
 def _whole(text: str) -> int:
     if len(text) > _DIGITS:
-        raise MessageError(f"a whole number must have at most {_DIGITS} digits")
+        raise MessageError(f"a whole number must have at most {_DIGITS} digits", kind=Kind.OUT_OF_RANGE)
     return int(text)
 
 

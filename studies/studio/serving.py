@@ -108,13 +108,24 @@ def _check(host: str, token: str | None) -> None:
     try:
         address = ip_address("127.0.0.1" if host == "localhost" else host)
     except ValueError:
-        raise Refusal(field="host", value=host, allowed="an IP address of this machine") from None
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="host", value=host, allowed="an IP address of this machine"
+        ) from None
     if address.is_unspecified:
-        raise Refusal(field="host", value=host, allowed="one address, because the studio answers to one name only")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="host",
+            value=host,
+            allowed="one address, because the studio answers to one name only",
+        )
     if token is not None and len(token) < LEAST_TOKEN:
-        raise Refusal(f"has {len(token)} characters; it must have at least {LEAST_TOKEN}", field="token")
+        raise Refusal(
+            f"has {len(token)} characters; it must have at least {LEAST_TOKEN}", kind=Kind.OUT_OF_RANGE, field="token"
+        )
     if token is not None and not token.isalnum():
-        raise Refusal(field="token", allowed="letters and digits only, because it is part of an address")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field="token", allowed="letters and digits only, because it is part of an address"
+        )
     if not address.is_loopback and token is None:
         raise Refusal(
             "is visible to other machines",
@@ -128,7 +139,7 @@ def _check(host: str, token: str | None) -> None:
 def _bound(host: str, port: int | None) -> socket.socket:
     """A socket that is bound to the port, or to the usual one or one of the next."""
     if port is not None and not 0 <= port <= 65535:
-        raise Refusal(field="port", value=port, allowed="between 0 and 65535")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="port", value=port, allowed="between 0 and 65535")
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     tried = [port] if port is not None else range(USUAL_PORT, USUAL_PORT + _PORTS)
     for number in tried:

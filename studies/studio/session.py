@@ -196,7 +196,9 @@ class Session:
     async def _want(self, message: Mapping[str, Any]) -> None:
         wanted, quantity = message.get("stages"), text_of(message, "quantity")
         if quantity not in CURVES or not isinstance(wanted, list) or not all(each in [*STAGES] for each in wanted):
-            raise MessageError(f"stages must be of {', '.join(STAGES)}, quantity one of {', '.join(CURVES)}")
+            raise MessageError(
+                f"stages must be of {', '.join(STAGES)}, quantity one of {', '.join(CURVES)}", kind=Kind.OUT_OF_RANGE
+            )
         fresh = {*wanted} - self._wanted
         for gone in self._wanted - {*wanted}:
             self._stages[gone].cancel()

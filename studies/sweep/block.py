@@ -36,7 +36,7 @@ from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.ground.extras import NotInstalled
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.arrangement import place_housings
 from studies.metrics.batch_responses import Responses
 from studies.metrics.shared import SharedFigures
@@ -288,7 +288,7 @@ def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell])
             return closed_form(job.fidelity, cell, job.frequency, air)
         solved = cells[cell, air]
         if solved.admittance is None:
-            raise CellError(solved.reason)
+            raise CellError(solved.reason, kind=Kind.NO_RESULT)
         return solved.admittance
 
     def admittances(distinct: tuple[Cell, ...]) -> dict[Cell, Complex]:
@@ -356,7 +356,11 @@ def _measure(numbers: Sequence[int], responses: Responses, metrics: Sequence[Met
                     block.fail([number], error, where)
         except Exception as error:
             block.fail(numbers, error, where)
-        block.fail((number for number in numbers if np.isnan(values[number])), Refusal("is not a number"), where)
+        block.fail(
+            (number for number in numbers if np.isnan(values[number])),
+            Refusal("is not a number", kind=Kind.NO_RESULT),
+            where,
+        )
 
 
 def _reason(error: Exception, where: str = "") -> tuple[str, str]:

@@ -60,7 +60,7 @@ def open_workers(count: int | None, scheduler: str | None) -> Iterator[Workers]:
         WorkersLost: no scheduler or no worker answers.
     """
     if count is not None and not 1 <= count <= 1024:
-        raise Refusal(field="workers", value=count, allowed="between 1 and 1024")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="workers", value=count, allowed="between 1 and 1024")
     if scheduler is not None:
         if count is not None:
             problem = ("must not be given beside ", Field("scheduler"), ", which has its own")

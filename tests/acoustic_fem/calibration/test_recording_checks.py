@@ -65,7 +65,7 @@ def judged(manifest: Path, model: Library) -> tuple[Calibration, str]:
 
 def findings(manifest: Path, model: Library) -> None:
     """The finding on the bad recording, as a refusal."""
-    raise Refusal(judged(manifest, model)[1])
+    raise Refusal(judged(manifest, model)[1], kind=Kind.OUT_OF_RANGE)
 
 
 def clip(signals: Signals) -> Signals:

@@ -227,7 +227,7 @@ def test_only_what_the_kernel_or_the_memory_refuses_is_a_cell_without_solution(m
     from OCP.Standard import Standard_Failure
 
     task = CellTask(STRAIGHT, AIR, (1.0, 100.0), "navier-stokes")
-    raised: list[Exception] = [Standard_Failure("no solid"), MemoryError(), Refusal("too thin")]
+    raised: list[Exception] = [Standard_Failure("no solid"), MemoryError(), Refusal("too thin", kind=Kind.OUT_OF_RANGE)]
     mistakes: list[Exception] = [ValueError("shapes differ"), RuntimeError("broken"), ZeroDivisionError(), KeyError()]
     for error in (*raised, *mistakes):
 

@@ -52,7 +52,7 @@ def test_three_fine_meshes_show_an_order_above_the_least_and_are_believed():
 def test_a_mesh_too_coarse_for_the_shape_is_passed_over():
     def error_at(scale):
         if scale > 1.2:
-            raise InvertedElementsError("inverted")
+            raise InvertedElementsError("inverted", kind=Kind.OUT_OF_RANGE)
         return 5e-4 * scale**2
 
     assert converged(error_at)[2] == pytest.approx([1.0, 1 / 1.5])

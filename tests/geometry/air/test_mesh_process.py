@@ -21,7 +21,7 @@ def test_round_solids_are_meshed_one_after_the_other():
 
 def test_gmsh_never_works_in_this_process(monkeypatch):
     def tell(*_):
-        raise MeshError(f"process {os.getpid()}")
+        raise MeshError(f"process {os.getpid()}", kind=Kind.OUT_OF_RANGE)
 
     monkeypatch.setattr("geometry.air.mesh._set_sizes", tell)
     with pytest.raises(MeshError, match="process") as refused:

@@ -114,6 +114,6 @@ def test_whatever_a_library_raises_is_a_refusal(error: Exception) -> None:
 
 def test_a_refusal_and_a_wish_to_stop_pass_the_library() -> None:
     with pytest.raises(Refusal, match=r"^as it was$"), library_reads("f.mat", "a MAT file", Refusal):
-        raise Refusal("as it was")
+        raise Refusal("as it was", kind=Kind.OUT_OF_RANGE)
     with pytest.raises(KeyboardInterrupt), library_reads("f.mat", "a MAT file", Refusal):
         raise KeyboardInterrupt

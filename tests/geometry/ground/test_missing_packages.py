@@ -17,7 +17,7 @@ import pytest
 from geometry.ground import missing_packages
 from geometry.ground.extras import EXTRAS, MissingExtra
 from geometry.ground.missing_packages import MissingLibrary
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 ROOT = Path(__file__).parents[3]
 FILE = "cannot open shared object file: No such file or directory"
@@ -106,7 +106,7 @@ def test_every_way_ends_in_one_line(
 
 
 def test_it_travels_between_processes() -> None:
-    error = pickle.loads(pickle.dumps(MissingLibrary("libGL.so.1: missing")))
+    error = pickle.loads(pickle.dumps(MissingLibrary("libGL.so.1: missing", kind=Kind.OUT_OF_RANGE)))
     assert isinstance(error, Refusal)
     assert isinstance(error, ImportError)  # who can do without the package goes on
     assert str(error) == "libGL.so.1: missing"

@@ -8,7 +8,7 @@ import unicodedata
 import pytest
 from hypothesis import given, strategies as st
 
-from geometry.ground.refusal import Refusal, counted, in_one_line, said_by
+from geometry.ground.refusal import Kind, Refusal, counted, in_one_line, said_by
 from geometry.schema.field_errors import DesignError
 
 
@@ -23,7 +23,7 @@ def test_any_text_is_one_line_of_bounded_length(text: str, times: int) -> None:
 
 def test_a_message_that_is_one_line_stays_as_it_is() -> None:
     message = "mine.toml: tube.length = 0 mm must be above 0 mm; \N{GREEK SMALL LETTER OMEGA}, \N{MINUS SIGN}1"
-    assert str(Refusal(message)) == message
+    assert str(Refusal(message, kind=Kind.OUT_OF_RANGE)) == message
 
 
 @pytest.mark.parametrize(
@@ -38,7 +38,11 @@ def test_a_message_that_is_one_line_stays_as_it_is() -> None:
 )
 def test_what_breaks_or_turns_a_line_is_shown_as_what_it_is(text: str, line: str) -> None:
     assert in_one_line(text) == line
-    assert str(Refusal(text)) == str(pickle.loads(pickle.dumps(Refusal(text)))) == line
+    assert (
+        str(Refusal(text, kind=Kind.OUT_OF_RANGE))
+        == str(pickle.loads(pickle.dumps(Refusal(text, kind=Kind.OUT_OF_RANGE))))
+        == line
+    )
 
 
 def test_what_a_library_says_in_lines_is_quoted_as_one() -> None:
@@ -47,7 +51,10 @@ def test_what_a_library_says_in_lines_is_quoted_as_one() -> None:
 
 
 def test_errors_of_designs_are_such_lines_too() -> None:
-    assert str(DesignError("a\nb", others=[Refusal("c")])) == "a\\nb (and 1 more problem)"
+    assert (
+        str(DesignError("a\nb", kind=Kind.OUT_OF_RANGE, others=[Refusal("c", kind=Kind.OUT_OF_RANGE)]))
+        == "a\\nb (and 1 more problem)"
+    )
 
 
 @pytest.mark.parametrize(

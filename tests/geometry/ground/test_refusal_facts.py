@@ -33,7 +33,10 @@ def test_the_sentence_has_the_file_the_field_the_value_and_what_is_allowed() -> 
     [
         (Refusal(kind=Kind.MISSING, file="a.nc"), "a.nc: no such file"),
         (Refusal(kind=Kind.MISSING, field="rate", allowed="a number"), "rate is missing; it must be a number"),
-        (Refusal(field="place", value="moon", allowed=("wrist", "palm")), "place = 'moon' must be one of: wrist, palm"),
+        (
+            Refusal(kind=Kind.OUT_OF_RANGE, field="place", value="moon", allowed=("wrist", "palm")),
+            "place = 'moon' must be one of: wrist, palm",
+        ),
         (Refusal(kind=Kind.UNKNOWN, field="metric", value="x"), "metric = 'x' is not known"),
         (Refusal("has no samples", kind=Kind.UNSUITABLE, file="a.wav"), "a.wav: has no samples"),
     ],
@@ -56,7 +59,7 @@ def test_a_front_end_writes_arguments_in_its_own_way_and_leaves_files_alone() ->
 def test_a_refusal_becomes_one_of_another_class_with_the_file_that_it_is_of() -> None:
     class OfAFile(Refusal): ...
 
-    found = OfAFile.of(Refusal(field="a", value=1, allowed="2"), file="b.toml")
+    found = OfAFile.of(Refusal(kind=Kind.OUT_OF_RANGE, field="a", value=1, allowed="2"), file="b.toml")
     assert type(found) is OfAFile
     assert str(found) == "b.toml: a = 1 must be 2"
 
@@ -65,7 +68,9 @@ def test_it_travels_between_processes_with_its_facts() -> None:
     found = pickle.loads(pickle.dumps(MissingLibrary("a library is missing", kind=Kind.NOT_INSTALLED, field="cad")))
     assert (type(found), found.kind, found.field) == (MissingLibrary, Kind.NOT_INSTALLED, "cad")
     assert found.value is Refusal.NOT_GIVEN
-    several = pickle.loads(pickle.dumps(DesignError("a", kind=Kind.CONFLICT, others=[Refusal("b", field="c")])))
+    several = pickle.loads(
+        pickle.dumps(DesignError("a", kind=Kind.CONFLICT, others=[Refusal("b", kind=Kind.OUT_OF_RANGE, field="c")]))
+    )
     assert [(str(each), each.field) for each in several.problems] == [("a", ""), ("c b", "c")]
 
 

@@ -60,7 +60,7 @@ def test_check_parts_run_and_sweep_count_the_same_problems(tmp_path):
 @pytest.mark.slow
 def test_a_tube_that_cannot_be_drawn_is_a_misfit_not_the_end_of_the_check(monkeypatch):
     def bent(*_):
-        raise Refusal("sheath 0.44x0.9-1: bends to a radius of 0.4 mm, below its own 0.45 mm")
+        raise Refusal("sheath 0.44x0.9-1: bends to a radius of 0.4 mm, below its own 0.45 mm", kind=Kind.OUT_OF_RANGE)
 
     monkeypatch.setattr("studies.run.check.array_model", bent)
     assert check_design(prototype("line-2")).misfits == (

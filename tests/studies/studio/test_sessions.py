@@ -272,7 +272,7 @@ def test_a_sound_card_is_given_back_before_another_is_taken(
             await asyncio.sleep(0.005)
         await asyncio.sleep(0.02)  # a process takes its time to end
         taken.append(f"give {job.options[0]}")
-        raise Stopped("stopped")
+        raise Stopped("stopped", kind=Kind.OUT_OF_RANGE)
 
     stopped: list[object] = []
     monkeypatch.setattr(workplace, "live", live)
@@ -355,7 +355,7 @@ def test_what_a_sound_card_hears_is_told_until_it_is_stopped(
         notify(json.dumps({"time": 0.25, "state": "touch", "point": 3, "samples": [[0.1], [0.2]]}))
         while not stopped:
             await asyncio.sleep(0.005)
-        raise Stopped("stopped")
+        raise Stopped("stopped", kind=Kind.OUT_OF_RANGE)
 
     monkeypatch.setattr(workplace, "live", live)
     monkeypatch.setattr(workplace, "stop_apart", lambda name, task: stopped.append(name))

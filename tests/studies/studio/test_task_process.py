@@ -22,7 +22,7 @@ def double(value: int, tell: Callable[[str], None]) -> tuple[int, int]:
 
 
 def refuse(value: int) -> None:
-    raise Refusal(field="value", value=value, allowed="small")
+    raise Refusal(kind=Kind.OUT_OF_RANGE, field="value", value=value, allowed="small")
 
 
 def stumble() -> None:

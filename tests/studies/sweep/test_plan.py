@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from studies.cli.app import app
 from studies.study.cases import cases_of
 from studies.study.file import read_study
@@ -92,7 +92,7 @@ def test_a_sweep_and_its_plan_take_workers_where_they_save_more_than_their_start
 
 def test_a_case_that_cannot_be_timed_stops_no_plan(monkeypatch: pytest.MonkeyPatch) -> None:
     def refused(design: object) -> None:
-        raise Refusal("no such membrane")
+        raise Refusal("no such membrane", kind=Kind.OUT_OF_RANGE)
 
     monkeypatch.setattr(cost, "design_disc", refused)
     assert plan_sweep(read_study(TEXT)).seconds >= 0

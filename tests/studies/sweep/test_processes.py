@@ -19,7 +19,7 @@ import pytest
 from stores import assert_same_store
 
 from geometry import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from studies.study.cases import Cases
 from studies.study.file import load_study, read_study
 from studies.study.study import Study, StudyError
@@ -248,7 +248,7 @@ def test_a_scheduler_that_does_not_answer_is_named(
 
 
 def refuse(what: str) -> None:
-    raise Refusal(f"{what} cannot be had here")
+    raise Refusal(f"{what} cannot be had here", kind=Kind.OUT_OF_RANGE)
 
 
 @pytest.mark.slow
