@@ -285,8 +285,10 @@ def _medium(text: str) -> Medium:
             raise Refusal(kind=Kind.WRONG_TYPE, field=f"medium.{name}", value=value, allowed="a number")
     try:
         return Medium(**values)
+    except Refusal as error:
+        raise Refusal.of(error, field=f"medium.{error.field}") from None
     except (ValueError, OverflowError) as error:
-        raise Refusal(str(error), kind=Kind.WRONG_TYPE, field="medium") from None
+        raise Refusal(str(error), kind=Kind.OUT_OF_RANGE, field="medium") from None
 
 
 def _json_object(text: str, attribute: str) -> dict[str, Any]:
