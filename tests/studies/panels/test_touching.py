@@ -35,7 +35,11 @@ def test_the_membranes_lie_where_contacts_find_them() -> None:
 
 @pytest.mark.parametrize(
     ("point", "kind", "why", "field"),
-    [(0, "tap", Kind.OUT_OF_RANGE, "point"), (13, "tap", Kind.OUT_OF_RANGE, "point"), (1, "hit", Kind.UNKNOWN, "kind")],
+    [
+        (0, "tap", Kind.OUT_OF_RANGE, "point"),
+        (13, "tap", Kind.OUT_OF_RANGE, "point"),
+        (1, "hit", Kind.OUT_OF_RANGE, "kind"),
+    ],
 )
 def test_what_cannot_be_touched_is_refused(point: int, kind: str, why: Kind, field: str) -> None:
     with refused(why, field, value={"point": point, "kind": kind}[field]):
