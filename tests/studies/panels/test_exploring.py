@@ -50,7 +50,7 @@ def test_ranges_become_a_study_file_that_the_verbs_read(tmp_path: Path) -> None:
     length, points, material = study.parameters
     assert (length.low, length.high, points.whole) == (9, 18.5, True)
     assert material.values == tuple(RANGES["membrane.material"])
-    assert (study.sampling, study.cases, study.metrics, study.fidelity) == ("sobol", 128, tuple(FIGURES), "lumped")
+    assert (study.sampling, study.cases, study.metrics, study.fidelity) == ("sobol", 128, tuple(FIGURES), "atlas")
 
 
 def test_a_search_wants_the_best_of_its_figures(tmp_path: Path) -> None:
