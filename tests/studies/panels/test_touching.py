@@ -34,7 +34,7 @@ def test_the_membranes_lie_where_contacts_find_them() -> None:
 
 
 @pytest.mark.parametrize(
-    ("point", "kind", "why", "field"),
+    ("point", "kind", "field"),
     [
         (0, "tap", Kind.OUT_OF_RANGE, "point"),
         (13, "tap", Kind.OUT_OF_RANGE, "point"),
