@@ -36,9 +36,9 @@ def test_the_membranes_lie_where_contacts_find_them() -> None:
 @pytest.mark.parametrize(
     ("point", "kind", "field"),
     [
-        (0, "tap", Kind.OUT_OF_RANGE, "point"),
-        (13, "tap", Kind.OUT_OF_RANGE, "point"),
-        (1, "hit", Kind.OUT_OF_RANGE, "kind"),
+        (0, "tap", "point"),
+        (13, "tap", "point"),
+        (1, "hit", "kind"),
     ],
 )
 def test_what_cannot_be_touched_is_refused(point: int, kind: str, field: str) -> None:
