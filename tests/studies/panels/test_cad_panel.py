@@ -37,7 +37,7 @@ def test_a_library_is_the_one_that_solve_writes(tmp_path: Path) -> None:
 
 
 def test_another_export_or_fidelity_is_refused(tmp_path: Path) -> None:
-    with refused(Kind.UNKNOWN, "export", value="a.exe"):
+    with refused(Kind.OUT_OF_RANGE, "export", value="a.exe"):
         make_export(ARRAY, "a.exe", str(tmp_path), "lumped")
     with refused(Kind.OUT_OF_RANGE, "fidelity", value="best"):
         make_export(ARRAY, "library.nc", str(tmp_path), cast(Any, "best"))

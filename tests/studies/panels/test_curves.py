@@ -49,5 +49,5 @@ def test_curves_are_those_of_the_transfer_functions(library: acoustic_fem.Librar
 
 
 def test_another_quantity_is_refused(library: acoustic_fem.Library) -> None:
-    with refused(Kind.UNKNOWN, "quantity", value="loudness"):
+    with refused(Kind.OUT_OF_RANGE, "quantity", value="loudness"):
         curves_of(library.transfer_function, "loudness", "atlas")

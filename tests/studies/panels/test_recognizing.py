@@ -23,7 +23,7 @@ ARRAY = prototype("fingertip-3x4")
 
 
 def test_what_cannot_be_written_is_refused() -> None:
-    with refused(Kind.UNKNOWN, "letter", value="l"):
+    with refused(Kind.OUT_OF_RANGE, "letter", value="l"):
         write_letter(ARRAY, "l", 0)
 
 
