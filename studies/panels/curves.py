@@ -14,7 +14,7 @@ import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from localize.signals.stimulus import BAND
 from studies.metrics.pairs import microphone_ratios
 
@@ -98,7 +98,7 @@ def curves_of(transfer_function: xr.DataArray, quantity: str, fidelity: str) -> 
         Refusal: there is no such quantity.
     """
     if quantity not in _QUANTITIES:
-        raise Refusal(field="quantity", value=quantity, allowed=CURVES)
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="quantity", value=quantity, allowed=CURVES)
     chosen = _QUANTITIES[quantity]
     names = [str(name) for name in transfer_function["microphone"].values]
     ordered = transfer_function.transpose("point", "microphone", "frequency")

@@ -11,7 +11,7 @@ from acoustic_fem.quantities.checks import one_of
 from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from studies.panels.cad_panel import CallbackDisplay
 from studies.run.library_files import convert_library, solve_library
 from studies.run.part_folder import export_parts
@@ -88,6 +88,6 @@ def make_export(
         Refusal: no such export or fidelity, or what the verb of the command line refuses.
     """
     if name not in EXPORTS:
-        raise Refusal(field="export", value=name, allowed=EXPORTS)
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="export", value=name, allowed=EXPORTS)
     one_of("fidelity", fidelity, FIDELITIES)
     return str(EXPORTS[name].make(design, Path(folder), fidelity, CallbackDisplay(notify)))

@@ -75,7 +75,7 @@ def write_letter(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any
         Refusal: no such letter, or a design without places, or one that cannot be decoded.
     """
     if letter not in LETTERS:
-        raise Refusal(field="letter", value=letter, allowed=LETTERS)
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="letter", value=letter, allowed=LETTERS)
     decoder = decoder_of(design)
     response = decoder.recorder.response
     take = decoder.recorder.take(written(letter, response, Hand(), sample=sample), sample)

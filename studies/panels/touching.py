@@ -70,7 +70,7 @@ def simulate_touch(design: ArrayDesign, point: int, kind: str, sample: int) -> d
     """
     made: dict[str, Callable[..., Contact]] = dict(zip(TOUCHES, (tap, double_tap, press), strict=True))
     if kind not in made:
-        raise Refusal(field="kind", value=kind, allowed=TOUCHES)
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="kind", value=kind, allowed=TOUCHES)
     if not 1 <= point <= design.point_count:
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="point", value=point, allowed=f"between 1 and {design.point_count}")
     decoder = decoder_of(design)

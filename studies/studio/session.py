@@ -117,7 +117,7 @@ class Session:
         kind = message.get("do")
         action = _ACTIONS.get(kind) if isinstance(kind, str) else None
         if action is None:
-            raise MessageError(field="do", value=kind, allowed=_ACTIONS)
+            raise MessageError(kind=Kind.OUT_OF_RANGE, field="do", value=kind, allowed=_ACTIONS)
         await action(self, message)
 
     # -- the design ---------------------------------------------------------------------------------
@@ -320,7 +320,7 @@ class Session:
     async def _export(self, message: Mapping[str, Any]) -> None:
         name, fidelity = text_of(message, "name"), message.get("fidelity", ONE_DESIGN)
         if name not in EXPORTS:
-            raise MessageError(field="export", value=name, allowed=EXPORTS)
+            raise MessageError(kind=Kind.OUT_OF_RANGE, field="export", value=name, allowed=EXPORTS)
         if name == "design.toml":
             await self._save()
             return
