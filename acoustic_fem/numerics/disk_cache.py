@@ -56,7 +56,7 @@ def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
 
 
 def holds(key: str) -> bool:
-    """Whether there is a file for this key; whether it is usable shows :func:`fetch`."""
+    """True if there is a file for this key; whether it is usable shows :func:`fetch`."""
     return (cache_folder() / f"{key}.cell").is_file()
 
 

@@ -57,7 +57,7 @@ class Message(NamedTuple):
 
     @property
     def is_report(self) -> bool:
-        """Whether the work goes on: the message is something that it reports on its way."""
+        """True if the work goes on: the message is something that it reports on its way."""
         return self.kind == REPORT
 
     def value(self) -> Any:
@@ -120,7 +120,7 @@ class Child:
 
     @property
     def is_alive(self) -> bool:
-        """Whether the process runs."""
+        """True if the process runs."""
         return self._process.poll() is None
 
     def begin(

@@ -104,7 +104,7 @@ def sealed(description: Mapping[str, Any], content: bytes = b"") -> dict[str, An
 
 
 def is_sealed(description: Mapping[str, Any], content: bytes = b"") -> bool:
-    """Whether a description and its content are as :func:`sealed` left them."""
+    """True if a description and its content are as :func:`sealed` left them."""
     own = {name: value for name, value in description.items() if name != SEAL}
     return description.get(SEAL) == _hash(own, content)
 
@@ -123,7 +123,7 @@ def seal_file(path: Path) -> None:
 
 
 def file_is_sealed(path: Path) -> bool | None:
-    """Whether a file is as :func:`seal_file` left it; None where it has no hash, as where another program wrote it."""
+    """True if a file is as :func:`seal_file` left it; None where it has no hash, as where another program wrote it."""
     left = path.stat().st_size - _TAIL
     with path.open("rb") as file:
         file.seek(max(left, 0))

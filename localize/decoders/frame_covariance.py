@@ -327,7 +327,7 @@ def sampled_waves(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128
 def _second_moment(
     h: NDArray[np.complex128], amplitude: NDArray[np.float64], turn: NDArray[np.complex128]
 ) -> NDArray[np.float64]:
-    """Of a random cosine and a random sine per frequency: B^T B is positive semidefinite to the last bit."""
+    """Second moment of a random cosine and sine at each frequency: B^T B is positive semidefinite to the last bit."""
     both = random_waves(h, amplitude, turn)
     return np.asarray(both.T @ both)
 

@@ -53,7 +53,7 @@ class Judgement:
     p_value: Array
     """Probability that noise leaves as large a residual under the best point; (n,) float64."""
     explained: NDArray[np.bool_]
-    """Whether the p-value is at least the rate of false alarms; where not, "none of these"; (n,) bool."""
+    """True if the p-value is at least the rate of false alarms; where not, "none of these"; (n,) bool."""
 
 
 class ResidualTest:

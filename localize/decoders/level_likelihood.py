@@ -111,7 +111,7 @@ class BoundedSearch:
 
     @property
     def saves(self) -> bool:
-        """Whether there are so many covariances that bounds save time."""
+        """True if there are so many covariances that bounds save time."""
         return bool(self._bounds)
 
     def __call__(self, batch: Array) -> Array:

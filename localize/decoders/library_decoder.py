@@ -63,7 +63,7 @@ class LibraryDecoder(Locator):
 
     @property
     def needs_all_microphones(self) -> bool:
-        """Whether nothing can be located without one of the microphones: two are enough."""
+        """True if nothing can be located without one of the microphones: two are enough."""
         return False
 
     @property

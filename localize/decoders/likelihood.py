@@ -166,7 +166,7 @@ class Screen:
         self.points, self.size, self.rank = tables.vectors.shape
         self.options = tables.options
         self.is_exact = tables.vectors.size <= self.options.exact_numbers
-        """Whether all scores are in double."""
+        """True if all scores are in double."""
         if self.is_exact:
             return
         # One matrix for all points: (n_microphone SAMPLES, n_point rank).

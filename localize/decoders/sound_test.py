@@ -1,4 +1,4 @@
-"""Whether what the microphones hear is sound alone: the same pressure on all membranes, and no touch.
+"""Test of frames that hold room sound alone: the same pressure on all membranes, and no touch.
 
 Sound moves all microphones by one function of frequency, whatever its level and spectrum: with two microphones it
 fills half of the directions in which a frame can lie, with four a quarter. The energy beside them is noise, and follows
@@ -134,7 +134,7 @@ class SoundTest:
         return float(scipy.special.chdtri(self.freedom * frames, self.options.false_alarm))
 
     def is_sound(self, signals: ArrayLike | Tensor) -> NDArray[np.bool_]:
-        """Whether sound explains signals, on the library's sensor or on one that is made a little differently.
+        """True if sound explains signals, on the library's sensor or on one that is made a little differently.
 
         Args:
             signals: (n, n_microphone, n_sample), as :meth:`p_value`.

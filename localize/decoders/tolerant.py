@@ -256,7 +256,7 @@ class _ScoredRecordings:
         self._known |= wanted
 
     def _joint(self, scores: list[Array]) -> Array:
-        """Of all frames of a recording together, from those of frames by levels, (n n_frame, n_table) each."""
+        """Scores of all frames of a recording together, from those of frames by levels, (n n_frame, n_table)."""
         together = [score.reshape(*self._shape, -1).sum(1) / self._options.relative_temperature for score in scores]
         return np.concatenate([score + own[:, None] for score, own in zip(together, self.alone, strict=True)], axis=1)
 

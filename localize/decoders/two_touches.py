@@ -53,7 +53,7 @@ class TwoTouches:
     gain: Array
     """Log-likelihood of the best pair over that of the best point; (n,) float64, nats."""
     is_two: NDArray[np.bool_]
-    """Whether the gain is above the threshold; (n,) bool."""
+    """True if the gain is above the threshold; (n,) bool."""
 
 
 class TwoTouchDecoder:

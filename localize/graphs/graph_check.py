@@ -1,4 +1,4 @@
-"""Whether a graph is one of a localizer, and whether it is known to end in little time and memory, before it is run.
+"""Checks of a graph: that it is one of a localizer, and that it ends in little time and memory, before it is run.
 
 A graph of the exporter holds a few operators, none of which repeats or calls others, and the shape of every value
 follows from the shape of the frames: what all values take together is then known. A graph of which this cannot be shown

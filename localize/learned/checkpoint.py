@@ -28,7 +28,7 @@ from localize.signals.touch_generator import TouchGenerator
 
 FORMAT = "acoustic-fem checkpoint 2"
 _MOMENTS = ("step", "exp_avg", "exp_avg_sq")
-"""Of AdamW, per parameter."""
+"""Names of the state that AdamW keeps for each parameter."""
 
 
 class CheckpointError(Refusal):

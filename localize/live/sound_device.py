@@ -56,7 +56,7 @@ class InputDevice:
     rate: float
     """Sample rate of its own, Hz."""
     default: bool
-    """Whether it is the system's default."""
+    """True if it is the system's default."""
 
 
 def input_devices(sounddevice: Any | None = None) -> list[InputDevice]:

@@ -110,7 +110,7 @@ class Source(Protocol):
 
     @property
     def ended(self) -> bool:
-        """Whether all there is has been put into the queue."""
+        """True if all there is has been put into the queue."""
 
     @property
     def trouble(self) -> str | None:
@@ -199,7 +199,7 @@ class ReplaySource:
 
     @property
     def ended(self) -> bool:
-        """Whether the last sample was put."""
+        """True if the last sample was put."""
         return self._ended.is_set()
 
     def open(self) -> BlockQueue:

@@ -18,13 +18,13 @@ class StreamOptions:
     high_pass: float | None = HIGH_PASS
     """Corner of the high-pass of all microphones, 0.5 to 20 Hz; None for none."""
     follow: bool = True
-    """Whether the noise of each microphone and the hum of mains are measured; if not, noise is that of the locator."""
+    """True if the noise of each microphone and the hum of mains are measured; if not, noise is that of the locator."""
     fade: bool = True
-    """Whether frames that hold only what is left of a touch are told from it."""
+    """True if frames that hold only what is left of a touch are told from it."""
     frames: bool = False
-    """Whether decisions carry the samples that were classified."""
+    """True if decisions carry the samples that were classified."""
     fallback: bool = False
-    """Whether the other microphones go on where one is dead, clipped or hisses; if not, such frames are unreadable."""
+    """True if the other microphones go on where one is dead, clipped or hisses; if not, such frames are unreadable."""
     rejected_fraction: float = 1e-6
     """Fraction of the frames of true touches that the residual test may reject, above 0, below 1: at 62 a second one in
     four hours."""

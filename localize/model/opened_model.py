@@ -69,7 +69,7 @@ class Decoding:
     library: LibrarySource | None = None
     """Library of the array, for a network or graph; by default the model, where that is one."""
     waveform: bool = False
-    """Whether the pressure in the touched cavity is reconstructed."""
+    """True if the pressure in the touched cavity is reconstructed."""
     ambient: float | None = None
     """Level of sound in the room up to which touches are named in it, dB SPL; None for a quiet room."""
     rejected_fraction: float | None = None
@@ -78,9 +78,9 @@ class Decoding:
     air: LocalAir | None = None
     """Air of the place, to which a library is brought; None for that of the library."""
     follow_drift: bool = False
-    """Whether the stiffness of a calibrated sensor is followed over the touches."""
+    """True if the stiffness of a calibrated sensor is followed over the touches."""
     tolerances: bool = True
-    """Whether a computed library is decoded with manufacturing tolerances."""
+    """True if a computed library is decoded with manufacturing tolerances."""
 
     def __post_init__(self) -> None:
         if self.rejected_fraction is not None:

@@ -98,7 +98,7 @@ class Locator:
 
     @property
     def needs_all_microphones(self) -> bool:
-        """Whether nothing can be located without one of the microphones."""
+        """True if nothing can be located without one of the microphones."""
         return True
 
     @property

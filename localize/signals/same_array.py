@@ -71,14 +71,19 @@ def check_same_design(localizer: ArrayFacts, library: ArrayFacts, source: PathLi
 
 
 def design_difference(localizer: ArrayFacts, library: ArrayFacts) -> str | None:
-    """First field in which the designs of a localizer and a library differ, in words; None where none is known."""
+    """First field in which the designs of a localizer and a library differ, in words; None where none is known.
+
+    Raises:
+        Refusal: one of the two was made by a version of the program whose designs are not read any more.
+    """
     texts = [each.provenance.get("design") for each in (localizer, library)]
     if not all(isinstance(text, str) for text in texts):
         return None
     try:
         own, other = (read_completed(str(text), "design").completed().model_dump(mode="json") for text in texts)
-    except Refusal:  # of another version of the program
-        return None
+    except Refusal as error:
+        remedy = "compute the library and train the localizer anew with this version of the program"
+        raise Refusal.of(error, kind=Kind.MISMATCH, remedy=remedy) from None
     for name, mine, theirs in _differences(own, other):
         if name.split(".")[0] not in _NOT_OF_THE_ARRAY:
             return f"{name} = {theirs}, must be {mine}"

@@ -103,7 +103,7 @@ def bending_dict(result: Bending) -> dict[str, Any]:
 
 
 def _ticks(low: float, high: float) -> list[float]:
-    """Of a logarithmic axis: 1, 2, 5 of every decade, 1 alone over more than four."""
+    """Ticks of a logarithmic axis: 1, 2, 5 of every decade, 1 alone over more than four."""
     decades = range(int(np.floor(np.log10(low))), int(np.ceil(np.log10(high))) + 1)
     steps = (1, 2, 5) if len(decades) <= 5 else (1,)
     return [tick for power in decades for step in steps if low <= (tick := step * 10.0**power) <= high]

@@ -21,7 +21,7 @@ FRAMES = 12
 LIKELY = 0.1
 """Points that are as probable as this are marked beside the most probable one."""
 LINES = 4
-"""Of what went wrong."""
+"""Number of lines about what went wrong."""
 _UNICODE = ("○", "◍", "●", "─", "▁▂▃▄▅▆▇█")
 _ASCII = ("o", "x", "#", "-", "_.-~=+*#")
 

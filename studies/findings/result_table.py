@@ -205,7 +205,7 @@ def pair_map(first: Column, second: Column, metric: Column) -> tuple[Values, Val
 
 
 def fast_front(values: Values) -> NDArray[np.bool_]:
-    """Which rows of two columns no other row beats: as :func:`studies.optimization.search.pareto_front`, by sorting.
+    """Rows of two columns that no other row beats: as :func:`studies.optimization.search.pareto_front`, by sorting.
 
     Args:
         values: (n, n_objective) float64, larger is better; other than two columns are left to that function.

@@ -31,7 +31,7 @@ class RecordedPulse(RecordingResult):
     reading: localize.PulseReading
     """Point, waveform, waves and rate."""
     force_is_known: bool
-    """Whether the membranes, which give the force, are those of the library: a calibration does not measure them, and
+    """True if the membranes, which give the force, are those of the library: a calibration does not measure them, and
     takes them as designed."""
 
 

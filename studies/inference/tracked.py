@@ -37,7 +37,7 @@ class TrackedRecording(RecordingResult):
     gestures: tuple[Gesture, ...]
     """Gesture of each path."""
     force_is_known: bool
-    """Whether the membranes, which give the forces, are those of the library: a calibration does not measure them, and
+    """True if the membranes, which give the forces, are those of the library: a calibration does not measure them, and
     takes them as designed."""
 
 

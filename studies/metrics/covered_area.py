@@ -50,7 +50,7 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
 
 
 def _is_mirrored(place: Array, radius: Array) -> bool:
-    """Whether the lines of the lower half of the discs' hull cross it as those of the upper half do, to rounding."""
+    """True if the lines of the lower half of the discs' hull cross it as those of the upper half do, to rounding."""
     seen = np.column_stack([place[:, 1], place[:, 0], radius])
     image = seen * (-1, 1, 1) + (place[:, 1].min() + place[:, 1].max(), 0, 0)
     one, other = (each[np.lexsort(each.T[::-1])] for each in (seen, image))

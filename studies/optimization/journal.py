@@ -44,7 +44,7 @@ class Seal:
 
 
 def journal_exists(out: Path) -> bool:
-    """Whether a folder holds trials."""
+    """True if a folder holds trials."""
     return os.path.isfile(out / JOURNAL)
 
 

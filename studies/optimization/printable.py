@@ -1,4 +1,4 @@
-"""Whether a design can be printed and laid out, from its fields alone: microseconds for walls and holes.
+"""Test that a design can be printed and laid out, from its fields alone: microseconds for walls and holes.
 
 What a search may try is decided here; the parts of what it finds are then drawn and measured
 (:func:`geometry.print_report`), which takes seconds.

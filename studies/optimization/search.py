@@ -47,7 +47,7 @@ class Candidate:
     metrics: dict[str, float]
     """Figures of merit by name, in their units."""
     feasible: bool
-    """Whether it keeps all limits."""
+    """True if it keeps all limits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +134,7 @@ def refusal_of(problem: Optimization, values: dict[str, Any]) -> tuple[ArrayDesi
 
 
 def pareto_front(values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Which rows no other row beats: at least as good in every column, better in one; larger is better.
+    """Rows that no other row beats: at least as good in every column, better in one; larger is better.
 
     Args:
         values: (n, n_objective) float64, each column in the unit of its objective.
@@ -305,7 +305,7 @@ def _result(search: optuna.Study, problem: Optimization) -> OptimizationResult:
 
 
 def _keeps(problem: Optimization, figures: dict[str, float]) -> bool:
-    """Whether figures keep all limits."""
+    """True if figures keep all limits."""
     return all(limit.excess(figures[limit.metric.name]) <= 0 for limit in problem.limits)
 
 

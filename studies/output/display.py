@@ -74,7 +74,7 @@ class Display:
 
     @property
     def terminal(self) -> bool:
-        """Whether it draws bars, which can change often; elsewhere every message stays as a line."""
+        """True if it draws bars, which can change often; elsewhere every message stays as a line."""
         return self._stream is not None and self._stream.isatty()
 
     def note(self, text: str) -> None:

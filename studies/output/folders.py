@@ -115,7 +115,7 @@ def check_new_file(
 
 
 def is_own_table(path: Path, columns: Sequence[str]) -> bool:
-    """Whether a CSV file is not there, or has the header of a table of ours: recordings may be CSV as well.
+    """True if a CSV file is not there, or has the header of a table of ours: recordings may be CSV as well.
 
     Args:
         path: of the file.

@@ -54,17 +54,17 @@ class DesignState:
 
     @property
     def unsaved(self) -> bool:
-        """Whether the design differs from the one that was opened or saved last."""
+        """True if the design differs from the one that was opened or saved last."""
         return self.design is not self._saved and self.design != self._saved
 
     @property
     def can_undo(self) -> bool:
-        """Whether there is a step to take back."""
+        """True if there is a step to take back."""
         return bool(self._undo)
 
     @property
     def can_redo(self) -> bool:
-        """Whether there is a step to take again."""
+        """True if there is a step to take again."""
         return bool(self._redo)
 
     def set_values(self, values: Mapping[str, Any], gesture: object = None) -> None:

@@ -65,7 +65,7 @@ class DesignQuality:
     fidelity: QuickFidelity
     """Fidelity of the nominal sensor's transfer functions: the atlas, or 3-D and why."""
     made_fidelity: QuickFidelity | None
-    """That of the as-built sensors; None without sensors."""
+    """Fidelity of the as-built sensors' transfer functions; None without sensors."""
     per_point: NDArray[np.float64] = field(repr=False)
     """Share of the touches of each point on the nominal sensor that name it; (n_point,) float64."""
 

@@ -37,7 +37,7 @@ class Validity:
 
     @property
     def holds(self) -> bool:
-        """Whether the value keeps the limit."""
+        """True if the value keeps the limit."""
         return self.value >= self.limit if self.relation == "at least" else self.value <= self.limit
 
 

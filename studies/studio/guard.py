@@ -1,4 +1,4 @@
-"""Who may speak with the studio: whoever had its address with the token, from its own page, by its own name."""
+"""Access to the studio: for whoever had its address with the token, from its own page, by its own name."""
 
 from __future__ import annotations
 
@@ -49,14 +49,14 @@ class Guard:
         return ""
 
     def has_token(self, scope: Scope) -> bool:
-        """Whether the page is asked for with the token."""
+        """True if the page is asked for with the token."""
         if scope["type"] != "http" or scope["path"] != "/" or scope["method"] != "GET":
             return False
         given = parse_qs(scope["query_string"].decode("ascii", "replace")).get("token", [""])[0]
         return hmac.compare_digest(given.encode(), self.token.encode())
 
     def is_known(self, headers: Headers) -> bool:
-        """Whether a request has the cookie."""
+        """True if a request has the cookie."""
         # Other programs of this machine set cookies for the same name, and not only such as the standard knows.
         given = cookie_parser(headers.get("cookie", "")).get(self.cookie_name, "")
         return hmac.compare_digest(given.encode(), self._key.encode())

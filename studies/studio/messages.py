@@ -78,7 +78,7 @@ def _finite(value: Any) -> Any:
 
 
 def is_number(value: object) -> TypeGuard[float]:
-    """Whether a value is a finite number of JSON."""
+    """True if a value is a finite number of JSON."""
     return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
 
 

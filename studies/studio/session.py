@@ -66,7 +66,7 @@ class Session:
     # -- the page -----------------------------------------------------------------------------------
     @property
     def is_open(self) -> bool:
-        """Whether a page listens."""
+        """True if a page listens."""
         return self._send is not None
 
     async def join(self, send: Send) -> None:

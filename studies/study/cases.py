@@ -166,7 +166,7 @@ class DrawnCase:
         return self._design
 
     def meets(self, constraints: Sequence[Constraint]) -> bool:
-        """Whether the case meets all constraints; derived values are those of its design where it is valid."""
+        """True if the case meets all constraints; derived values are those of its design where it is valid."""
         values: Mapping[str, Any] = self._cases.case(self._number)
 
         def read(name: str) -> Any:

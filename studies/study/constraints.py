@@ -47,7 +47,7 @@ class Constraint:
     """Expression with ``_0``, ``_1``, ... in place of the names."""
 
     def holds(self, values: Mapping[str, Any]) -> bool:
-        """Whether the condition holds for these values of its names.
+        """True if the condition holds for these values of its names.
 
         Raises:
             Refusal: it cannot be computed from these values, such as a division by zero.

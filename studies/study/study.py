@@ -45,7 +45,7 @@ class Parameter:
     scale: Literal["linear", "log"] = "linear"
     """Scale of a range: equal steps, or equal ratios."""
     whole: bool = False
-    """Whether the values are whole numbers, to which those of a range are rounded."""
+    """True if the values are whole numbers, to which those of a range are rounded."""
     step: float = 0.0
     """Distance of the sizes that can be had, counted from the beginning of a range; 0 where any can."""
 
@@ -135,7 +135,7 @@ class Study:
     metrics: tuple[str, ...]
     """Names of the metrics to compute, of :data:`studies.study.metric_registry.METRICS`."""
     transfer_functions: bool
-    """Whether transfer functions are kept."""
+    """True if transfer functions are kept."""
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

@@ -67,7 +67,7 @@ class Job:
     metrics: tuple[str, ...]
     """Names of the metrics."""
     transfer_functions: bool
-    """Whether transfer functions are handed back."""
+    """True if transfer functions are handed back."""
     discs: KnownDiscs | None = None
     """Membranes that are interpolated between solved ones; None: all are solved."""
 
@@ -83,7 +83,7 @@ class SolvedCell:
     seconds: float = 0.0
     """Processor time that its solution took when it was made, s."""
     cached: bool = False
-    """Whether it came from the cache."""
+    """True if it came from the cache."""
     record: CellRecord | None = None
     """What the cache keeps of it, for the cache of another machine."""
     mistake: str = ""
@@ -234,7 +234,7 @@ def _responses(
 
 
 def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> tuple[NDArray[np.bool_], Responses | None]:
-    """Which of many designs a batch can hold, and these in one call; cells of the others are outside the atlas."""
+    """Mask of the designs that a batch can hold, with the responses of these; cells of the others: outside the atlas."""
     states: dict[Any, Medium] = {}
     for design in designs:
         if design.air not in states:

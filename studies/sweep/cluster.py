@@ -66,7 +66,7 @@ class _Attempt:
     worker: _Worker
     future: Any
     passed_on: bool = False
-    """Whether another worker got the task as well."""
+    """True if another worker got the task as well."""
 
 
 @dataclass(eq=False)
@@ -80,7 +80,7 @@ class _Worker:
     heard: float
     """When that last changed, by the clock of this process."""
     same: bool | None = None
-    """Whether it has what this process has; None: not known yet."""
+    """True if it has what this process has; None: not known yet."""
 
     @property
     def silent(self) -> bool:

@@ -161,7 +161,7 @@ class Records:
 
     @property
     def keeps_responses(self) -> bool:
-        """Whether transfer functions are kept."""
+        """True if transfer functions are kept."""
         return TRANSFER_FUNCTIONS[0] in self.layout.variables
 
     def blocks(self) -> Iterator[tuple[int, int]]:
@@ -183,7 +183,7 @@ class Records:
         self._write(result.first, "metrics", packed(arrays, {"reason": list(result.reason)}))
 
     def is_done(self, first: int) -> bool:
-        """Whether the block that begins with a case was computed; whether it is damaged or lost shows :meth:`block`."""
+        """True if the block that begins with a case was computed; whether it is damaged or lost shows :meth:`block`."""
         shown = self.path / "state" / "c" / str(first // self.layout.block)  # in the Zarr store, written afterwards
         return self._file(first, "metrics").exists() or shown.exists()
 

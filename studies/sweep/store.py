@@ -157,7 +157,7 @@ def _taken_up(path: Path, layout: Layout) -> tuple[Records, list[str]]:
 
 
 def _holds_a_block(records: Records) -> bool:
-    """Whether any block is one of this study, and whole."""
+    """True if any block is one of this study, and whole."""
     for first, _ in records.blocks():
         with suppress(StudyError):
             records.block(first)
@@ -183,7 +183,7 @@ def check_store(path: Path) -> None:
 
 
 def is_sweep(path: Path) -> bool:
-    """Whether a folder holds the results of a sweep, of this version or an older one."""
+    """True if a folder holds the results of a sweep, of this version or an older one."""
     return (path / FOLDER).is_dir() or (path / METADATA).exists()
 
 
@@ -295,12 +295,12 @@ class Sweep:
 
     @property
     def done(self) -> NDArray[np.bool_]:
-        """Whether a case was computed without failure; (n_case,) bool."""
+        """True if a case was computed without failure; (n_case,) bool."""
         return np.asarray(self.values["state"] == DONE)
 
     @property
     def failed(self) -> NDArray[np.bool_]:
-        """Whether a case failed, why is in ``values["reason"]``; (n_case,) bool."""
+        """True if a case failed, why is in ``values["reason"]``; (n_case,) bool."""
         return np.asarray(self.values["state"] == FAILED)
 
     def case(self, number: int) -> dict[str, Any]:

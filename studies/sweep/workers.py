@@ -1,4 +1,4 @@
-"""Who computes: this process, processes of this machine, or the workers of a dask scheduler."""
+"""Workers of a sweep: this process, processes of this machine, or the workers of a dask scheduler."""
 
 from __future__ import annotations
 

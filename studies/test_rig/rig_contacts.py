@@ -25,7 +25,7 @@ COLUMNS = ("time_s", "x_mm", "y_mm", "force_N", "point")
 #: Seconds between two rows of it: the hop of a stream.
 STEP = 0.016
 _PURPOSE = 4
-"""Of the random numbers, beside those of the rig's other recordings."""
+"""Stream of the random numbers, beside those of the rig's other recordings."""
 
 
 def record_contact(

@@ -30,7 +30,7 @@ LOUDEST = 0.7
 SLOW = (0.8, 3.0)
 """Band in which a finger presses slowly, Hz; below it the rig's sensor hears nothing."""
 _PURPOSE = 2
-"""Of the random numbers, beside those of the rig's own recordings."""
+"""Stream of the random numbers, beside those of the rig's own recordings."""
 _LEVEL = 0.3
 """Pressure in the cavity under random touches and friction, Pa rms."""
 

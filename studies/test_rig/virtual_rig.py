@@ -131,7 +131,7 @@ class Recorder:
     drift: float = 5e-3
     """Level of a wander of the zero over the recording, Pa rms."""
     separate: bool = False
-    """Whether there is a file for each channel instead of one for all."""
+    """True if there is a file for each channel instead of one for all."""
 
     def __post_init__(self) -> None:
         in_range("seconds", self.seconds, *LENGTHS, "s")
