@@ -234,7 +234,7 @@ def _responses(
 
 
 def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> tuple[NDArray[np.bool_], Responses | None]:
-    """Mask of the designs that a batch can hold, with the responses of these; cells of the others: outside the atlas."""
+    """Mask of the designs that a batch can hold, with the responses of these; cells of the rest: outside the atlas."""
     states: dict[Any, Medium] = {}
     for design in designs:
         if design.air not in states:
