@@ -23,6 +23,7 @@ from acoustic_fem.calibration.recording_checks import (
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
+from geometry.ground.checks import wrong_type
 from geometry.ground.file_checks import MOST_NUMBERS
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
@@ -98,9 +99,7 @@ class Calibration:
         elif model_deviation is not None:
             deviation = np.array(model_deviation, dtype=np.float64)
             if deviation.shape != h.shape:
-                raise Refusal(
-                    f"has shape {deviation.shape}; it must be {h.shape}", kind=Kind.WRONG_TYPE, field="model_deviation"
-                )
+                raise wrong_type("model_deviation", f"has shape {deviation.shape}; it must be {h.shape}")
         elif self.missing:
             raise Refusal(
                 f"must be given: point {self.missing[0]} has no recording", kind=Kind.MISSING, field="model_deviation"

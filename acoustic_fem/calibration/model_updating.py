@@ -23,6 +23,7 @@ from acoustic_fem.calibration.fitted_model import Complex, Posterior, UpdatedMod
 from acoustic_fem.calibration.model_discrepancy import Discrepancy
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.estimate import TransferEstimate
+from geometry.ground.checks import unsuitable
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
@@ -133,16 +134,12 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
 def _check_estimate(number: int, estimate: TransferEstimate) -> None:
     h, deviation = np.abs(estimate.transfer_function), estimate.deviation
     if not (np.isfinite(h).all() and h.min() > 0):
-        raise Refusal(
-            f"has a transfer function of {h.min()} Pa/Pa; it must be finite and not 0",
-            kind=Kind.UNSUITABLE,
-            field=f"estimates.{number}",
+        raise unsuitable(
+            f"estimates.{number}", f"has a transfer function of {h.min()} Pa/Pa; it must be finite and not 0"
         )
     if not (np.isfinite(deviation).all() and deviation.min() >= 0):
-        raise Refusal(
-            f"has a deviation of {deviation.min()} Pa/Pa; it must be finite, 0 or above",
-            kind=Kind.UNSUITABLE,
-            field=f"estimates.{number}",
+        raise unsuitable(
+            f"estimates.{number}", f"has a deviation of {deviation.min()} Pa/Pa; it must be finite, 0 or above"
         )
 
 

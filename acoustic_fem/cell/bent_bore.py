@@ -29,6 +29,7 @@ from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import FIRST, LAST, Winding, swept_mesh
+from geometry.ground.checks import out_of_range
 from geometry.ground.refusal import Kind, Refusal
 
 #: Length of the piece that is solved, in bore radii.
@@ -126,8 +127,7 @@ def check_bent_bore(
     bore = float(positive("radius", radius, "m"))
     for winding in windings:
         if not bore * winding.curvature < metres(1.0):
-            allowed = f"below the bend's radius {metres(1 / winding.curvature):g} m"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="radius", value=bore, unit="m", allowed=allowed)
+            raise out_of_range("radius", bore, f"below the bend's radius {metres(1 / winding.curvature):g} m", "m")
     grid = frequency_grid(frequency)
     highest = LARGEST_SHEAR_NUMBER**2 * medium.kinematic_viscosity / (2 * np.pi * bore**2)
     if grid[-1] > highest:

@@ -26,7 +26,7 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
 from geometry.air.straight_bores import StraightBore
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.checks import out_of_range
 from geometry.ground.typed import ComplexArray
 
 #: A solved thermal field: on a mesh of its own, or of the sections of a cylinder and its bores.
@@ -132,12 +132,8 @@ class CondensedBody:
         low, high = self.flow.lowest, self.flow.highest
         outside = frequency[(frequency < low * (1 - 1e-9)) | (frequency > high * (1 + 1e-9))]
         if outside.size:
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="frequency",
-                value=float(outside[0]),
-                unit="Hz",
-                allowed=f"between {low:g} and {high:g} Hz, the band solved",
+            raise out_of_range(
+                "frequency", float(outside[0]), f"between {low:g} and {high:g} Hz, the band solved", "Hz"
             )
         response = _navier_stokes_response if self.physics == "navier-stokes" else _helmholtz_response
         nodal = self.copies * response(self, frequency)

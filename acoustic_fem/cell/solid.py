@@ -27,6 +27,7 @@ from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, mesh_s
 from geometry.air.solid_checks import sound_solid
 from geometry.air.straight_bores import shortened
 from geometry.air.volume import MIRROR
+from geometry.ground.checks import out_of_range
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal
 
@@ -308,8 +309,7 @@ def checked_physics(fidelity: str) -> Physics:
     for name in PHYSICS:
         if fidelity == name:
             return name
-    allowed = f"one of {', '.join(PHYSICS)} for a 3-D cell"
-    raise Refusal(kind=Kind.OUT_OF_RANGE, field="fidelity", value=fidelity, allowed=allowed)
+    raise out_of_range("fidelity", fidelity, f"one of {', '.join(PHYSICS)} for a 3-D cell")
 
 
 def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -> cadquery.Shape:

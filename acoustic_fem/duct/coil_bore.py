@@ -31,7 +31,7 @@ from acoustic_fem.duct.plane_wave import Line, diffusion_rate
 from acoustic_fem.numerics.rational_sweep import reduce_system
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.checks import out_of_range
 
 #: Columns of elements over a quarter of the wire; see tests/acoustic_fem/duct/test_coil_bore.py for the error.
 REFINEMENT = 12
@@ -59,11 +59,9 @@ class CoilBore(Line):
         outer = float(positive("outer_diameter", self.outer_diameter, "m"))
         wire = float(positive("wire_diameter", self.wire_diameter, "m"))
         if wire >= outer / 4:
-            allowed = f"below a quarter of outer_diameter = {outer:g} m"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="wire_diameter", value=wire, unit="m", allowed=allowed)
+            raise out_of_range("wire_diameter", wire, f"below a quarter of outer_diameter = {outer:g} m", "m")
         if int(self.refinement) != self.refinement or self.refinement < 2:
-            allowed = "a whole number of at least 2"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="refinement", value=self.refinement, allowed=allowed)
+            raise out_of_range("refinement", self.refinement, "a whole number of at least 2")
         in_range("cusp", self.cusp, 0.02, 0.5, "rad")
 
     @property

@@ -17,6 +17,7 @@ from acoustic_fem.duct.sections import Section
 from acoustic_fem.numerics.rational_sweep import reduce_system
 from acoustic_fem.quantities.checks import positive
 from geometry.ground.caller_warnings import warn_caller
+from geometry.ground.checks import unsuitable, wrong_type
 from geometry.ground.refusal import Kind, Refusal
 
 #: Wall layer sqrt(2/|s|) per element edge on the wall below which a meshed section warns.
@@ -42,15 +43,9 @@ class MeshedSection(Section):
     def __post_init__(self) -> None:
         points, triangles = np.asarray(self.points, dtype=np.float64), np.asarray(self.triangles)
         if points.ndim != 2 or points.shape[1] != 2 or not np.isfinite(points).all():
-            raise Refusal(
-                f"has shape {points.shape}; it must be (n, 2) and finite", kind=Kind.WRONG_TYPE, field="points"
-            )
+            raise wrong_type("points", f"has shape {points.shape}; it must be (n, 2) and finite")
         if triangles.ndim != 2 or triangles.shape[1] != 6 or not len(triangles):
-            raise Refusal(
-                f"has shape {triangles.shape}; it must be (m, 6) with at least one row",
-                kind=Kind.WRONG_TYPE,
-                field="triangles",
-            )
+            raise wrong_type("triangles", f"has shape {triangles.shape}; it must be (m, 6) with at least one row")
         if triangles.dtype.kind not in "iu" or triangles.min() < 0 or triangles.max() >= len(points):
             raise Refusal(f"must hold integers from 0 to {len(points) - 1}", kind=Kind.OUT_OF_RANGE, field="triangles")
         clockwise = _corner_areas(points[triangles]) < 0
@@ -63,10 +58,8 @@ class MeshedSection(Section):
         if bad.any():
             k = int(np.argmax(bad))
             x, y = points[triangles[k, :3]].mean(axis=0)
-            raise Refusal(
-                f"row {k} at ({x:g}, {y:g}) m is inverted, overlaps a neighbour or has no area",
-                kind=Kind.UNSUITABLE,
-                field="triangles",
+            raise unsuitable(
+                "triangles", f"row {k} at ({x:g}, {y:g}) m is inverted, overlaps a neighbour or has no area"
             )
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "triangles", triangles)

@@ -26,6 +26,7 @@ from scipy.special import jve, zeta
 
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.checks import mismatch, out_of_range
 from geometry.ground.refusal import Kind, Refusal
 
 #: A complex quantity over frequency: values that broadcast with the frequencies, or a function of Hz.
@@ -194,17 +195,10 @@ class UserLine(Line):
         try:
             values = np.broadcast_to(values, frequency.shape)
         except ValueError:
-            raise Refusal(
-                f"has shape {values.shape}, the frequencies have {frequency.shape}", kind=Kind.MISMATCH, field=name
-            ) from None
+            raise mismatch(name, f"has shape {values.shape}, the frequencies have {frequency.shape}") from None
         bad = ~np.isfinite(values) | (values.real < 0) | (values == 0)
         if bad.any():
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field=name,
-                value=complex(values[bad][0]),
-                allowed="finite, not 0, and its real part not negative",
-            )
+            raise out_of_range(name, complex(values[bad][0]), "finite, not 0, and its real part not negative")
         return values
 
 
@@ -225,11 +219,8 @@ class CompliantWall(Line):
         values = np.asarray(self.compliance, dtype=np.complex128)
         bad = ~(np.isfinite(values) & (values.real >= 0) & (values.imag <= 0))
         if bad.any():
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="compliance",
-                value=complex(values[bad][0]),
-                allowed="finite, with real part >= 0 and imaginary <= 0, m^2/Pa",
+            raise out_of_range(
+                "compliance", complex(values[bad][0]), "finite, with real part >= 0 and imaginary <= 0, m^2/Pa"
             )
 
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
@@ -273,8 +264,7 @@ def tube_compliance(
     modulus = float(positive("youngs_modulus", youngs_modulus, "Pa"))
     nu, eta = in_range("poisson_ratio", poisson_ratio, 0.0, 0.5), in_range("loss_factor", loss_factor, 0.0, 2.0)
     if b <= a:
-        allowed = f"above inner_radius = {a:g} m"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="outer_radius", value=b, unit="m", allowed=allowed)
+        raise out_of_range("outer_radius", b, f"above inner_radius = {a:g} m", "m")
     wall = (b - a) * (b + a)
     if axial == "held":
         displacement = (1 + nu) * a * ((1 - 2 * nu) * a**2 + b**2) / wall
@@ -388,8 +378,7 @@ def _line_values(
     z, y = np.asarray(series, dtype=np.complex128), np.asarray(shunt, dtype=np.complex128)
     for name, values, bad in (("series", z, ~np.isfinite(z) | (z == 0)), ("shunt", y, ~np.isfinite(y))):
         if bad.any():
-            allowed = "finite and not 0" if name == "series" else "finite"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=complex(values[bad].flat[0]), allowed=allowed)
+            raise out_of_range(name, complex(values[bad].flat[0]), "finite and not 0" if name == "series" else "finite")
     total, square = np.broadcast_arrays(z * length, (z * length) * (y * length))
     return total, square
 

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.duct.plane_wave import Line
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.checks import out_of_range
 from geometry.ground.refusal import Field, Kind, Refusal
 
 #: Polynomial degree of the elements; the two-port converges with twice that order.
@@ -100,8 +101,7 @@ def solve(
     in_range("accuracy", accuracy, 1e-12, 0.1)
     nodes = np.array([0.0, *breaks, whole])
     if not (np.diff(nodes) > 0).all():
-        allowed = f"places in m that ascend between 0 and {whole:g} m"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="breaks", value=list(breaks), allowed=allowed)
+        raise out_of_range("breaks", list(breaks), f"places in m that ascend between 0 and {whole:g} m")
     nodes = _halved(_halved(nodes))
     previous, error = None, np.inf
     while len(nodes) - 1 <= _MAX_ELEMENTS:

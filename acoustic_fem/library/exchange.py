@@ -40,6 +40,7 @@ from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_completed
 from geometry.ground.array_files import read_npz
+from geometry.ground.checks import wrong_type
 from geometry.ground.csv_files import read_csv
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import MOST_NUMBERS, ordinary_file
@@ -176,8 +177,7 @@ def _dataset(
     """
     design = _design(attributes)
     if frequency.ndim != 1 or frequency.dtype.kind not in "fiu":
-        problem = f"is {frequency.dtype} of shape {frequency.shape}; it must be numbers in one row"
-        raise Refusal(problem, kind=Kind.WRONG_TYPE, field="frequency")
+        raise wrong_type("frequency", f"is {frequency.dtype} of shape {frequency.shape}; it must be numbers in one row")
     lines, places = zip(*point_places(design), strict=True)
     coordinates: dict[str, tuple[str, Any]] = {
         "point": ("point", list(range(1, len(lines) + 1))),
@@ -192,8 +192,7 @@ def _dataset(
     for name, values in variables.items():
         shape = tuple(sizes[dimension] for dimension in dimensions[name])
         if values.shape != shape:
-            problem = f"has shape {values.shape}; it must be {shape} for its design and frequencies"
-            raise Refusal(problem, kind=Kind.WRONG_TYPE, field=name)
+            raise wrong_type(name, f"has shape {values.shape}; it must be {shape} for its design and frequencies")
     return xr.Dataset({name: (dimensions[name], values) for name, values in variables.items()}, coordinates, attributes)
 
 
@@ -265,8 +264,7 @@ def _read_sofa(path: Path) -> xr.Dataset:
             raise Refusal(f"holds {values.dtype}, not floating-point numbers", kind=Kind.WRONG_TYPE, field=own)
         if set(dimensions) == {"point", "microphone", "frequency"}:
             if values.ndim != 4 or len(values) != 1:
-                problem = f"has shape {values.shape}; it must be (1, receivers, frequencies, emitters)"
-                raise Refusal(problem, kind=Kind.WRONG_TYPE, field=own)
+                raise wrong_type(own, f"has shape {values.shape}; it must be (1, receivers, frequencies, emitters)")
             values = values[0].transpose(2, 0, 1)
         variables[name] = values
     return _dataset(attributes, frequency, variables)

@@ -27,6 +27,7 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_completed, write_design
+from geometry.ground.checks import mismatch, wrong_type
 from geometry.ground.record import seal_file, sha256
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.whole_files import whole_file
@@ -226,8 +227,7 @@ def _check_coordinate(found: xr.DataArray, expected: list[int] | list[str]) -> N
     """A coordinate must be what the design in the same file says."""
     values = found.values.ravel().tolist()
     if len(values) != len(expected):
-        problem = f"has {counted(len(values), 'value')}, its design has {len(expected)}"
-        raise Refusal(problem, kind=Kind.MISMATCH, field=str(found.name))
+        raise mismatch(str(found.name), f"has {counted(len(values), 'value')}, its design has {len(expected)}")
     for index, (value, wanted) in enumerate(zip(values, expected, strict=True)):
         if value != wanted:
             allowed = f"{wanted!r} as in its design"
@@ -259,8 +259,7 @@ def _real(dataset: xr.Dataset, variable: str, dimensions: tuple[str, ...]) -> ND
     array = dataset[variable]
     if sorted(map(str, array.dims)) != sorted(dimensions):
         found = ", ".join(map(str, array.dims))
-        problem = f"has the dimensions ({found}), must be ({', '.join(dimensions)})"
-        raise Refusal(problem, kind=Kind.WRONG_TYPE, field=variable)
+        raise wrong_type(variable, f"has the dimensions ({found}), must be ({', '.join(dimensions)})")
     if array.dtype.kind != "f":
         raise Refusal(f"holds {array.dtype}, not floating-point numbers", kind=Kind.WRONG_TYPE, field=variable)
     array = array.transpose(*dimensions)

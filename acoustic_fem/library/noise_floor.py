@@ -23,6 +23,7 @@ from acoustic_fem.network.microphone import noise_density as own_noise_density, 
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
 from geometry.ground.caller_warnings import warn_caller
+from geometry.ground.checks import wrong_type
 from geometry.ground.refusal import Kind, Refusal, counted
 
 #: J/K, exact (SI 2019).
@@ -57,8 +58,7 @@ def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> NDArray[
     """
     matrix = np.asarray(impedance, dtype=np.complex128)
     if matrix.ndim < 2 or matrix.shape[-1] != matrix.shape[-2]:
-        problem = f"has shape {matrix.shape}; it must be (..., n, n)"
-        raise Refusal(problem, kind=Kind.WRONG_TYPE, field="impedance")
+        raise wrong_type("impedance", f"has shape {matrix.shape}; it must be (..., n, n)")
     factor = 2 * BOLTZMANN * positive("temperature", temperature, "K")
     return np.asarray(factor[..., None, None] * (matrix + matrix.swapaxes(-1, -2).conj()))
 
@@ -256,11 +256,7 @@ def matched_filter_snr(
     grid = library.frequency
     given = np.asarray(spectrum, dtype=np.complex128)
     if given.shape not in ((), grid.shape) or not np.all(np.isfinite(given)):
-        raise Refusal(
-            f"has shape {given.shape}; it must be one finite value or {grid.shape} of them",
-            kind=Kind.WRONG_TYPE,
-            field="spectrum",
-        )
+        raise wrong_type("spectrum", f"has shape {given.shape}; it must be one finite value or {grid.shape} of them")
     power = xr.DataArray(np.broadcast_to(np.abs(given) ** 2, grid.shape), dims="frequency")
     density = _snr_density(library, touch, microphones, noise_at, contact_radius)
     snr = 4 * _integrated(density * power, band)

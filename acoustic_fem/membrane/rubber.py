@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.quantities.checks import in_range, positive
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.checks import mismatch
 from geometry.schema.materials import Material
 
 
@@ -70,10 +70,8 @@ class Rubber:
         in_range("loss_factor", self.loss_factor, 0, 1)
         positive("reference", self.reference, "Hz")
         if len(self.strengths) != len(self.times):
-            raise Refusal(
-                f"has {len(self.strengths)} values, times {len(self.times)}; they must be as many",
-                kind=Kind.MISMATCH,
-                field="strengths",
+            raise mismatch(
+                "strengths", f"has {len(self.strengths)} values, times {len(self.times)}; they must be as many"
             )
 
     @classmethod

@@ -22,6 +22,7 @@ import scipy.signal
 from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import one_of
+from geometry.ground.checks import mismatch
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
@@ -92,9 +93,7 @@ def transfer_estimate(
     """
     one_of("estimator", estimator, get_args(Estimator))
     if outputs.ndim != 2 or outputs.shape[1:] != reference.shape:
-        raise Refusal(
-            f"has shape {outputs.shape}; it must be (n_output, {len(reference)})", kind=Kind.MISMATCH, field="outputs"
-        )
+        raise mismatch("outputs", f"has shape {outputs.shape}; it must be (n_output, {len(reference)})")
     if not (frequency.min() >= 1.0 and 2.5 * frequency.max() <= rate):
         raise Refusal(
             kind=Kind.OUT_OF_RANGE,

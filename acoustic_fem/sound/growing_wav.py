@@ -18,6 +18,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.checks import out_of_range, wrong_type
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import writing
 
@@ -44,8 +45,7 @@ class GrowingWav:
     def __init__(self, path: str | os.PathLike[str], rate: int, channels: int) -> None:
         for name, value, most in (("rate", rate, 2**31), ("channels", channels, 1024)):
             if not 1 <= value <= most:
-                allowed = f"between 1 and {most}"
-                raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=allowed)
+                raise out_of_range(name, value, f"between 1 and {most}")
         self.path, self.rate, self.channels = Path(path), rate, channels
         self.samples = 0
         """Written per channel."""
@@ -72,11 +72,7 @@ class GrowingWav:
             OSError: it cannot be written: the disk is full.
         """
         if samples.ndim != 2 or len(samples) != self.channels:
-            raise Refusal(
-                f"has shape {samples.shape}; it must be (n_channel, n) = ({self.channels}, n)",
-                kind=Kind.WRONG_TYPE,
-                field="samples",
-            )
+            raise wrong_type("samples", f"has shape {samples.shape}; it must be (n_channel, n) = ({self.channels}, n)")
         if 4 * self.channels * (self.samples + samples.shape[1]) > 2 * LARGEST - _HEAD_BYTES:
             raise Refusal(
                 f"cannot hold {self.samples + samples.shape[1]} samples: a WAV file has at most {2 * LARGEST} bytes",

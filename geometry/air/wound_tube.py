@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from geometry.air.curved_tetrahedra import EDGES
 from geometry.air.mesh import WALL, SolidMesh, checked_mesh
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.checks import out_of_range
 
 #: Names of the ends of a swept mesh.
 FIRST, LAST = "first", "last"
@@ -86,8 +86,7 @@ def closest_pitch(diameter: float, outside: float) -> float:
     """
     fraction = outside / (math.pi * diameter)
     if not fraction < 1:
-        allowed = f"below the circumference {math.pi * diameter:g} mm"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="outside", value=outside, unit="mm", allowed=allowed)
+        raise out_of_range("outside", outside, f"below the circumference {math.pi * diameter:g} mm", "mm")
     return outside / math.sqrt((1 - fraction) * (1 + fraction))
 
 

@@ -7,6 +7,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from geometry.ground.checks import out_of_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.schema.field_errors import Number, Section
 
@@ -129,9 +130,7 @@ def blend_modulus(first: float, second: float, fraction_of_first: float) -> floa
         fraction_of_first: volume fraction of the first part, 0 to 1.
     """
     if not 0 <= fraction_of_first <= 1:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="fraction_of_first", value=fraction_of_first, allowed="between 0 and 1"
-        )
+        raise out_of_range("fraction_of_first", fraction_of_first, "between 0 and 1")
     return first**fraction_of_first * second ** (1 - fraction_of_first)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import geometry
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.checks import unsuitable
 from geometry.plan.routing import path_length, tightest_bend, trimmed
 from geometry.schema.part_fields import Tube
 
@@ -89,8 +89,7 @@ def _sleeve(points: NDArray[np.float64], inner: float, outer: float, name: str) 
     from OCP.BRepOffsetAPI import BRepOffsetAPI_MakePipe
 
     if tightest_bend(points) <= outer:
-        problem = f"bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm"
-        raise Refusal(problem, kind=Kind.UNSUITABLE, field=name)
+        raise unsuitable(name, f"bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm")
     start, along = cq.Vector(*points[0]), cq.Vector(*(points[1] - points[0]))
     circles = [cq.Wire.makeCircle(radius, start, along) for radius in (outer, inner)]
     section = cq.Face.makeFromWires(circles[0], circles[1:])
