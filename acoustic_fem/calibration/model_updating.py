@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy.stats
 
-from acoustic_fem.calibration.fitted_model import Complex, Posterior, UpdatedModel
+from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.calibration.model_discrepancy import Discrepancy
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.estimate import TransferEstimate
@@ -158,15 +158,15 @@ class _Fitted:
         measured: (n_point, n_microphone, n_freq) Pa/Pa.
     """
 
-    def __init__(self, model: UpdatedModel, rows: list[int], measured: Complex) -> None:
+    def __init__(self, model: UpdatedModel, rows: list[int], measured: ComplexArray) -> None:
         self.model, self.rows, self.measured = model, rows, measured
         self._turn = -2j * np.pi * model.frequency * DELAY
 
-    def expected(self, v: Array) -> Complex:
+    def expected(self, v: Array) -> ComplexArray:
         h = self.model.transfer_function(v[None, :-1])[0][self.rows]
         return np.asarray(h * np.exp(self._turn * v[-1]))
 
-    def jacobian(self, v: Array) -> Complex:
+    def jacobian(self, v: Array) -> ComplexArray:
         """(count + 1, n_point, n_microphone, n_freq)."""
         by_parameters = self.model.jacobian(v[:-1])[:, self.rows] * np.exp(self._turn * v[-1])
         return np.concatenate([by_parameters, (self._turn * self.expected(v))[None]])

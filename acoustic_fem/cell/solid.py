@@ -12,7 +12,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 import geometry
 from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped, ThermalField, condense
@@ -30,6 +30,7 @@ from geometry.air.volume import MIRROR
 from geometry.ground.checks import out_of_range
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 
 if TYPE_CHECKING:
     import cadquery
@@ -88,8 +89,8 @@ class MeshGoal:
     checked_band: tuple[float, float] | None = None
     """Lowest and highest frequency at which the accuracy must hold, Hz; None: the whole band."""
 
-    def frequencies(self, band: tuple[float, float]) -> NDArray[np.float64]:
-        """Where the accuracy is looked at in a body solved over a band: (5,) float64, Hz, or (1,) in a band of one."""
+    def frequencies(self, band: tuple[float, float]) -> Array:
+        """Frequencies of the accuracy check of a body: (5,) float64, Hz, or (1,) in a band of one frequency."""
         low, high = self.checked_band or band
         return np.geomspace(low, high, 5) if high > low else np.array([low])
 
@@ -122,7 +123,7 @@ def port_admittance(
     fidelity: str = "navier-stokes",
     accuracy: float = 1e-3,
     progress: Progress | None = None,
-) -> NDArray[np.complex128]:
+) -> ComplexArray:
     """Port admittance of a body of air of any shape.
 
     Every face that is no port is a rigid, no-slip, isothermal wall. Ports must lie a few bore radii down a
@@ -293,7 +294,7 @@ def _converged_flow(
     return flow, max(error, least), meshes
 
 
-def _difference(first: CondensedBody, second: CondensedBody, frequency: NDArray[np.float64]) -> float:
+def _difference(first: CondensedBody, second: CondensedBody, frequency: Array) -> float:
     """Largest relative difference of two admittances, each entry against its row and column."""
     a, b = first.nodal_admittance(frequency), second.nodal_admittance(frequency)
     scale = np.sqrt(np.abs(np.einsum("fii->fi", a)))

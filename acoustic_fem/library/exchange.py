@@ -47,6 +47,7 @@ from geometry.ground.file_checks import MOST_NUMBERS, ordinary_file
 from geometry.ground.record import seal_file
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.text_files import parse_json
+from geometry.ground.typed import Array
 from geometry.ground.whole_files import check_own_kind, whole_file
 from geometry.layout.arrangement import place_housings
 from geometry.layout.placement import point_places
@@ -167,9 +168,7 @@ def _suffix(path: Path) -> str:
     return suffix
 
 
-def _dataset(
-    attributes: dict[str, Any], frequency: NDArray[np.float64], variables: dict[str, NDArray[np.float64]]
-) -> xr.Dataset:
+def _dataset(attributes: dict[str, Any], frequency: Array, variables: dict[str, Array]) -> xr.Dataset:
     """Variables shaped as :data:`VARIABLES` lists them, as :func:`library_of` takes them.
 
     Raises:
@@ -239,7 +238,7 @@ def _write_sofa(library: Library, path: Path) -> None:
         seal_file(beside)
 
 
-def _places(design: ArrayDesign) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _places(design: ArrayDesign) -> tuple[Array, Array]:
     """(n_point, 3) and (n_microphone, 3), m."""
     layout = place_housings(design)
     points = [layout.frame(point).origin for point in layout.points]
@@ -348,7 +347,7 @@ def _read_csv(path: Path) -> xr.Dataset:
     return _dataset(attributes, columns[0, 0, :, 0], variables)
 
 
-def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, str]]) -> NDArray[np.float64]:
+def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, str]]) -> Array:
     """Numbers of all rows, their frequency first; (n_place n_freq, width - 2) float64.
 
     Args:

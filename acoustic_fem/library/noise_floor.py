@@ -15,7 +15,7 @@ from typing import Literal, get_args
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.library.touch_pressure import TOUCHES
 from acoustic_fem.library.transfer_functions import Library
@@ -23,8 +23,9 @@ from acoustic_fem.network.microphone import noise_density as own_noise_density, 
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
 from geometry.ground.caller_warnings import warn_caller
-from geometry.ground.checks import wrong_type
+from geometry.ground.checks import check_choice, wrong_type
 from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.typed import Array, ComplexArray
 
 #: J/K, exact (SI 2019).
 BOLTZMANN = 1.380649e-23
@@ -41,7 +42,7 @@ def gas_temperature(medium: Medium) -> float:
     return medium.gamma * medium.pressure / ((medium.gamma - 1) * medium.density * medium.heat_capacity)
 
 
-def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> NDArray[np.complex128]:
+def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> ComplexArray:
     """Spectral density of thermal pressure noise between the ports of a passive network.
 
     2 k T (Z + Z*^T), one-sided, Pa^2/Hz (Twiss 1955, eq. 4).
@@ -63,7 +64,7 @@ def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> NDArray[
     return np.asarray(factor[..., None, None] * (matrix + matrix.swapaxes(-1, -2).conj()))
 
 
-def port_noise(impedance: ArrayLike, temperature: ArrayLike, own: ArrayLike) -> NDArray[np.complex128]:
+def port_noise(impedance: ArrayLike, temperature: ArrayLike, own: ArrayLike) -> ComplexArray:
     """Thermal noise between ports with what each adds of its own, independent of the others.
 
     Args:
@@ -83,7 +84,7 @@ def port_noise(impedance: ArrayLike, temperature: ArrayLike, own: ArrayLike) -> 
     return covariance
 
 
-def combined_snr(signal: NDArray[np.complex128], noise: NDArray[np.complex128]) -> NDArray[np.float64]:
+def combined_snr(signal: ComplexArray, noise: ComplexArray) -> Array:
     """Ratio of signal to noise, of powers, behind the best linear combination of all microphones: h^H N^-1 h.
 
     Args:
@@ -100,7 +101,7 @@ def combined_snr(signal: NDArray[np.complex128], noise: NDArray[np.complex128]) 
     return np.asarray(np.einsum("...fmp,...fmp->...pf", scaled.conj(), whitened).real)
 
 
-def noise_covariance(library: Library, noise_at: NoiseAt = "front") -> NDArray[np.complex128]:
+def noise_covariance(library: Library, noise_at: NoiseAt = "front") -> ComplexArray:
     """Spectral density of thermal and own noise of the microphones, one-sided.
 
     The noise of the vents is in the thermal part; if the figures of the microphone were measured on a
@@ -263,7 +264,7 @@ def matched_filter_snr(
     return snr.rename("snr").assign_attrs({"units": "1", "long_name": "matched-filter ratio of signal to noise"})
 
 
-def _impedance(library: Library) -> NDArray[np.complex128]:
+def _impedance(library: Library) -> ComplexArray:
     """(n_freq, n_microphone, n_microphone)."""
     if library.microphone_impedance is None:
         raise Refusal(
@@ -275,7 +276,7 @@ def _impedance(library: Library) -> NDArray[np.complex128]:
     return np.asarray(library.microphone_impedance.transpose("frequency", "microphone", "microphone_2").values)
 
 
-def _own_density(library: Library, noise_at: NoiseAt) -> NDArray[np.float64]:
+def _own_density(library: Library, noise_at: NoiseAt) -> Array:
     if noise_at == "front":
         return own_noise_density(library.design.microphone, library.frequency)
     if noise_at == "output":
@@ -284,18 +285,13 @@ def _own_density(library: Library, noise_at: NoiseAt) -> NDArray[np.float64]:
 
 
 def _snr_density(
-    library: Library,
-    touch: str,
-    microphones: Sequence[str] | None,
-    noise_at: NoiseAt,
-    contact_radius: float | None,
+    library: Library, touch: str, microphones: Sequence[str] | None, noise_at: NoiseAt, contact_radius: float | None
 ) -> xr.DataArray:
     """h^H N^-1 h, (point, frequency), Hz per square unit of the touch."""
     response = library.touch_response(touch, contact_radius=contact_radius)
     names = [str(name) for name in response["microphone"].values]
     for name in microphones or ():
-        if name not in names:
-            raise Refusal(kind=Kind.UNKNOWN, field="microphones", value=name, allowed=names)
+        check_choice("microphones", name, names, kind=Kind.UNKNOWN)
     if microphones is not None and len(set(microphones)) != max(len(microphones), 1):
         raise Refusal(
             "must name at least one, and none twice", kind=Kind.OUT_OF_RANGE, field="microphones", value=[*microphones]

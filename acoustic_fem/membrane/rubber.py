@@ -21,10 +21,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.quantities.checks import in_range, positive
 from geometry.ground.checks import mismatch
+from geometry.ground.typed import ComplexArray
 from geometry.schema.materials import Material
 
 
@@ -93,7 +94,7 @@ class Rubber:
         """True if its modulus is real and the same at all frequencies."""
         return self.loss_factor == 0 and self.slope == 0 and not any(self.strengths)
 
-    def ratio(self, frequency: ArrayLike) -> NDArray[np.complex128]:
+    def ratio(self, frequency: ArrayLike) -> ComplexArray:
         """Complex modulus by the stated one.
 
         Args:

@@ -166,10 +166,7 @@ class ScatteredDesign:
     """
 
     def __init__(
-        self,
-        design: DesignLike,
-        tolerances: Sequence[Tolerance] = TOLERANCES,
-        known: KnownDiscs | None = None,
+        self, design: DesignLike, tolerances: Sequence[Tolerance] = TOLERANCES, known: KnownDiscs | None = None
     ) -> None:
         design = resolve_design(design)
         names = [tolerance.quantity for tolerance in tolerances]

@@ -19,14 +19,12 @@ from typing import Literal, get_args
 
 import numpy as np
 import scipy.signal
-from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import one_of
 from geometry.ground.checks import mismatch
 from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.typed import Array
+from geometry.ground.typed import Array, ComplexArray
 
-Complex = NDArray[np.complex128]
 #: Estimator of a transfer function: noise in the output, in the input, or in both.
 Estimator = Literal["H1", "H2", "Hv"]
 
@@ -51,7 +49,7 @@ RADIUS_95 = math.sqrt(-2 * math.log(0.05))
 class TransferEstimate:
     """Transfer functions from one reference to several outputs."""
 
-    transfer_function: Complex
+    transfer_function: ComplexArray
     """Output per reference, (n_output, n_freq) complex128, in the unit of the outputs per that of the reference."""
     deviation: Array
     """One standard deviation of the real part, and of the imaginary part, (n_output, n_freq) float64, in its unit;
@@ -132,8 +130,8 @@ def transfer_estimate(
     return TransferEstimate(first * scale, deviation * scale, coherence, count)
 
 
-def amplitudes(signals: Array, rate: float, frequency: Array, segment: float = SEGMENT) -> Complex:
-    """Complex amplitudes of signals in segments, their phases counted from the beginning of the record.
+def amplitudes(signals: Array, rate: float, frequency: Array, segment: float = SEGMENT) -> ComplexArray:
+    """ComplexArray amplitudes of signals in segments, their phases counted from the beginning of the record.
 
     Args:
         signals: (n_signal, n_sample) float64.

@@ -16,10 +16,10 @@ from types import TracebackType
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
-from geometry.ground.checks import out_of_range, wrong_type
+from geometry.ground.checks import check_range, wrong_type
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 from geometry.ground.whole_files import writing
 
 LARGEST = 2**31
@@ -44,8 +44,7 @@ class GrowingWav:
 
     def __init__(self, path: str | os.PathLike[str], rate: int, channels: int) -> None:
         for name, value, most in (("rate", rate, 2**31), ("channels", channels, 1024)):
-            if not 1 <= value <= most:
-                raise out_of_range(name, value, f"between 1 and {most}")
+            check_range(name, value, 1, most)
         self.path, self.rate, self.channels = Path(path), rate, channels
         self.samples = 0
         """Written per channel."""
@@ -64,7 +63,7 @@ class GrowingWav:
         """True if another second might not fit."""
         return 4 * self.channels * (self.samples + self.rate) > LARGEST
 
-    def write(self, samples: NDArray[np.float64]) -> None:
+    def write(self, samples: Array) -> None:
         """Append samples, (n_channel, n) float64, of full scale.
 
         Raises:

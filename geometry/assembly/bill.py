@@ -170,10 +170,7 @@ class Bill:
 
 
 def bill_of_materials(
-    design: DesignLike,
-    parts: PartSet | None = None,
-    prices: Prices | None = None,
-    layout: ArrayLayout | None = None,
+    design: DesignLike, parts: PartSet | None = None, prices: Prices | None = None, layout: ArrayLayout | None = None
 ) -> Bill:
     """Resin, silicone, spring, sheath, microphones, gaskets and glue that one array takes.
 

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 import geometry
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
+from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import (
     ArrayLayout,
@@ -72,20 +72,6 @@ class PartSet(dict[str, "cq.Workplane"]):
         kind = self.kinds.get(name)
         return "printed" if kind is None else _ORIGINS.get(kind, "printed")
 
-    def only(self, *names: str) -> PartSet:
-        """Some of the parts, in this order, with all that is known of them.
-
-        Raises:
-            KeyError: no part has the name.
-        """
-        chosen = PartSet()
-        chosen.update({name: self[name] for name in names})
-        chosen.parameters = {name: self.parameters[name] for name in names if name in self.parameters}
-        chosen.counts = {name: self.counts[name] for name in names if name in self.counts}
-        chosen.kinds = {name: self.kinds[name] for name in names if name in self.kinds}
-        chosen.placed = tuple(part for part in self.placed if part.part in names)
-        return chosen
-
 
 def part_set(parts: Mapping[str, cq.Workplane]) -> PartSet:
     """Parts of an array as they are; any others as parts of no kind, of which nothing is known but their names."""
@@ -116,7 +102,7 @@ class PlacedPart:
     """Owner of the part: ``point 3``, ``microphone A``, ``tube 2 of line 1``."""
 
     @property
-    def matrix(self) -> NDArray[np.float64]:
+    def matrix(self) -> Array:
         """The (4, 4) float64 matrix that moves the part into place, mm."""
         cos, sin = math.cos(math.radians(self.rotation)), math.sin(math.radians(self.rotation))
         matrix = np.eye(4)

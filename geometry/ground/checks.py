@@ -70,12 +70,7 @@ def check_choice(
 
 
 def check_shape(
-    field: str,
-    values: Any,
-    shape: tuple[int | str, ...],
-    why: str = "",
-    error: type[Refusal] = Refusal,
-    **more: Any,
+    field: str, values: Any, shape: tuple[int | str, ...], why: str = "", error: type[Refusal] = Refusal, **more: Any
 ) -> None:
     """Reject an array of another shape.
 

@@ -58,7 +58,7 @@ def print_report(
 
     Walls and gaps are found by rays between the facets that are exported and measured between the faces of the
     solid, holes and pins as its cylinders and cones, overhangs and cups on the facets, as the part is laid on the
-    plate, see :func:`geometry.printing.pose.find_pose`. Of cast parts only the thickness of the disc is judged.
+    plate, see :func:`geometry.printing.pose.find_pose`. Only the thickness of the disc is judged on cast parts.
     Gaps to what is put into a part are not in the solids: the design states them.
 
     Args:

@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from geometry.ground.checks import out_of_range
+from geometry.ground.checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.schema.field_errors import Number, Section
 
@@ -116,8 +116,7 @@ def youngs_modulus_from_shore_a(shore_a: float) -> float:
     Raises:
         Refusal: hardness outside 0 to 90.
     """
-    if not 0 <= shore_a <= 90:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="shore_a", value=shore_a, allowed="between 0 and 90")
+    check_range("shore_a", shore_a, 0, 90)
     return 0.0981 * (56 + 7.62336 * shore_a) / (0.137505 * (254 - 2.54 * shore_a))
 
 
@@ -129,8 +128,7 @@ def blend_modulus(first: float, second: float, fraction_of_first: float) -> floa
         second: modulus of the second part, MPa.
         fraction_of_first: volume fraction of the first part, 0 to 1.
     """
-    if not 0 <= fraction_of_first <= 1:
-        raise out_of_range("fraction_of_first", fraction_of_first, "between 0 and 1")
+    check_range("fraction_of_first", fraction_of_first, 0, 1)
     return first**fraction_of_first * second ** (1 - fraction_of_first)
 
 

@@ -1,4 +1,4 @@
-"""What it takes to read a library: its file and its design, no layout and no finite elements."""
+"""Imports that reading a library takes: its file and its design, no layout and no finite elements."""
 
 from __future__ import annotations
 

@@ -101,7 +101,7 @@ def until(condition: Callable[[], object], seconds: float = 60) -> None:
 
 
 def is_gone(process: int) -> bool:
-    """Whether a process has ended, and nobody has to wait for it."""
+    """True if a process has ended, and nobody has to wait for it."""
     return not Path(f"/proc/{process}").exists()
 
 
