@@ -24,7 +24,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres, metres
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.checks import mismatch, out_of_range, wrong_type
+from geometry.ground.checks import check_given, mismatch, out_of_range, wrong_type
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import NumpyOrTorch
 
@@ -135,8 +135,7 @@ class ArrayParameters:
             Refusal: no design, designs that are wired in different ways, a cavity that is no cylinder, or a
                 pre-stretched membrane with loss.
         """
-        if not designs:
-            raise Refusal("is empty; a batch needs at least one", kind=Kind.MISSING, field="designs")
+        check_given("designs", designs, "a batch needs at least one")
         topology = Topology.of(designs[0])
         for number, design in enumerate(designs):
             if Topology.of(design) != topology:
@@ -270,11 +269,8 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
             raise mismatch(moduli, f"has {terms[0]} terms and {times} {terms[1]}; both need the same")
     modes = tuple(parameters.membrane_fraction.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
     if modes[0] != modes[1] or modes[0] == 0:
-        raise Refusal(
-            f"has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, at least 1",
-            kind=Kind.MISMATCH,
-            field="membrane_fraction",
-        )
+        problem = f"has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, at least 1"
+        raise mismatch("membrane_fraction", problem)
 
 
 def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
@@ -359,13 +355,8 @@ def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
             remedy="solve() takes it",
         )
     if design.resonator.shape != "cylinder":
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="resonator.shape",
-            value=design.resonator.shape,
-            allowed="'cylinder' in a batch, which has closed forms only",
-            remedy="solve() takes it at every fidelity",
-        )
+        allowed, remedy = "'cylinder' in a batch, which has closed forms only", "solve() takes it at every fidelity"
+        raise out_of_range("resonator.shape", design.resonator.shape, allowed, remedy=remedy)
     share = disc.model.swept**2 / disc.model.eigenvalues
     mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)
     return {

@@ -23,9 +23,9 @@ from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.calibration.model_discrepancy import Discrepancy
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.estimate import TransferEstimate
-from geometry.ground.checks import unsuitable
+from geometry.ground.checks import check_given, unsuitable
 from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.typed import Array
+from geometry.ground.typed import Array, ComplexArray
 
 #: s, standard deviation of what the stated delay of the reference is off by, alike at all points.
 DELAY = 1e-3
@@ -97,8 +97,7 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
         Refusal: no estimate, one of a point that the design does not have, on other frequencies, of 0 or not finite.
     """
     points = sorted(estimates)
-    if not points:
-        raise Refusal("is empty; a fit needs at least one measured point", kind=Kind.MISSING, field="estimates")
+    check_given("estimates", points, "a fit needs at least one measured point")
     shape = model._ratio.shape
     for number in points:
         in_range("point", number, 1, shape[0])

@@ -71,13 +71,8 @@ def check_signals(
             clipped or interrupted, or two that are the same.
     """
     if rate < 2.5 * highest:
-        raise RecordingFault(
-            kind=Kind.UNSUITABLE,
-            field="sample_rate",
-            value=rate,
-            unit="Hz",
-            allowed=f"at least {2.5 * highest:g} Hz, 2.5 x {highest:g} Hz",
-        )
+        allowed = f"at least {2.5 * highest:g} Hz, 2.5 x {highest:g} Hz"
+        raise RecordingFault(kind=Kind.UNSUITABLE, field="sample_rate", value=rate, unit="Hz", allowed=allowed)
     seconds = min(len(values) for values in channels.values()) / rate
     if seconds < shortest_record():
         raise RecordingFault(

@@ -295,16 +295,9 @@ def series_from_mean(area: ArrayLike, mean: ComplexArray, frequency: ArrayLike, 
 
 
 def shunt_from_mean(area: ArrayLike, mean: ComplexArray, frequency: ArrayLike, medium: Medium) -> ComplexArray:
-    """Shunt admittance per length of a section, Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>).
+    """Shunt admittance per length of a section, Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>), m^2/(Pa s).
 
-    Args:
-        area: S, m^2.
-        mean: <Psi_h>, shape of frequency, complex128.
-        frequency: Hz; area, mean and frequency broadcast.
-        medium: the gas.
-
-    Returns:
-        Broadcast shape, complex128, m^2/(Pa s).
+    Arguments as for :func:`series_from_mean`, with the mean <Psi_h>.
     """
     gamma = medium.gamma
     adiabatic = 2j * np.pi * np.asarray(frequency) * np.asarray(area) / (gamma * medium.pressure)

@@ -307,12 +307,8 @@ def _integrated(density: xr.DataArray, band: tuple[float, float]) -> xr.DataArra
     grid = density["frequency"].values
     low, high = (float(positive("band", edge, "Hz")) for edge in band)
     if not grid[0] <= low < high <= grid[-1]:
-        raise Refusal(
-            f"Hz must ascend and lie within the grid of the library, {grid[0]:g} to {grid[-1]:g} Hz",
-            kind=Kind.OUT_OF_RANGE,
-            field="band",
-            value=(low, high),
-        )
+        problem = f"Hz must ascend and lie within the grid of the library, {grid[0]:g} to {grid[-1]:g} Hz"
+        raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="band", value=(low, high))
     inside = grid[(grid > low) & (grid < high)]
     if len(inside) < _FEWEST_FREQUENCIES:
         warn_caller(

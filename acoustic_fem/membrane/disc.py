@@ -241,13 +241,8 @@ def shape_of_disc(
     stretch, tension, boss_radius = options.stretch, options.tension, options.boss_radius
     in_range("stretch", stretch, 1, _LARGEST_STRETCH)
     if stretch != 1 and tension != 0:
-        raise Refusal(
-            f"must not be given beside tension = {tension:g} N/m",
-            kind=Kind.CONFLICT,
-            field="stretch",
-            value=stretch,
-            remedy="give one of the two",
-        )
+        problem, remedy = f"must not be given beside tension = {tension:g} N/m", "give one of the two"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="stretch", value=stretch, remedy=remedy)
     if stretch != 1:
         in_range("thickness", thickness, 0.01 * radius * less, np.inf, "m")
         tension = thickness * youngs_modulus * (1 - stretch**-6) / 3
@@ -259,13 +254,8 @@ def shape_of_disc(
     raised = _raised(radius, rim_width, options.rim_height, boss_radius, options.boss_height)
     if raised is not None and tension != 0:
         name = "rim_height" if options.rim_height else "boss_height"
-        raise Refusal(
-            "must be 0 under a tension or a stretch: only a flat disc is stretched evenly",
-            kind=Kind.CONFLICT,
-            field=name,
-            value=getattr(options, name),
-            unit="m",
-        )
+        problem = "must be 0 under a tension or a stretch: only a flat disc is stretched evenly"
+        raise Refusal(problem, kind=Kind.CONFLICT, field=name, value=getattr(options, name), unit="m")
     contact = (boss_radius or CONTACT * radius) if options.contact_radius is None else options.contact_radius
     in_range("contact_radius", contact, 0.02 * radius, (boss_radius or 0.9 * radius) * more, "m")
     contact = min(contact, boss_radius or contact)
@@ -347,15 +337,7 @@ def _in_si(disc: ElasticDisc, contact: float, radius: float, modulus: float, den
 def disc_compliance(
     radius: float, thickness: float, youngs_modulus: float, poisson_ratio: float = 0.49, rim_width: float = 0.0
 ) -> float:
-    """Static volume compliance of a disc, m^3/Pa; arguments and errors as :func:`solve_disc`.
-
-    Args:
-        radius: of the opening, m.
-        thickness: m.
-        youngs_modulus: Pa.
-        poisson_ratio: a ratio.
-        rim_width: m; 0: clamped.
-    """
+    """Static volume compliance of a disc, m^3/Pa; arguments and errors as :func:`solve_disc`."""
     return solve_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width).static_compliance
 
 
@@ -417,15 +399,8 @@ def design_rubber(design: ArrayDesign) -> Rubber:
 
 
 def design_compliance(design: ArrayDesign, frequency: ArrayLike, known: KnownDiscs | None = None) -> ComplexArray:
-    """Volume compliance of a design's membrane by the law of its material, m^3/Pa.
-
-    Args:
-        design: the array.
-        frequency: Hz, any shape.
-        known: discs that need not be solved.
-
-    Returns:
-        Complex128 of the shape of the frequency.
+    """Volume compliance of a design's membrane by the law of its material, shape of frequency (Hz), complex128, m^3/Pa;
+    discs that are ``known`` are not solved.
     """
     disc = design_disc(design, known=known)
     return disc.compliance(frequency, design_rubber(design))

@@ -127,12 +127,8 @@ def frequency_grid(frequency: ArrayLike | str) -> Array:
         in_range("frequency", float(value), low, high, "Hz")
     falling = np.flatnonzero(np.diff(grid) <= 0)
     if falling.size:
-        first = falling[0]
-        raise Refusal(
-            f"must ascend: {grid[first + 1]:g} Hz follows {grid[first]:g} Hz",
-            kind=Kind.OUT_OF_RANGE,
-            field="frequency",
-        )
+        problem = f"must ascend: {grid[falling[0] + 1]:g} Hz follows {grid[falling[0]]:g} Hz"
+        raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="frequency")
     return grid
 
 

@@ -182,12 +182,9 @@ class ScatteredDesign:
                 value=design.membrane.stretch,
             )
         if design.resonator.shape != "cylinder":
-            raise UnknownScatterError(
-                "must be 'cylinder' for manufacturing scatter, which is computed with closed forms only",
-                kind=Kind.NO_RESULT,
-                field="resonator.shape",
-                value=design.resonator.shape,
-            )
+            problem = "must be 'cylinder' for manufacturing scatter, which is computed with closed forms only"
+            shape = design.resonator.shape
+            raise UnknownScatterError(problem, kind=Kind.NO_RESULT, field="resonator.shape", value=shape)
         self.design = design
         self.tolerances = tuple(tolerances)
         shared = Topology.of(design)

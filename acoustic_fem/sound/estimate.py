@@ -21,7 +21,7 @@ import numpy as np
 import scipy.signal
 
 from acoustic_fem.quantities.checks import one_of
-from geometry.ground.checks import mismatch
+from geometry.ground.checks import mismatch, out_of_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -93,12 +93,8 @@ def transfer_estimate(
     if outputs.ndim != 2 or outputs.shape[1:] != reference.shape:
         raise mismatch("outputs", f"has shape {outputs.shape}; it must be (n_output, {len(reference)})")
     if not (frequency.min() >= 1.0 and 2.5 * frequency.max() <= rate):
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="frequency",
-            value=(float(frequency.min()), float(frequency.max())),
-            allowed=f"between 1 and {rate / 2.5:g} Hz, the sample rate over 2.5",
-        )
+        allowed = f"between 1 and {rate / 2.5:g} Hz, the sample rate over 2.5"
+        raise out_of_range("frequency", (float(frequency.min()), float(frequency.max())), allowed)
     amplitude = amplitudes(np.concatenate([reference[None], outputs]), rate, frequency)
     count = amplitude.shape[1]
     if count < LEAST_SEGMENTS:

@@ -12,7 +12,7 @@ from geometry.assembly.part_list import PartKind, part_set
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import SharedShape, tessellation_tolerance
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.checks import check_given
 from geometry.printing.print_rules import Finding, judge_cast, judge_printed, judge_shims
 from geometry.printing.tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects
 from geometry.schema.print_processes import PrintProcess, Verdict, find_process, process_of
@@ -78,8 +78,7 @@ def print_report(
         rules = process_of(design.printing) if design is not None else find_process(DEFAULT_PROCESS)
     else:
         rules = find_process(process)
-    if not parts:
-        raise Refusal("is empty", kind=Kind.MISSING, field="parts", remedy="give at least one part")
+    check_given("parts", parts, remedy="give at least one part")
     tolerance = tessellation_tolerance(parts)
     facets_of = {name: shape.facets for shape in shapes or () for name in shape.names}
     known = part_set(parts)
