@@ -16,6 +16,7 @@ import scipy.io.wavfile
 from numpy.typing import NDArray
 
 from geometry.ground.array_files import read_mat, read_npz
+from geometry.ground.checks import check_range
 from geometry.ground.csv_files import read_csv
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal, counted
@@ -85,14 +86,8 @@ def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) 
         sound = _of_arrays(path, read_npz(path, "an NPZ file of numbers", SoundFileError), default_rate)
     else:
         sound = _of_arrays(path, read_mat(path, "a MAT file up to version 7", SoundFileError), default_rate)
-    if not (np.isfinite(sound.rate) and sound.rate > 0):
-        facts: dict[str, Any] = {
-            "field": "sample rate",
-            "value": float(sound.rate),
-            "unit": "Hz",
-            "allowed": "finite and above 0",
-        }
-        raise SoundFileError(kind=Kind.OUT_OF_RANGE, file=path, **facts)
+    allowed, rate = "finite and above 0", float(sound.rate)
+    check_range("sample rate", rate, 0, unit="Hz", excluded="both", allowed=allowed, error=SoundFileError, file=path)
     return sound
 
 

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from geometry.ground.checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
-from geometry.schema.field_errors import Number, Section
+from geometry.schema.field_errors import Hertz, Number, Section
 
 #: Frequency of a modulus that comes from a hardness or from another static test, Hz. A rubber's hardness is read one
 #: to three seconds after it is loaded (ASTM D2240, ISO 48-4), and a spring-pot has relaxed after t seconds to its
@@ -40,12 +40,11 @@ class Material(Section):
         description="modulus over frequency: spring-pot: E (1 + j eta) (f / modulus_frequency)^(2/pi atan eta); "
         "constant: E (1 + j eta), not causal; prony: a table of relaxations",
     )
-    modulus_frequency: Number = Field(
+    modulus_frequency: Hertz = Field(
         default=STATIC_FREQUENCY,
         ge=1e-6,
         le=1e6,
         description="frequency at which youngs_modulus holds; about 0.1 for Shore hardness and static tests",
-        json_schema_extra={"unit": "Hz"},
     )
     relaxation_times: tuple[RelaxationTime, ...] | None = Field(
         default=None, min_length=1, max_length=40, description="relaxation times in s, for law = 'prony' only"
