@@ -25,7 +25,7 @@ from acoustic_fem.batch.topology import LineWiring, Topology
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.checks import out_of_range
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.typed import NumpyOrTorch
 
 #: Values per array worked on at once (designs x points x frequencies): larger leaves the processor's cache.

@@ -24,7 +24,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres, metres
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.checks import check_given, mismatch, out_of_range, wrong_type
+from geometry.ground.argument_checks import check_given, mismatch, out_of_range, wrong_type
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import NumpyOrTorch
 

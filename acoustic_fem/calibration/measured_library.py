@@ -22,7 +22,7 @@ from acoustic_fem.calibration.recording_checks import (
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
-from geometry.ground.checks import wrong_type
+from geometry.ground.argument_checks import wrong_type
 from geometry.ground.file_checks import MOST_NUMBERS
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray

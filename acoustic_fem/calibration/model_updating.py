@@ -23,7 +23,7 @@ from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.calibration.model_discrepancy import Discrepancy
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.estimate import TransferEstimate
-from geometry.ground.checks import check_given, unsuitable
+from geometry.ground.argument_checks import check_given, unsuitable
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 

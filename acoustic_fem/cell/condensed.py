@@ -26,7 +26,7 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
 from geometry.air.straight_bores import StraightBore
-from geometry.ground.checks import out_of_range
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.typed import Array, ComplexArray
 
 #: A solved thermal field: on a mesh of its own, or of the sections of a cylinder and its bores.

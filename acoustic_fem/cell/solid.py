@@ -27,7 +27,7 @@ from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, mesh_s
 from geometry.air.solid_checks import sound_solid
 from geometry.air.straight_bores import shortened
 from geometry.air.volume import MIRROR
-from geometry.ground.checks import out_of_range
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray

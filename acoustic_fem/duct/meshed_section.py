@@ -16,8 +16,8 @@ from skfem.helpers import dot, grad
 from acoustic_fem.duct.sections import Section
 from acoustic_fem.numerics.rational_sweep import reduce_system
 from acoustic_fem.quantities.checks import positive
+from geometry.ground.argument_checks import unsuitable, wrong_type
 from geometry.ground.caller_warnings import warn_caller
-from geometry.ground.checks import unsuitable, wrong_type
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 

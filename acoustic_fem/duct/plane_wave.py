@@ -26,7 +26,7 @@ from scipy.special import jve, zeta
 
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.checks import mismatch, out_of_range
+from geometry.ground.argument_checks import mismatch, out_of_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -295,9 +295,16 @@ def series_from_mean(area: ArrayLike, mean: ComplexArray, frequency: ArrayLike, 
 
 
 def shunt_from_mean(area: ArrayLike, mean: ComplexArray, frequency: ArrayLike, medium: Medium) -> ComplexArray:
-    """Shunt admittance per length of a section, Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>), m^2/(Pa s).
+    """Shunt admittance per length of a section, Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>).
 
-    Arguments as for :func:`series_from_mean`, with the mean <Psi_h>.
+    Args:
+        area: S, m^2.
+        mean: <Psi_h>, shape of frequency, complex128.
+        frequency: Hz; area, mean and frequency broadcast.
+        medium: the gas.
+
+    Returns:
+        Broadcast shape, complex128, m^2/(Pa s).
     """
     gamma = medium.gamma
     adiabatic = 2j * np.pi * np.asarray(frequency) * np.asarray(area) / (gamma * medium.pressure)

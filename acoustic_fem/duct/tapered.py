@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from acoustic_fem.duct.plane_wave import Line
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.checks import out_of_range
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -55,7 +55,19 @@ def port_admittance(
     breaks: Sequence[float] = (),
     accuracy: float = 1e-9,
 ) -> ComplexArray:
-    """The two-port of :func:`solve` alone, (n_freq, 2, 2) complex128, m^3/(Pa s); arguments and errors as there."""
+    """The two-port of :func:`solve` alone; errors as there.
+
+    Args:
+        section: the line at a place x (m) from the first end, 0 < x < length.
+        length: of the duct, m.
+        frequency: (n_freq,) float64, Hz.
+        medium: the gas.
+        breaks: places (m) where the section jumps or has a kink, ascending.
+        accuracy: of Y12 and of the row sums of the two-port, of one; 1e-12 to 0.1.
+
+    Returns:
+        (n_freq, 2, 2) complex128, m^3/(Pa s).
+    """
     return solve(section, length, frequency, medium, breaks, accuracy).admittance
 
 

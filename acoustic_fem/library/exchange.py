@@ -39,8 +39,8 @@ from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_completed
+from geometry.ground.argument_checks import wrong_type
 from geometry.ground.array_files import read_npz
-from geometry.ground.checks import wrong_type
 from geometry.ground.csv_files import read_csv
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import MOST_NUMBERS, ordinary_file

@@ -26,7 +26,7 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_completed, write_design
-from geometry.ground.checks import check_choice, mismatch, wrong_type
+from geometry.ground.argument_checks import check_choice, mismatch, wrong_type
 from geometry.ground.record import seal_file, sha256
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray

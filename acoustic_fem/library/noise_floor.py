@@ -22,8 +22,8 @@ from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.network.microphone import noise_density as own_noise_density, noise_density_behind_vent
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.argument_checks import check_choice, wrong_type
 from geometry.ground.caller_warnings import warn_caller
-from geometry.ground.checks import check_choice, wrong_type
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
 

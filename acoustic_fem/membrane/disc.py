@@ -337,7 +337,15 @@ def _in_si(disc: ElasticDisc, contact: float, radius: float, modulus: float, den
 def disc_compliance(
     radius: float, thickness: float, youngs_modulus: float, poisson_ratio: float = 0.49, rim_width: float = 0.0
 ) -> float:
-    """Static volume compliance of a disc, m^3/Pa; arguments and errors as :func:`solve_disc`."""
+    """Static volume compliance of a disc, m^3/Pa; arguments and errors as :func:`solve_disc`.
+
+    Args:
+        radius: of the opening, m.
+        thickness: m.
+        youngs_modulus: Pa.
+        poisson_ratio: a ratio.
+        rim_width: m; 0: clamped.
+    """
     return solve_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width).static_compliance
 
 
@@ -399,8 +407,15 @@ def design_rubber(design: ArrayDesign) -> Rubber:
 
 
 def design_compliance(design: ArrayDesign, frequency: ArrayLike, known: KnownDiscs | None = None) -> ComplexArray:
-    """Volume compliance of a design's membrane by the law of its material, shape of frequency (Hz), complex128, m^3/Pa;
-    discs that are ``known`` are not solved.
+    """Volume compliance of a design's membrane by the law of its material, m^3/Pa.
+
+    Args:
+        design: the array.
+        frequency: Hz, any shape.
+        known: discs that need not be solved.
+
+    Returns:
+        Complex128 of the shape of the frequency.
     """
     disc = design_disc(design, known=known)
     return disc.compliance(frequency, design_rubber(design))

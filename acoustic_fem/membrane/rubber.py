@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from acoustic_fem.quantities.checks import in_range, positive
-from geometry.ground.checks import mismatch
+from geometry.ground.argument_checks import mismatch
 from geometry.ground.typed import ComplexArray
 from geometry.schema.materials import Material
 

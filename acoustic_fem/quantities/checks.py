@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from geometry.ground.checks import out_of_range, wrong_type
+from geometry.ground.argument_checks import out_of_range, wrong_type
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 

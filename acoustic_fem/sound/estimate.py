@@ -21,7 +21,7 @@ import numpy as np
 import scipy.signal
 
 from acoustic_fem.quantities.checks import one_of
-from geometry.ground.checks import mismatch, out_of_range
+from geometry.ground.argument_checks import mismatch, out_of_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 

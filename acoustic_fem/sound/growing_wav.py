@@ -17,7 +17,7 @@ from typing import Self
 
 import numpy as np
 
-from geometry.ground.checks import check_range, wrong_type
+from geometry.ground.argument_checks import check_range, wrong_type
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import writing

@@ -15,8 +15,8 @@ import numpy as np
 import scipy.io.wavfile
 from numpy.typing import NDArray
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.array_files import read_mat, read_npz
-from geometry.ground.checks import check_range
 from geometry.ground.csv_files import read_csv
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal, counted

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from geometry.air.curved_tetrahedra import EDGES
 from geometry.air.mesh import WALL, SolidMesh, checked_mesh
-from geometry.ground.checks import out_of_range
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.typed import Array
 
 #: Names of the ends of a swept mesh.

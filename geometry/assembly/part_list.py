@@ -72,6 +72,20 @@ class PartSet(dict[str, "cq.Workplane"]):
         kind = self.kinds.get(name)
         return "printed" if kind is None else _ORIGINS.get(kind, "printed")
 
+    def only(self, *names: str) -> PartSet:
+        """Some of the parts, in this order, with all that is known of them.
+
+        Raises:
+            KeyError: no part has the name.
+        """
+        chosen = PartSet()
+        chosen.update({name: self[name] for name in names})
+        chosen.parameters = {name: self.parameters[name] for name in names if name in self.parameters}
+        chosen.counts = {name: self.counts[name] for name in names if name in self.counts}
+        chosen.kinds = {name: self.kinds[name] for name in names if name in self.kinds}
+        chosen.placed = tuple(part for part in self.placed if part.part in names)
+        return chosen
+
 
 def part_set(parts: Mapping[str, cq.Workplane]) -> PartSet:
     """Parts of an array as they are; any others as parts of no kind, of which nothing is known but their names."""

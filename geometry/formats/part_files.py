@@ -16,7 +16,7 @@ import numpy as np
 import geometry
 from geometry.assembly.part_list import part_set
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
-from geometry.ground.checks import check_choice
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.whole_files import whole_file
 

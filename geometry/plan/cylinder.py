@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from geometry.ground.checks import check_range
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array
 from geometry.plan.crossing import zero_crossing

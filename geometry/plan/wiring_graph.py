@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from geometry.ground.checks import out_of_range
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.refusal import Kind, Refusal, counted
 
 

@@ -12,7 +12,7 @@ from geometry.assembly.part_list import PartKind, part_set
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import SharedShape, tessellation_tolerance
-from geometry.ground.checks import check_given
+from geometry.ground.argument_checks import check_given
 from geometry.printing.print_rules import Finding, judge_cast, judge_printed, judge_shims
 from geometry.printing.tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects
 from geometry.schema.print_processes import PrintProcess, Verdict, find_process, process_of

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.checks import check_range
+from geometry.ground.argument_checks import check_range
 
 #: Usual tolerance of small printed lengths, mm: reported for every process, so that designs compare.
 USUAL_TOLERANCE = 0.05

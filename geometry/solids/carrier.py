@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import cadquery as cq
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.checks import check_given
+from geometry.ground.argument_checks import check_given
 from geometry.schema.field_errors import conflict
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import Resonator

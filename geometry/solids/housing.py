@@ -8,7 +8,7 @@ from itertools import combinations
 import cadquery as cq
 
 from geometry.design.shell_rules import seat_underside
-from geometry.ground.checks import check_given
+from geometry.ground.argument_checks import check_given
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import BOARD_SEAL, SEAT_SLOT, Microphone
 from geometry.schema.ports import Port

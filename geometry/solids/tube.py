@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 import geometry
-from geometry.ground.checks import unsuitable
+from geometry.ground.argument_checks import unsuitable
 from geometry.ground.typed import Array
 from geometry.plan.routing import path_length, tightest_bend, trimmed
 from geometry.schema.part_fields import Tube

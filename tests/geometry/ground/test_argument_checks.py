@@ -3,7 +3,7 @@ import math
 import numpy as np
 import pytest
 
-from geometry.ground.checks import check_choice, check_given, check_range, check_shape
+from geometry.ground.argument_checks import check_choice, check_given, check_range, check_shape
 from geometry.ground.refusal import Kind, Refusal
 
 

@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Sized
 from typing import Any
 
-from .refusal import Kind, Refusal
+from geometry.ground.refusal import Kind, Refusal
 
 
 def check_range(
