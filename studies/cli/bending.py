@@ -22,36 +22,37 @@ _ANGLES = ",".join(f"{angle:g}" for angle in BendingRig.angles)
 
 
 class FarEnd(StrEnum):
-    """What closes the far end of the tube."""
+    """Termination of the far end of the tube."""
 
     microphone = "microphone"
     closed = "closed"
 
 
 def bend(
-    out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
     bore: Annotated[float, typer.Option(help="Inner diameter of the tube, mm.")] = BendingRig.bore,
-    length: Annotated[float, typer.Option(help="Of the tube along its centre line, mm.")] = BendingRig.length,
+    length: Annotated[float, typer.Option(help="Length of the tube along its centre line, mm.")] = BendingRig.length,
     diameter: Annotated[
-        float, typer.Option(help="Of the cylinder on which the centre line is wound, mm.")
+        float, typer.Option(help="Diameter of the cylinder on which the centre line is wound, mm.")
     ] = BendingRig.diameter,
     outside: Annotated[
-        float, typer.Option(help="Outer diameter of the tube, mm: the turns of a helix touch.")
+        float, typer.Option(help="Outer diameter of the tube, mm. The turns of a helix touch.")
     ] = BendingRig.outside,
-    angles: Annotated[str, typer.Option(metavar="ANGLES", help="Degrees wound, with commas.")] = _ANGLES,
+    angles: Annotated[str, typer.Option(metavar="ANGLES", help="Bending angles in degrees, with commas.")] = _ANGLES,
     end: Annotated[
-        FarEnd, typer.Option(help="The far end: the microphone of array-2x6 in its chamber, or nothing.")
+        FarEnd, typer.Option(help="Far end: the microphone of array-2x6 in its chamber, or closed.")
     ] = FarEnd[BendingRig.end],
     fidelity: Annotated[
         Fidelity,
-        typer.Option(help="navier-stokes: the one to trust; helmholtz: makes the change 13 times too large."),
+        typer.Option(help="navier-stokes is the reference; helmholtz makes the change 13 times too large."),
     ] = _FIDELITY,
     frequencies: Frequencies = FREQUENCIES,
 ) -> None:
-    """Does a tube transmit less when it is bent? The publication's rig, the bent bore solved in 3-D.
+    """Compute how much less a tube transmits when it is bent.
 
-    Level and phase of the pressure at the far end over that at the near end, and their differences to the straight
-    tube: bending.png, bending.csv and bending.json. Takes about ten seconds.
+    Repeats the publication's test, with the bent bore solved in 3-D. Writes bending.png, bending.csv and bending.json:
+    level and phase of the pressure at the far end over that at the near end, and their differences from the straight
+    tube. Takes about ten seconds.
 
     Example: [bold]acoustic-fem bend --out bending --angles 0,90,180,270,360[/bold]
     """
@@ -76,11 +77,11 @@ def _show_bending(result: Bending) -> None:
         table.add_row(f"{angle:g} degrees", *(number(value) for value in values))
     show(table)
     level, phase = result.largest_differences.max(axis=0)
-    print(f"largest difference to the straight tube: {number(level)} dB, {number(phase)} degrees")
+    print(f"largest difference from the straight tube: {number(level)} dB, {number(phase)} degrees")
     if result.unknowns:
         print(
-            f"mesh: {result.unknowns} unknowns; the differences are good to {100 * result.mesh_error:.2g} %, by a mesh "
-            f"twice as coarse; {100 * result.straight_error:.2g} % of a straight bore's admittance taken out"
+            f"mesh: {result.unknowns} unknowns; the differences are accurate to {100 * result.mesh_error:.2g} %, "
+            f"estimated with a mesh twice as coarse; {100 * result.straight_error:.2g} % of a straight bore removed"
         )
 
 

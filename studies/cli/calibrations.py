@@ -43,25 +43,22 @@ _RIG_SEED = defaults_of(record_rig)["seed"]
 
 def rig(
     design: Design,
-    out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
-    seed: Annotated[int, typer.Option(help="Of the sensor: another one, another sensor.", min=0)] = _RIG_SEED,
-    altitude: Annotated[
-        float, typer.Option(metavar="M", help="Height of its place above that of the design's pressure.")
-    ] = 0.0,
+    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    seed: Annotated[int, typer.Option(help="Seed of the simulated sensor.", min=0)] = _RIG_SEED,
+    altitude: Annotated[float, typer.Option(metavar="M", help="Height of its place above the design's.")] = 0.0,
     modulus: Annotated[
-        float, typer.Option(metavar="FACTOR", help="Modulus of its membranes against the design's; 0.85 is softer.")
+        float, typer.Option(metavar="FACTOR", help="Modulus of its membranes relative to the design's; 0.85 is softer.")
     ] = 1.0,
-    fidelity: Annotated[Fidelity, typer.Option(help="Of the sensor's transfer functions.")] = _FIDELITY,
+    fidelity: Annotated[Fidelity, typer.Option(help="Fidelity of the sensor's transfer functions.")] = _FIDELITY,
 ) -> None:
-    """Recordings of a virtual made sensor, to try everything before there is a real one.
+    """Simulate recordings of an as-built sensor, to practise before you have a real one.
 
-    Its parts deviate from the design, its rubber, its microphones and the air of its place too; recordings have noise,
-    hum and wander, touches the spectra and the hysteresis of fingers. None of it is what decodes them.
+    The sensor's parts, rubber, microphones and air deviate from the design. Its recordings contain noise, hum and
+    drift, and its touches have the spectra and the hysteresis of fingers. The decoders are given none of this.
 
-    calibration: a recording of each point with a calibration microphone, as calibrate reads them. touches: recordings
-    of each point whose names say which, as locate, recalibrate and train --recordings read them. truth.json: what was
-    hidden, seed and versions; truth.nc: the library of the sensor as it is, as evaluate reads it. Not to be looked at
-    before.
+    Writes a folder calibration with a recording of each point for calibrate, and a folder touches with recordings for
+    locate, recalibrate and train --recordings, whose file names give the point. truth.json and truth.nc hold the hidden
+    deviations and the sensor's true library: look at them last.
 
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
@@ -78,16 +75,16 @@ def calibrate(
         Path,
         typer.Argument(
             metavar="RECORDINGS",
-            help=f"A manifest, TOML, or a folder with one called {MANIFEST}: docs/calibration.md.",
+            help=f"Manifest, TOML, or a folder that contains {MANIFEST}: docs/calibration.md.",
             show_default=False,
         ),
     ],
     out: Annotated[
         Path,
-        typer.Option(help="The library to write, netCDF, a new file; a figure goes beside.", show_default=False),
+        typer.Option(help="Library to write, netCDF, a new file; a figure is written beside it.", show_default=False),
     ],
     fidelity: Annotated[
-        Fidelity, typer.Option(help="Of the design's own transfer functions, which stand in for missing points.")
+        Fidelity, typer.Option(help="Fidelity of the design's transfer functions, used for points without a recording.")
     ] = _FIDELITY,
     frequencies: Frequencies = CALIBRATION_FREQUENCIES,
     tolerances: Tolerances = None,
@@ -95,13 +92,14 @@ def calibrate(
     altitude: Altitude = None,
     temperature: Temperature = None,
 ) -> None:
-    """From recordings of the made sensor to its library: measured transfer functions with their uncertainty.
+    """Measure the library of your sensor from recordings with a calibration microphone.
 
-    Swept sines or noise at each point, a calibration microphone at the touched cavity. Bad recordings are left out and
-    named. Where points lack a good one, all follow from a fit of the sensor's parts to the measured points; where no
-    sensor within the tolerances is like the measured one, that is said, and they keep those of the design.
+    Writes a library of measured transfer functions with their uncertainty. Record swept sines or noise at each point,
+    with a calibration microphone at the touched cavity. Bad recordings are left out and listed. If a point has no good
+    recording, its transfer functions follow from a fit of the sensor's parts to the measured points. If no sensor
+    within the tolerances fits, you get a warning and these points keep the design's transfer functions.
 
-    The library ends with --frequencies: what is made of it takes touches to be silent above.
+    Decoders of the library take touches to be silent above the last of --frequencies.
 
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
@@ -127,7 +125,7 @@ def calibrate(
 
 
 def _print_fit(found: SensorCalibration) -> None:
-    """What the fit says of the missing points, where there was one."""
+    """Print how the fit to the measured points went, if there was one."""
     fit = found.fit
     if fit is None:
         return
@@ -151,12 +149,12 @@ def _print_fit(found: SensorCalibration) -> None:
 
 
 def _prospect(found: SensorCalibration) -> str:
-    """What is to be expected of the fitted library, and what to measure next."""
+    """Accuracy to expect of the fitted library, and the point to measure next."""
     shares = found.expected
     if shares is None:
-        return f"--frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz: what to expect of the fit is not known"
+        return f"--frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz, so the accuracy of the fit is not predicted"
     text = (
-        f"to expect: {100 * shares.mean():.1f} % of touches classified correctly, {100 * shares[0]:.1f} % in the worst "
+        f"expected: {100 * shares.mean():.1f} % of touches classified correctly, {100 * shares[0]:.1f} % in the worst "
         f"of {len(shares)} cases"
     )
     if found.measure_next is None:
@@ -170,25 +168,24 @@ def recalibrate(
         list[Path],
         typer.Argument(
             metavar="RECORDINGS",
-            help="Touches, one at a time, spread over all points: WAV with a channel per "
-            "microphone; CSV with their names on top; NPZ with 'signals'.",
+            help="Touches, one at a time, spread over all points: WAV with a channel per microphone, CSV with their "
+            "names on top, or NPZ with 'signals'.",
             show_default=False,
         ),
     ],
-    out: Annotated[Path, typer.Option(help="The library to write, netCDF, a new file.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file.", show_default=False)],
     full_scale: FullScale = None,
     noise: Noise = None,
-    seed: Annotated[int, typer.Option(help="Of the choice of the touches that judge.", min=0)] = _SEED,
+    seed: Annotated[int, typer.Option(help="Seed that chooses the held-out touches.", min=0)] = _SEED,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
 ) -> None:
-    """From touches of which nobody knows the points to the library of the sensor as it is now.
+    """Update the library of your sensor from ordinary touches, whose points need not be known.
 
-    LIBRARY is that of the design or the last calibration. Needed are touches of fingers (taps, presses, slides),
-    multi-sines or noise, one at a time, in a quiet room, spread over all points: at least 100 frames of 250 ms, better
-    300, and several per point. A quarter of them is held out and judges; where they do not speak for the
-    sensor found, that is said with the reason, nothing is written, and LIBRARY stays what is best known.
+    Writes a new library. LIBRARY is that of the design or of the last calibration. Record taps, presses or slides of
+    fingers, one at a time, in a quiet room, several at every point: at least 100 frames of 250 ms, better 300. A
+    quarter of the touches is held out. If they do not support the new library, the command says why and writes nothing.
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
@@ -202,19 +199,25 @@ def recalibrate(
         f"per held-out frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
     )
     if len(found.untouched):
-        print(f"no touch was named point {numbers(found.untouched)}: least known; touch it next time")
+        print(
+            f"no touch was assigned to point {numbers(found.untouched)}, so it is the least certain: touch it next time"
+        )
 
 
 def convert(
     library: Annotated[
-        Path, typer.Argument(metavar="LIBRARY", help="A library: .nc, .sofa, .npz or .csv.", show_default=False)
+        Path, typer.Argument(metavar="LIBRARY", help="Library: .nc, .sofa, .npz or .csv.", show_default=False)
     ],
     out: Annotated[
         Path,
-        typer.Option(help="The file to write, of another such suffix; a measured library is kept.", show_default=False),
+        typer.Option(
+            help="File to write; its suffix is the format. A measured library is never overwritten.", show_default=False
+        ),
     ],
 ) -> None:
-    """A library in another format: netCDF, SOFA (AES69-2022, GeneralTF-E), NPZ or CSV, and back to the last digit.
+    """Convert a library to netCDF, SOFA, NPZ or CSV, or back, without loss.
+
+    SOFA files follow AES69-2022, convention GeneralTF-E. Every digit is kept.
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """

@@ -30,7 +30,7 @@ from studies.run.pipeline import run_design
 from studies.run.wiring import wiring_table
 from studies.studio.serving import serve_studio
 
-AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Go on also where parts overlap.")]
+AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Continue although parts overlap.")]
 _FIDELITY: Fidelity = defaults_of(solve_library)["fidelity"]
 
 
@@ -39,21 +39,25 @@ def studio(
         str, typer.Argument(metavar="[DESIGN]", help="A design file, or the name of a prototype.")
     ] = "array-2x6",
     port: Annotated[
-        int | None, typer.Option(help="Port to listen at; 0 for any.", show_default="8765, or the next that is free")
+        int | None,
+        typer.Option(help="Port of the page; 0 for any. Default: 8765, or the next free one.", show_default=False),
     ] = None,
     host: Annotated[
-        str, typer.Option(metavar="ADDRESS", help="Address to listen at; another one needs --token.")
+        str, typer.Option(metavar="ADDRESS", help="Address of the page; any but this needs --token.")
     ] = "127.0.0.1",
     token: Annotated[
         str | None,
-        typer.Option(help="Key in the page's address, 16 letters and digits or more.", show_default="a secret one"),
+        typer.Option(
+            help="Key in the page's address, 16 letters and digits or more. Default: a random one.", show_default=False
+        ),
     ] = None,
     browser: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
 ) -> None:
-    """A page on this machine that shows what a change of a design does: curves, the array in 3-D, points, printing.
+    """Edit a design in the browser and see at once what each change does.
 
-    Every field has a slider; what cannot be is refused beside it. Nothing leaves the machine. docs/studio.md says how
-    to install what it needs. Ctrl-C ends.
+    The page shows curves, the array in 3-D, the accuracy of each point and the print rules. It rejects values that are
+    not possible, beside their field. Nothing leaves your machine, and nothing is written until you save. Press Ctrl-C
+    to end. Guide: docs/studio.md.
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
     """
@@ -65,18 +69,19 @@ def check(
         str | None,
         typer.Argument(metavar="DESIGN", help="A design file, or the name of a prototype.", show_default=False),
     ] = None,
-    fields: Annotated[bool, typer.Option("--fields", help="List every field of a design file and stop.")] = False,
-    out: Annotated[Path | None, typer.Option(help="Write the findings here as JSON too.", show_default=False)] = None,
+    fields: Annotated[bool, typer.Option("--fields", help="List every field of a design file, then stop.")] = False,
+    out: Annotated[Path | None, typer.Option(help="JSON file to write the findings to.", show_default=False)] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(help="Draw the array here, PNG: the predicted accuracy of each point.", show_default=False),
+        typer.Option(help="PNG file to draw the predicted accuracy of each point in.", show_default=False),
     ] = None,
 ) -> None:
-    """Validate a design and say how good it is: counts, wiring, layout, printing, validity of the models.
+    """Validate a design and predict how well it will work.
 
-    Problems that keep it from being made come first, then the predicted top-1 accuracy, of the nominal sensor and with
-    manufacturing scatter. Exit code 1 if the design is not valid, parts are in each other's way, or a print rule fails.
-    Takes seconds, half a minute for 200 points, because parts are drawn and measured, but nothing is solved in 3-D.
+    Problems that prevent it from being made come first. Then come the predicted top-1 accuracy of the nominal and of
+    the as-built sensor, the wiring, the layout, the print rules and the validity of the models. The exit code is 1 if
+    the design is invalid, if parts overlap, or if a print rule fails. Parts are drawn and measured but nothing is
+    solved in 3-D, so it takes seconds.
 
     Example: [bold]acoustic-fem check mine.toml[/bold]
     """
@@ -95,11 +100,19 @@ def check(
 
 
 def wiring(
-    microphones: Annotated[int, typer.Argument(metavar="MICROPHONES", help="How many, 2 to 16.", show_default=False)],
-    points: Annotated[int, typer.Argument(metavar="POINTS", help="On each line, 1 to 1000.", show_default=False)],
-    out: Annotated[Path | None, typer.Option(help="Draw 2 to so many microphones, PNG.", show_default=False)] = None,
+    microphones: Annotated[
+        int, typer.Argument(metavar="MICROPHONES", help="Number of microphones, 2 to 16.", show_default=False)
+    ],
+    points: Annotated[
+        int, typer.Argument(metavar="POINTS", help="Points on each line, 1 to 1000.", show_default=False)
+    ],
+    out: Annotated[
+        Path | None, typer.Option(help="PNG file to draw the counts for 2 to MICROPHONES in.", show_default=False)
+    ] = None,
 ) -> None:
-    """How many points so many microphones serve, for every number of lines, against the usual wirings.
+    """Compare how many points a number of microphones can serve, with other wirings.
+
+    Prints a row for every number of lines, beside one transducer per point and rows with columns.
 
     Example: [bold]acoustic-fem wiring 4 36 --out wiring.png[/bold]
     """
@@ -122,13 +135,14 @@ def wiring(
 def solve(
     design: Design,
     out: Annotated[
-        Path, typer.Option(help="The library to write, netCDF (.nc); a measured one is kept.", show_default=False)
+        Path,
+        typer.Option(help="Library to write, netCDF (.nc). A measured one is never overwritten.", show_default=False),
     ],
     fidelity: Annotated[
         Fidelity,
         typer.Option(
-            help="lumped: closed forms, at once; atlas: with what 3-D adds, from a table; helmholtz: scalar 3-D cells, "
-            "a cross-check; navier-stokes: 3-D cells, the one to trust."
+            help="lumped: closed forms, instant; atlas: corrected by a table of 3-D solutions; helmholtz: scalar 3-D "
+            "cells, a cross-check; navier-stokes: 3-D cells, the reference."
         ),
     ] = _FIDELITY,
     frequencies: Frequencies = LIBRARY_FREQUENCIES,
@@ -136,13 +150,13 @@ def solve(
     altitude: Altitude = None,
     temperature: Temperature = None,
 ) -> None:
-    """Transfer functions from every point to every microphone.
+    """Compute the transfer functions from every point to every microphone.
 
-    3-D cells are kept on disk and found again by every design that shares them. The frequencies are those that a
-    localizer needs, whose touches hold sound up to 500 Hz; fewer take hardly less time.
+    Writes a library. 3-D cells are kept on disk, so designs that share them find them solved. The default frequencies
+    are those that a localizer needs, because touches contain sound up to 500 Hz. Fewer save hardly any time.
 
-    The air is the design's, but for what is said of the place: at 2000 m the far microphone of array-2x6 hears
-    up to 63 % else.
+    Give the altitude or the pressure of the place if it differs from the design's, because air matters: at 2000 m the
+    far microphone of array-2x6 changes by up to 63 %.
 
     Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped[/bold]
     """
@@ -154,24 +168,24 @@ def solve(
 
 def parts(
     design: Design,
-    out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
-    format: Annotated[str, typer.Option(metavar="FORMATS", help="Of stl, step and 3mf, with commas.")] = ",".join(
-        FORMATS
-    ),
+    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    format: Annotated[
+        str, typer.Option(metavar="FORMATS", help="File formats, with commas: stl, step, 3mf.")
+    ] = ",".join(FORMATS),
     process: Annotated[
         str | None,
         typer.Option(
             metavar="PROCESS",
-            help="Judge for this printing process, a name or a .toml file; default: that of the design.",
+            help="Printing process to check for, a name or a .toml file. Default: the design's.",
             show_default=False,
         ),
     ] = None,
     allow_overlaps: AllowOverlaps = False,
 ) -> None:
-    """Everything to print, cast, cut, buy and assemble, with pictures, and what the print rules say.
+    """Write everything needed to print, cast, buy and assemble a design.
 
-    Writes a file of every part and format, plates with all of them in the numbers needed, print-report.html, the
-    bill of materials, the array as assembly.step, array.glb and array.html, and pictures.
+    Writes each part in each format, plates that hold all parts in the numbers needed, print-report.html with the print
+    rules, the bill of materials, the array as assembly.step, array.glb and array.html, and pictures.
 
     Example: [bold]acoustic-fem parts array-2x6 --out parts --format stl,3mf[/bold]
     """
@@ -192,14 +206,14 @@ def run(
     design: Design,
     out: Annotated[
         Path,
-        typer.Option(help="A new or empty folder, or one of an earlier run, which is replaced.", show_default=False),
+        typer.Option(help="New or empty folder, or that of an earlier run, which is replaced.", show_default=False),
     ],
     allow_overlaps: AllowOverlaps = False,
 ) -> None:
-    """Everything for one design: parts, transfer functions, localizer, figures, and report.html.
+    """Do everything for one design: parts, transfer functions, localizer and report.
 
-    Takes about a minute for twelve points, where nothing else runs; a second run finds its 3-D cells on disk. Runs
-    of one design on one machine give the same figures, however busy it is.
+    Writes the parts, the library, the trained localizer and report.html. Twelve points take about a minute. A second
+    run is faster because its 3-D cells are on disk. Runs of one design on one machine give identical figures.
 
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """

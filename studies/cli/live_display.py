@@ -1,4 +1,4 @@
-"""What a terminal shows while an array is listened to: its picture, its signals, the latency, what went wrong."""
+"""Terminal display of live input: the array, its signals, the latency, faults."""
 
 from __future__ import annotations
 

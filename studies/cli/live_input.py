@@ -39,42 +39,43 @@ def live(
     model: Model,
     device: Annotated[
         str | None,
-        typer.Option(help="The sound card: its number, or a part of its name.", show_default="that of the system"),
+        typer.Option(help="Sound card: its number, or part of its name. Default: the system's.", show_default=False),
     ] = None,
     list_devices: Annotated[
-        bool, typer.Option("--list-devices", callback=_list_devices, is_eager=True, help="List sound cards and stop.")
+        bool, typer.Option("--list-devices", callback=_list_devices, is_eager=True, help="List sound cards, then stop.")
     ] = False,
     channels: Annotated[
         str | None,
         typer.Option(
             metavar="A=1,B=2",
-            help="Which channel, from 1, is which microphone.",
-            show_default="the first ones, in the order of the design",
+            help="Channel of each microphone, counted from 1. Default: the first ones, in the order of the design.",
+            show_default=False,
         ),
     ] = None,
     full_scale: Annotated[
-        float, typer.Option(help="Pa: the pressure at full scale of the sound card or file.")
+        float, typer.Option(help="Pressure at full scale of the sound card or file, Pa.")
     ] = LiveInput.full_scale,
     replay: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.wav", help="Play this in real time instead of listening.", show_default=False),
+        typer.Option(
+            metavar="FILE.wav", help="Recording to play in real time in place of a sound card.", show_default=False
+        ),
     ] = None,
     record: Annotated[
         Path | None,
         typer.Option(
             metavar="FILE.wav",
-            help="Record what comes in, at the rate at which it does, to a new file; readable even if the program is "
-            "killed.",
+            help="New file to record the input to, at its own sample rate; readable even if the program is killed.",
             show_default=False,
         ),
     ] = None,
     out: Annotated[
-        Path | None, typer.Option(help="Write a line of JSON for every frame here, 16 ms apart.", show_default=False)
+        Path | None, typer.Option(help="File for a line of JSON per frame, every 16 ms.", show_default=False)
     ] = None,
     noise: DecoderNoise = None,
     library: ArrayLibrary = None,
     waveform: Annotated[
-        bool, typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity.")
+        bool, typer.Option("--waveform", help="Add the reconstructed pressure in the touched cavity.")
     ] = False,
     ambient: DecoderAmbient = None,
     reject: RejectedFraction = None,
@@ -83,18 +84,20 @@ def live(
         float | None,
         typer.Option(
             metavar="MM",
-            help="Tell also where on the surface a contact of this radius is, and its gestures, for a library.",
-            show_default="points alone",
+            help="Report also the position on the surface of a contact of this radius, and its gestures; needs a "
+            "library. Default: points alone.",
+            show_default=False,
         ),
     ] = None,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
 ) -> None:
-    r"""Name touches while they happen: listen to the microphones on a sound card, or play a recording in real time.
+    r"""Locate touches as they happen, from a sound card or a recording played in real time.
 
-    A terminal shows the array; where the output is none, it is a line of JSON for every frame. A sound card that is
-    unplugged is waited for. Ctrl-C ends with a summary. Sound cards need: pip install 'acoustic-fem\[live]'.
+    A terminal shows the array. If the output is not a terminal, it is a line of JSON per frame. If a sound card is
+    unplugged, the program waits for it. Press Ctrl-C to end with a summary. Sound cards need pip install
+    'acoustic-fem\[live]'.
 
     Example: [bold]acoustic-fem live library.nc --device USB --record touches.wav --out touches.jsonl[/bold]
     """
@@ -108,11 +111,11 @@ def live(
         summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
     _print_summary(summary)
     if summary.unrecorded:
-        raise Refusal(f"{summary.unrecorded}; what came in until then is in the file", kind=Kind.STOPPED)
+        raise Refusal(f"{summary.unrecorded}; all input before that is in the file", kind=Kind.STOPPED)
 
 
 class _Output:
-    """What is done with every event: the picture of a terminal, elsewhere a line of JSON."""
+    """Output of every event: the picture on a terminal, elsewhere a line of JSON."""
 
     def __init__(self, waveform: bool) -> None:
         self._console = Console()
@@ -164,7 +167,7 @@ def _print_summary(summary: LiveSummary) -> None:
         f"listened for {summary.seconds:.1f} s: {counted(summary.touches, 'touch')}; decisions: {states}",
         f"faults: {faults}{lost}",
         f"latency: p50 {p50:.1f} ms, p99 {p99:.1f} ms, at most {1e3 * summary.latencies.largest:.1f} ms",
-        f"assumed is {summary.assumptions}",
+        f"the decoder assumes {summary.assumptions}",
         *([] if summary.warning is None else [f"warning: {summary.warning}"]),
         *summary.recordings,
     ):

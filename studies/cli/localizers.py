@@ -25,70 +25,74 @@ _EVALUATION = defaults_of(evaluate_localizer)
 
 def train(
     library: LibraryFile,
-    out: Annotated[Path, typer.Option(help="The folder to write the localizer to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write the network to.", show_default=False)],
     seconds: Annotated[
         float | None,
         typer.Option(
-            help="Cut training short where it would take longer; the result then depends on the machine.",
-            show_default="no limit",
+            help="Time limit of training. A run cut short depends on the machine. Default: no limit.",
+            show_default=False,
         ),
     ] = None,
     plan: Annotated[
         str,
         typer.Option(
-            help="usual: new touches in every epoch, 200 of every point, in sound of 30 to 95 dB SPL. paper: 14,000 "
-            "touches of every point by short windows, the paper's network, no noise: hours. The options below change "
-            "either."
+            help="usual: 200 new touches of every point in each epoch, in room sound of 30 to 95 dB SPL. paper: 14,000 "
+            "touches of every point in short windows, the paper's network, no noise; takes hours. The options below "
+            "change either."
         ),
     ] = PLANS[0],
-    epochs: Annotated[int | None, typer.Option(help="How many epochs.", show_default="20; paper: 30")] = None,
+    epochs: Annotated[
+        int | None, typer.Option(help="Number of epochs. Default: 20, or 30 with --plan paper.", show_default=False)
+    ] = None,
     noise: Noise = None,
-    seed: Annotated[int, typer.Option(help="Of the touches and the network.")] = TrainingPlan.seed,
+    seed: Annotated[int, typer.Option(help="Seed of the touches and the network.")] = TrainingPlan.seed,
     network: Annotated[
         str | None,
         typer.Option(
-            help="patches, stride-2, or paper: ever larger and slower; two-stage, the paper's of letters.",
-            show_default="patches; --plan paper: paper; --kind letters: two-stage",
+            help="patches, stride-2 or paper, each larger and slower than the one before; two-stage is the paper's "
+            "network for letters. Default: patches, paper with --plan paper, two-stage with --kind letters.",
+            show_default=False,
         ),
     ] = None,
     stimuli: Annotated[
         list[str] | None,
         typer.Option(
-            help="What touches are made of: multi-sines, taps, friction or pulse-wave; again for a mixture. A network "
-            "names only what it was trained on.",
-            show_default="multi-sines",
+            help="Signals of the touches: multi-sines, taps, friction or pulse-wave; repeat it for a mixture. A "
+            "network recognizes only signals that it was trained on. Default: multi-sines.",
+            show_default=False,
         ),
     ] = None,
     recordings: Annotated[
         Path | None,
         typer.Option(
             metavar="MANIFEST",
-            help="Recorded touches of the made sensor, half of all that is trained on: docs/localizer.md. A fifth of "
-            "the recordings is held out and judged.",
+            help="Recorded touches of your sensor, which become half of the training data: docs/localizer.md. A fifth "
+            "of them is held out to measure the accuracy.",
             show_default=False,
         ),
     ] = None,
     kind: Annotated[
         str | None,
         typer.Option(
-            help="Tell kinds of touch instead of points: events, textures, letters (docs/letters.md), or labels, "
-            "those of the recordings: docs/kinds.md.",
-            show_default="points",
+            help="Train a recognizer of events, textures, letters (docs/letters.md) or labels, which are those of the "
+            "recordings (docs/kinds.md). Default: a localizer of points.",
+            show_default=False,
         ),
     ] = None,
 ) -> None:
-    """Train a localizer on touches made from a library, and on recorded ones where there are some.
+    """Train a network that locates touches, or one that recognizes kinds of touch.
 
-    With --kind it is a recognizer, which tells what a touch is instead of where.
+    Touches are simulated through the library; add recorded ones with --recordings. With --kind the network recognizes
+    kinds of touch in place of points.
 
-    Killed and started again it goes on where it was, to the same weights: its state is kept in checkpoint.safetensors
-    until it is done. Beside the localizer come training.csv and confusion.csv, and a picture of each.
+    Writes the network, training.csv and confusion.csv, and a picture of each. If training is killed, start it again: it
+    continues from checkpoint.safetensors and ends with identical weights.
 
     Example: [bold]acoustic-fem train library.nc --out localizer --epochs 10[/bold]
     """
     if kind is not None:
-        of_localizers = {"--stimuli": bool(stimuli), "--plan": plan != PLANS[0]}
-        _train_kinds(library, out, kind, seconds, epochs, noise, seed, network, recordings, of_localizers)
+        localizer_options = {"--stimuli": bool(stimuli), "--plan": plan != PLANS[0]}
+        _train_kinds(library, out, kind, seconds, epochs, noise, seed, network, recordings, localizer_options)
         return
     base = TrainingPlan.of(plan)
     chosen = replace(
@@ -127,12 +131,12 @@ def _train_kinds(
     seed: int,
     network: str | None,
     recordings: Path | None,
-    of_localizers: dict[str, bool],
+    localizer_options: dict[str, bool],
 ) -> None:
     """A recognizer in place of a localizer; the options of localizers alone, and whether they were given."""
-    for option, is_given in of_localizers.items():
+    for option, is_given in localizer_options.items():
         if is_given:
-            raise typer.BadParameter(f"{option} is of localizers; with --kind it says nothing")
+            raise typer.BadParameter(f"{option} is for localizers and cannot be given with --kind")
     usual = RecognitionPlan.of(kind)
     plan = replace(
         usual,
@@ -151,7 +155,7 @@ def _train_kinds(
     judged = simulated if recordings is None else f"{cut} of held-out recordings"
     tell(
         f"{out}: {counted(len(recognizer.labels), 'kind')}, {counted(record['epochs'], 'epoch')}, "
-        f"{record['held_out_accuracy'][-1]:.1%} of {record['held_out_takes']} {judged} told right"
+        f"{record['held_out_accuracy'][-1]:.1%} of {record['held_out_takes']} {judged} classified correctly"
     )
 
 
@@ -160,27 +164,28 @@ def evaluate(
         Path,
         typer.Argument(
             metavar="MODEL",
-            help="A localizer, from train or run (a folder), or an .onnx file.",
+            help="Trained localizer, a folder from train or run, or an .onnx file.",
             show_default=False,
         ),
     ],
     library: LibraryFile,
-    touches: Annotated[int, typer.Option(help="Held-out touches of every point.")] = _EVALUATION["touches"],
+    touches: Annotated[int, typer.Option(help="Number of held-out touches of every point.")] = _EVALUATION["touches"],
     noise: Noise = None,
-    seed: Annotated[int, typer.Option(min=0, help="Of the touches.")] = _EVALUATION["seed"],
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the touches.")] = _EVALUATION["seed"],
     out: Annotated[
         Path | None,
         typer.Option(
-            help="A folder for evaluation.json and evaluation.html: also under other noise, ambient sound, touches, "
-            "lengths, on as-built sensors and virtual rigs.",
+            help="Folder for evaluation.json and evaluation.html, which add other noise, room sound, kinds and lengths "
+            "of touches, as-built sensors and virtual rigs.",
             show_default=False,
         ),
     ] = None,
 ) -> None:
-    """How often a localizer names the touched point, on touches it has never heard; the Bayes decoder beside it.
+    """Measure how accurately a trained network locates touches it was not trained on.
 
-    The first line of each localizer is for multi-sine touches on the nominal sensor. The lines below are for taps on
-    it, and for multi-sine touches on sensors with manufacturing scatter.
+    Prints the accuracy of the network and, for comparison, of the Bayes decoder of the library. The first line of each
+    is for multi-sine touches on the nominal sensor. The lines below it are for taps, and for multi-sine touches on
+    as-built sensors.
 
     Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
     """
@@ -196,7 +201,7 @@ def evaluate(
 
 
 def _show_evaluations(results: dict[str, Headline]) -> None:
-    """A line for the headline of each localizer, and below it one for each of what stands beside it."""
+    """Print the headline of each localizer, and below it the figures for other touches and sensors."""
     table = table_of("localizer, and touches", "top-1 (%)", "top-2 (%)", "within one place (%)",
                      "calibration error (%)", numbers=(1, 2, 3, 4))  # fmt: skip
 
@@ -209,7 +214,7 @@ def _show_evaluations(results: dict[str, Headline]) -> None:
         confused = "" if pair is None else f"most confused: {pair[0]} and {pair[1]}, {100 * pair[2]:.1f} %"
         row(result.signals, (result.top1, result.top2, result.within_one, result.reliability.expected_error), confused)
         for name, each in result.beside:
-            worst = "" if each.worst is None else f"the worst sensor: {100 * each.worst:.1f} % right"
+            worst = "" if each.worst is None else f"the worst sensor: {100 * each.worst:.1f} % correct"
             row(name, (each.top1, each.top2, each.within_one, each.expected_calibration_error), worst)
     show(table)
     unscattered = next(iter(results.values())).unscattered
@@ -218,7 +223,7 @@ def _show_evaluations(results: dict[str, Headline]) -> None:
 
 
 def _show_recorded(localizer: Localizer) -> None:
-    """How held-out recordings were named, by part, where there are any."""
+    """Print the accuracy on held-out recordings, by part, if there are any."""
     if "held_out_recordings" not in localizer.training:
         return
     table = table_of("recorded", "held-out recordings", "frames", "classified correctly (%)", numbers=(1, 2, 3))

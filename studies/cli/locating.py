@@ -33,16 +33,18 @@ from studies.inference.tracked import TrackedRecording, track_recording
 DecoderNoise = Annotated[
     float | None,
     typer.Option(
-        help="For a library: the white noise of the microphones to assume instead, Pa rms over 0 to 500 Hz.",
-        show_default="the design's",
+        help="White noise of the microphones that the decoder of a library assumes, Pa rms over 0 to 500 Hz. Default: "
+        "the design's.",
+        show_default=False,
     ),
 ]
 DecoderAmbient = Annotated[
     float | None,
     typer.Option(
         metavar="DB",
-        help="Name touches in sound up to this level, dB SPL; slower. Sound alone is told from touches in any case.",
-        show_default="a quiet room",
+        help="Loudest room sound in which touches must be located, dB SPL; slower. Sound without a touch is detected "
+        "in any case. Default: a quiet room.",
+        show_default=False,
         min=0,
         max=140,
     ),
@@ -50,25 +52,26 @@ DecoderAmbient = Annotated[
 ArrayLibrary = Annotated[
     Path | None,
     typer.Option(
-        help="The library of the array, which tells sound from touches, and for the options below.",
-        show_default="MODEL, where that is a library",
+        help="Library of the array, which detects room sound and is needed by the options below. Default: MODEL, if it "
+        "is a library.",
+        show_default=False,
     ),
 ]
 RejectedFraction = Annotated[
     float | None,
     typer.Option(
         metavar="FRACTION",
-        help="Call frames 'other' that no single point explains; so many true ones may be rejected, such as 1e-6. "
-        "For a calibrated sensor.",
-        show_default="the likeliest point is named",
+        help="Report frames that no single point explains as 'other'. The value is the fraction of true touches that "
+        "may be rejected, such as 1e-6. For a calibrated sensor. Default: the likeliest point is reported.",
+        show_default=False,
     ),
 ]
 FollowDrift = Annotated[
     bool,
     typer.Option(
         "--follow-drift",
-        help="Follow the stiffness of the sensor over the touches, for a calibrated library: rubber that ages, air of "
-        "another place.",
+        help="Follow slow changes of the sensor's stiffness, such as ageing rubber or other air. For a calibrated "
+        "library.",
     ),
 ]
 
@@ -78,15 +81,17 @@ def onnx(
         Path,
         typer.Argument(
             metavar="MODEL",
-            help="A trained localizer (a folder), or a library (.nc, .sofa, .npz or .csv) for the model-based decoder.",
+            help="Trained localizer, a folder, or a library, whose decoder is exported.",
             show_default=False,
         ),
     ],
-    out: Annotated[Path, typer.Option(help="The file to write, such as localizer.onnx.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="File to write, such as localizer.onnx.", show_default=False)],
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
 ) -> None:
-    """Write a localizer as one ONNX graph, from 250 samples of each microphone to the probability of each point.
+    """Export a localizer as one ONNX graph.
+
+    Writes a graph that maps 250 samples of each microphone to the probability of each point.
 
     Example: [bold]acoustic-fem onnx localizer --out localizer.onnx[/bold]
     """
@@ -95,30 +100,34 @@ def onnx(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"
     )
-    tell(f"assumed is {written.assumptions}")
+    tell(f"the decoder assumes {written.assumptions}")
 
 
 def embed(
     library: LibraryFile,
-    out: Annotated[Path, typer.Option(help="The folder to write the C files into.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write the C files to.", show_default=False)],
     precision: Annotated[
-        str, typer.Option(metavar="float32|int16", help="Of the large tables: int16 takes three fifths of the flash.")
+        str,
+        typer.Option(
+            metavar="float32|int16", help="Numbers of the large tables. int16 takes three fifths of the flash."
+        ),
     ] = PRECISION,
     budget: Annotated[
         str | None,
         typer.Option(
-            metavar="flash=512k,ram=16k,instructions=2.5M",
-            help="What the chip has left, one or more of flash, ram, stack (bytes; k is 1024) and instructions (a "
-            "decision's, every 16 ms); what takes more is refused, with the numbers.",
-            show_default="whatever it takes",
+            metavar="BUDGET",
+            help="Limits of the chip, such as flash=512k,ram=16k,stack=4k,instructions=2.5M: bytes (k is 1024), and "
+            "instructions of a decision, every 16 ms. A decoder that needs more is an error. Default: no limits.",
+            show_default=False,
         ),
     ] = None,
     noise: DecoderNoise = None,
 ) -> None:
-    """Write the decoder of a library as C99 for the microcontroller on the sensor: samples in, the touched point out.
+    """Export the decoder of a library as C99 source for a microcontroller.
 
-    No training, no heap, nothing but math.h. It decodes the sensor as its library has it: calibrate first. What fits
-    on which chip: docs/embed.md.
+    Writes C files, a test and README.md. The code reads samples and returns the touched point. It needs no training, no
+    heap and no library but math.h. It decodes the sensor that the library describes, so calibrate first. docs/embed.md
+    lists the decoders that fit on common chips.
 
     Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
     """
@@ -135,7 +144,7 @@ def embed(
         f"{out}: {counted(tables.point_count, 'point')}, {counted(len(tables.microphones), 'microphone')}, "
         f"{tables.precision}; how to build, call and wire it: {out / 'README.md'}"
     )
-    tell(f"assumed is {written.assumptions}")
+    tell(f"the decoder assumes {written.assumptions}")
 
 
 def locate(
@@ -143,17 +152,18 @@ def locate(
     recording: Recording,
     out: Annotated[
         Path | None,
-        typer.Option(help="Write a line of JSON for every frame here, 16 ms apart.", show_default=False),
+        typer.Option(help="File for a line of JSON per frame, every 16 ms.", show_default=False),
     ] = None,
     picture: Annotated[
-        Path | None, typer.Option(metavar="FILE.png", help="Draw the signals and the touches.", show_default=False)
+        Path | None,
+        typer.Option(metavar="FILE.png", help="Picture to draw of the signals and the touches.", show_default=False),
     ] = None,
     full_scale: FullScale = None,
     noise: DecoderNoise = None,
     library: ArrayLibrary = None,
     waveform: Annotated[
         bool,
-        typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity, into the lines of --out."),
+        typer.Option("--waveform", help="Add the reconstructed pressure in the touched cavity to the lines of --out."),
     ] = False,
     ambient: DecoderAmbient = None,
     reject: RejectedFraction = None,
@@ -162,28 +172,28 @@ def locate(
     altitude: Altitude = None,
     temperature: Temperature = None,
 ) -> None:
-    """Where and when an array was touched, from a recording of its microphones.
+    """Find where and when the array was touched, from a recording.
+
+    Prints a row for each touch. Files hold a channel for each microphone, in pascals or with --full-scale.
 
     Example: [bold]acoustic-fem locate localizer recording.wav --picture touches.png[/bold]
     """
     if waveform and out is None:
-        raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
+        raise typer.BadParameter("--waveform adds to the lines of --out: give --out too")
     air = LocalAir(pressure, altitude, temperature)
     decoding = Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
     found = locate_recording(model, recording, out, picture=picture, full_scale=full_scale, decoding=decoding)
     _show_touches(found)
-    told: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}
+    names: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}
     seconds = found.seconds_by_state
-    others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in told.items() if state in seconds)
+    others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in names.items() if state in seconds)
     tell(f"{recording}: {counted(len(found.touches), 'touch')} in {found.seconds:.1f} s{others}")
     for fault in found.first_faults:
         of = "" if fault.channel is None else f" of microphone {fault.channel}"
         tell(f"warning: {fault.kind}{of}, from {fault.time:.1f} s on")
-    told_of = f" and {library}" if library is not None else ""
-    tell(
-        f"points are those of the design {found.design}, as {model}{told_of} has it: of another array they say nothing"
-    )
-    tell(f"assumed is {found.assumptions}")
+    beside = f" and {library}" if library is not None else ""
+    tell(f"points are those of the design {found.design} in {model}{beside}; they do not apply to another array")
+    tell(f"the decoder assumes {found.assumptions}")
     if found.warning is not None:
         level = (
             ""
@@ -195,25 +205,26 @@ def locate(
 
 def recognize(
     model: Annotated[
-        Path, typer.Argument(metavar="MODEL", help="A recognizer, from train --kind (a folder).", show_default=False)
+        Path, typer.Argument(metavar="MODEL", help="Recognizer, a folder from train --kind.", show_default=False)
     ],
     library: LibraryFile,
     recording: Annotated[
         Path,
-        typer.Argument(metavar="RECORDING", help="Of the array's microphones, as for locate.", show_default=False),
+        typer.Argument(
+            metavar="RECORDING", help="Recording of the array's microphones, as for locate.", show_default=False
+        ),
     ],
-    out: Annotated[
-        Path | None, typer.Option(help="Write a line of JSON for every touch here.", show_default=False)
-    ] = None,
+    out: Annotated[Path | None, typer.Option(help="File for a line of JSON per touch.", show_default=False)] = None,
     point: Annotated[
         int | None,
-        typer.Option(help="The point that is touched.", show_default="the one that the library's decoder names"),
+        typer.Option(help="Touched point. Default: the one that the library's decoder finds.", show_default=False),
     ] = None,
     speed: Annotated[
         float | None,
         typer.Option(
-            help="Of what slides, mm/s: for textures.",
-            show_default="that of a straight slide over three points or more",
+            help="Speed of the sliding contact, mm/s, for textures. Default: measured from a straight slide over three "
+            "points or more.",
+            show_default=False,
         ),
     ] = None,
     full_scale: FullScale = None,
@@ -223,7 +234,9 @@ def recognize(
     altitude: Altitude = None,
     temperature: Temperature = None,
 ) -> None:
-    """What kind each touch of a recording is: events, textures, or the labels that a recognizer was trained on.
+    """Classify what kind each touch of a recording is, such as an event or a texture.
+
+    Prints a row for each touch. The kinds are events, textures, or the labels that the recognizer was trained on.
 
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
@@ -260,11 +273,12 @@ def _show_touches(found: LocatedTouches) -> None:
 def track(
     library: LibraryFile,
     recording: Recording,
-    out: Annotated[Path, typer.Option(help="Write a row for every 16 ms of each path here.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="CSV file for a row per 16 ms of each path.", show_default=False)],
     picture: Annotated[
-        Path | None, typer.Option(metavar="FILE.png", help="Draw the paths on the array.", show_default=False)
+        Path | None,
+        typer.Option(metavar="FILE.png", help="Picture to draw of the paths on the array.", show_default=False),
     ] = None,
-    radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm: a stylus has 0.5.")] = MOVING,
+    radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm; a stylus has 0.5.")] = MOVING,
     full_scale: FullScale = None,
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
@@ -272,7 +286,9 @@ def track(
     altitude: Altitude = None,
     temperature: Temperature = None,
 ) -> None:
-    """Where a contact went on the surface, between the points too, from a recording; and gestures by rule.
+    """Follow a moving contact across the surface, from a recording.
+
+    Writes the position every 16 ms, between the points too, and prints the gesture that each path makes.
 
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
@@ -283,9 +299,9 @@ def track(
     )
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")
-    tell(f"assumed is {found.assumptions}")
+    tell(f"the decoder assumes {found.assumptions}")
     if not found.force_is_known:
-        tell(f"forces are by the membranes of the design {found.design}, which nobody measured on this sensor")
+        tell(f"forces assume the membranes of the design {found.design}, which were not measured on this sensor")
 
 
 def pulse(
@@ -293,16 +309,19 @@ def pulse(
     recording: Annotated[
         Path,
         typer.Argument(
-            metavar="RECORDING", help="Of the array's microphones, as for locate; at least 3 s.", show_default=False
+            metavar="RECORDING",
+            help="Recording of the array's microphones, as for locate; at least 3 s.",
+            show_default=False,
         ),
     ],
-    out: Annotated[Path | None, typer.Option(help="Write the waveform here, .csv.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="CSV file to write the waveform to.", show_default=False)] = None,
     picture: Annotated[
-        Path | None, typer.Option(metavar="FILE.png", help="Draw the waveform and its waves.", show_default=False)
+        Path | None,
+        typer.Option(metavar="FILE.png", help="Picture to draw of the waveform and its waves.", show_default=False),
     ] = None,
     point: Annotated[
         int | None,
-        typer.Option(help="The point under which it is felt.", show_default="the one that the decoder names"),
+        typer.Option(help="Point under the finger. Default: the one that the decoder finds.", show_default=False),
     ] = None,
     full_scale: FullScale = None,
     noise: DecoderNoise = None,
@@ -310,7 +329,9 @@ def pulse(
     altitude: Altitude = None,
     temperature: Temperature = None,
 ) -> None:
-    """The pulse under a finger that rests on the array: where it is felt, its rate, the waves of each beat.
+    """Read the pulse of a finger that rests on the array, from a recording.
+
+    Prints the point, the rate, and the times of the waves of each beat.
 
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """
@@ -318,9 +339,9 @@ def pulse(
     found = read_pulse(library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding)
     _show_pulse(found)
     tell(f"{recording}: {found.seconds:.1f} s; points are those of the design {found.design}")
-    tell(f"assumed is {found.assumptions}")
+    tell(f"the decoder assumes {found.assumptions}")
     if not found.force_is_known:
-        tell(f"forces are by the membranes of the design {found.design}, which nobody measured on this sensor")
+        tell(f"forces assume the membranes of the design {found.design}, which were not measured on this sensor")
 
 
 def _show_pulse(found: RecordedPulse) -> None:

@@ -20,11 +20,11 @@ _DIAMETER: float = defaults_of(new_design)["diameter"]
 
 def prototypes(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="Print the design file of this one.", show_default=False)
+        str | None, typer.Argument(metavar="[NAME]", help="Prototype whose design file is printed.", show_default=False)
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="Write the design file here instead.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="File to write it to instead.", show_default=False)] = None,
 ) -> None:
-    """List the designs that come with the program, or print one to start your own from.
+    """List the designs that come with the program, or print the file of one.
 
     Example: [bold]acoustic-fem prototypes array-2x6 --out mine.toml[/bold]
     """
@@ -43,27 +43,33 @@ def prototypes(
 
 
 def new(
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Of the design.", show_default=False)],
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the design.", show_default=False)],
     place: Annotated[
         str | None,
-        typer.Option(help="Where it goes: flat, fingertip, wrist or hand.", show_default="asked, or flat"),
+        typer.Option(help="Place of the array: flat, fingertip, wrist or hand. Default: flat.", show_default=False),
     ] = None,
-    points: Annotated[int | None, typer.Option(help="How many.", show_default="asked, or 12")] = None,
+    points: Annotated[int | None, typer.Option(help="Number of points. Default: 12.", show_default=False)] = None,
     pitch: Annotated[
         float | None,
-        typer.Option(metavar="MM", help="Distance of neighbours.", show_default="asked, or usual at the place"),
+        typer.Option(
+            metavar="MM", help="Distance of neighbouring points. Default: usual at the place.", show_default=False
+        ),
     ] = None,
-    microphones: Annotated[int | None, typer.Option(help="How many.", show_default="asked, or 2; 3 on a hand")] = None,
+    microphones: Annotated[
+        int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.", show_default=False)
+    ] = None,
     diameter: Annotated[
         float | None,
-        typer.Option(metavar="MM", help="Of what a wrist's goes around.", show_default=f"asked, or {_DIAMETER:g}"),
+        typer.Option(metavar="MM", help=f"Diameter of the wrist. Default: {_DIAMETER:g}.", show_default=False),
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="A new file.", show_default="NAME.toml")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Design file to write. Default: NAME.toml.", show_default=False)
+    ] = None,
 ) -> None:
-    """Start a design of your own: where it goes, how many points, how far apart, how many microphones.
+    """Start a design of your own from its place, number of points, pitch and microphones.
 
-    What no option says is asked on a terminal, and usual elsewhere. The design has the parts of a prototype, in a
-    layout that can be built and has room there; every value of the file is yours to change.
+    Writes a design file. On a terminal you are asked for the options that you did not give. The design takes its parts
+    from a prototype, in a layout that can be built and that fits the place. You can change every value of the file.
 
     Example: [bold]acoustic-fem new mine --place wrist --points 16 --pitch 15[/bold]
     """

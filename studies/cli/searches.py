@@ -36,23 +36,24 @@ _SCATTER = defaults_of(tolerance_study)
 
 def tolerance(
     design: Design,
-    out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
-    samples: Annotated[int, typer.Option(help="Sensors with manufacturing scatter.")] = _SCATTER["samples"],
+    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    samples: Annotated[int, typer.Option(help="Number of as-built sensors.")] = _SCATTER["samples"],
     base: Annotated[
-        int, typer.Option(help="Base samples of the Sobol indices: ten times as many sensors; 0 for none.")
+        int, typer.Option(help="Base samples of the Sobol indices; each costs ten sensors, 0 leaves them out.")
     ] = _SCATTER["base_samples"],
     library: Annotated[
-        int, typer.Option(help="Sensors to store in OUT/library.zarr, for training; 0 for none.", show_default=True)
+        int,
+        typer.Option(help="Sensors to store in OUT/library.zarr, for training; 0 leaves it out.", show_default=True),
     ] = _SCATTER["library_size"],
     tolerances: Tolerances = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Seed of all draws.")] = _SCATTER["seed"],
     frequencies: Frequencies = FREQUENCIES,
 ) -> None:
-    """What manufacturing scatter does: spread of transfer functions and accuracy, and which tolerance matters most.
+    """Compute how manufacturing scatter spreads the accuracy, and which tolerance matters most.
 
-    Every tube, cavity and membrane deviates by itself. Lumped fidelity, about half a minute for 12 points:
-    tolerance.json and tolerance.png.
+    Writes tolerance.json and tolerance.png: the spread of transfer functions and accuracy, and the share of each
+    tolerance in it. Every tube, cavity and membrane deviates independently. Takes about half a minute for 12 points.
 
     Example: [bold]acoustic-fem tolerance array-2x6 --out scatter --library 2000[/bold]
     """
@@ -96,18 +97,18 @@ def _show_scatter(study: ToleranceStudy) -> None:
 
 def optimize(
     study: Annotated[
-        str, typer.Argument(metavar="STUDY", help="A study file with a section \\[optimize].", show_default=False)
+        str, typer.Argument(metavar="STUDY", help="Study file with a section \\[optimize].", show_default=False)
     ],
     out: Annotated[
-        Path, typer.Option(help="A new folder, or that of the same search, which is continued.", show_default=False)
+        Path, typer.Option(help="New folder, or that of the same search, which is continued.", show_default=False)
     ],
     workers: WorkerCount = None,
     scheduler: Scheduler = None,
 ) -> None:
-    """Search the best designs of a study, of those that can be printed and laid out.
+    """Search for the best designs of a study file that can be printed and laid out.
 
-    Writes best.toml, the designs on the front, front.csv and report.html. Killed and started again it goes on where
-    it was; with more optimize.trials in the file it goes on beyond.
+    Writes best.toml, the designs on the front, front.csv and report.html. If the search is killed, start it again to
+    continue. To continue a finished search, raise optimize.trials in the file.
 
     Example: [bold]acoustic-fem optimize fingertip-study.toml --out fingertip[/bold]
     """

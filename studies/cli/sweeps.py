@@ -28,35 +28,35 @@ Results = Annotated[
     Path,
     typer.Argument(
         metavar="RESULTS",
-        help="The results of a sweep (results.zarr), also while it runs, or the folder of a search.",
+        help="Results of a sweep (results.zarr), even while it runs, or the folder of a search.",
         show_default=False,
     ),
 ]
 
 
 def sweep(
-    study: Annotated[str, typer.Argument(metavar="STUDY", help="A study file.", show_default=False)],
+    study: Annotated[str, typer.Argument(metavar="STUDY", help="Study file: docs/studies.md.", show_default=False)],
     out: Annotated[
         Path | None,
-        typer.Option(help="The store to write or to continue, such as results.zarr.", show_default=False),
+        typer.Option(help="Store to write or to continue, such as results.zarr.", show_default=False),
     ] = None,
     workers: Annotated[
         int | None,
         typer.Option(
-            help="Processes on this machine; 1 computes in this one.",
-            show_default="one per core if that saves more than their start, or 1",
+            help="Processes on this machine; 1 computes in this one. Default: one per core if that saves time.",
+            show_default=False,
         ),
     ] = None,
     scheduler: Scheduler = None,
     dry_run: Annotated[
-        bool, typer.Option("--dry-run", help="Only say how many cases and cells, how long and how much memory.")
+        bool, typer.Option("--dry-run", help="Print the number of cases and cells, the time and the memory, then stop.")
     ] = False,
 ) -> None:
-    """Compute many designs: every case of a study with its metrics, into one store.
+    """Compute the metrics of many designs, every case of a study file.
 
-    Killed and started again it goes on where it was. The base of the study must be such that it can be built. A case
-    that cannot keeps its reason and stops no other. Exit code 1 where none could be computed, or one failed by a
-    mistake of the program.
+    Writes one store with all cases. If the sweep is killed, start it again to continue. The base design of the study
+    must be valid. A case that cannot be built is stored with its reason and does not stop the others. The exit code is
+    1 if no case could be computed, or if one failed by a fault of the program.
 
     Example: [bold]acoustic-fem sweep study.toml --out results.zarr[/bold]
     """
@@ -77,11 +77,12 @@ def sweep(
 
 def report(
     results: Results,
-    out: Annotated[Path, typer.Option(help="The page to write, HTML.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Page to write, HTML.", show_default=False)],
 ) -> None:
-    """One page about a sweep or a search: main effects, pairs, trade-offs, best designs, level and phase differences.
+    """Write one page about a sweep or a search.
 
-    Everything is in the file, it opens without a network.
+    The page shows main effects, pairs, trade-offs, the best designs, and level and phase differences. It is one file
+    that opens without a network.
 
     Example: [bold]acoustic-fem report results.zarr --out report.html[/bold]
     """
@@ -96,27 +97,29 @@ def report(
 def best(
     results: Results,
     design: Annotated[
-        str | None, typer.Argument(metavar="[DESIGN]", help="Number of a design, as listed.", show_default=False)
+        str | None, typer.Argument(metavar="[DESIGN]", help="Number of a design in the list.", show_default=False)
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="Write its design file here.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="Design file to write.", show_default=False)] = None,
     by: Annotated[
         str | None,
         typer.Option(
             metavar="METRIC",
-            help="What counts.",
-            show_default="the first of the study; of a sweep the first that knows noise",
+            help="Metric to sort by. Default: the first of the study, or of a sweep the first that includes noise.",
+            show_default=False,
         ),
     ] = None,
-    count: Annotated[int, typer.Option(help="Designs to list.")] = _COUNT,
+    count: Annotated[int, typer.Option(help="Number of designs to list.")] = _COUNT,
 ) -> None:
-    """List the best designs of a sweep or a search, or write the design file of one of them.
+    """List the best designs of a sweep or a search, or write the file of one.
 
     Example: [bold]acoustic-fem best results.zarr --by sensitivity_force[/bold], then
     [bold]acoustic-fem best results.zarr 17 --out design-17.toml[/bold]
     """
     if (design is None) != (out is None):
-        missing = "--out is missing: its design file, such as design-17.toml" if out is None else "DESIGN is missing"
-        raise typer.BadParameter(f"{missing}; DESIGN must be a number that the list shows, 0 or more, or neither given")
+        missing = (
+            "--out is missing: the design file to write, such as design-17.toml" if out is None else "DESIGN is missing"
+        )
+        raise typer.BadParameter(f"{missing}; DESIGN must be a number of the list; give both or neither")
     if design is None or out is None:
         _show_best(best_designs(results, by, count))
         return
@@ -138,7 +141,7 @@ def _show_best(best: BestDesigns) -> None:
 
 
 def size(count: float) -> str:
-    """Bytes as people say them."""
+    """Bytes in words: MB below 1 GB, GB above."""
     return f"{number(count / 1e6)} MB" if count < 1e9 else f"{number(count / 1e9)} GB"
 
 

@@ -1,4 +1,4 @@
-"""What the verbs print on the console."""
+"""Tables and lines that the verbs print on the console."""
 
 from __future__ import annotations
 
@@ -183,11 +183,11 @@ def show_check(found: DesignCheck) -> None:
 
 
 def _show_unjudged(found: DesignCheck) -> None:
-    """What nothing is installed for."""
+    """Print the findings that need a package which is not installed."""
     if not is_installed("train"):
-        tell("how good it is was not judged: pip install 'acoustic-fem[train]'")
+        tell("accuracy is not predicted because torch is missing: pip install 'acoustic-fem[train]'")
     if found.printing is None:
-        tell("parts were not drawn, so that neither fit nor printing is judged: pip install 'acoustic-fem[cad]'")
+        tell("fit and printing are not checked because CadQuery is missing: pip install 'acoustic-fem[cad]'")
 
 
 def _show_counts(counts: Mapping[str, int]) -> None:
@@ -232,7 +232,7 @@ def show_library(path: Path, library: Library) -> None:
 
 
 def show_parts(made: MadeParts) -> None:
-    """What was made: parts with their files, tubes to cut, the bill, where to read which part goes where."""
+    """Print the parts with their files, the tubes to cut, the bill, and the page that says where each part goes."""
     table = table_of("part", "count", "volume (mm^3)", "files", numbers=(1, 2))
     for name in dict.fromkeys(file.part for file in made.files):
         own = [file for file in made.files if file.part == name]
@@ -263,7 +263,7 @@ def show_parts(made: MadeParts) -> None:
 
 
 def _show_notes(notes: tuple[str, ...], misfits: tuple[str, ...]) -> None:
-    """What could not be built as drawn, and the first of what does not go together."""
+    """Print the parts that could not be built as drawn, and the first parts that do not fit together."""
     for note in notes:
         tell(f"note: {note}")
     _show_first(misfits, "note: {}")

@@ -18,6 +18,8 @@ class Entry(NamedTuple):
 
     module: str
     """Module of this package that has its function."""
+    group: str
+    """Part of the work under which ``--help`` lists it."""
     help: str
     """First paragraph of its docstring, for the list of ``--help``."""
     needs: tuple[str, ...] = ()
@@ -27,114 +29,84 @@ class Entry(NamedTuple):
 #: Verbs in the order of work, which is that of ``--help``.
 VERBS = {
     "prototypes": Entry(
-        "new_designs", "List the designs that come with the program, or print one to start your own from."
+        "new_designs", "Design", "List the designs that come with the program, or print the file of one."
     ),
     "new": Entry(
-        "new_designs",
-        "Start a design of your own: where it goes, how many points, how far apart, how many microphones.",
+        "new_designs", "Design", "Start a design of your own from its place, number of points, pitch and microphones."
     ),
     "studio": Entry(
         "designs",
-        "A page on this machine that shows what a change of a design does: curves, the array in 3-D, points, printing.",
+        "Design",
+        "Edit a design in the browser and see at once what each change does.",
         ("fem", "train", "studies", "studio"),
     ),
-    "check": Entry(
-        "designs", "Validate a design and say how good it is: counts, wiring, layout, printing, validity of the models."
-    ),
+    "check": Entry("designs", "Design", "Validate a design and predict how well it will work."),
     "wiring": Entry(
-        "designs", "How many points so many microphones serve, for every number of lines, against the usual wirings."
+        "designs", "Design", "Compare how many points a number of microphones can serve, with other wirings."
     ),
-    "solve": Entry("designs", "Transfer functions from every point to every microphone."),
-    "parts": Entry(
+    "solve": Entry("designs", "Design", "Compute the transfer functions from every point to every microphone."),
+    "run": Entry(
         "designs",
-        "Everything to print, cast, cut, buy and assemble, with pictures, and what the print rules say.",
-        ("cad",),
+        "Design",
+        "Do everything for one design: parts, transfer functions, localizer and report.",
+        ("fem", "train", "studies"),
     ),
-    "rig": Entry("calibrations", "Recordings of a virtual made sensor, to try everything before there is a real one."),
+    "bend": Entry("bending", "Design", "Compute how much less a tube transmits when it is bent.", ("fem",)),
+    "parts": Entry("designs", "Make", "Write everything needed to print, cast, buy and assemble a design.", ("cad",)),
+    "rig": Entry(
+        "calibrations", "Make", "Simulate recordings of an as-built sensor, to practise before you have a real one."
+    ),
     "calibrate": Entry(
         "calibrations",
-        "From recordings of the made sensor to its library: measured transfer functions with their uncertainty.",
+        "Make",
+        "Measure the library of your sensor from recordings with a calibration microphone.",
         ("plots",),
     ),
     "recalibrate": Entry(
         "calibrations",
-        "From touches of which nobody knows the points to the library of the sensor as it is now.",
+        "Make",
+        "Update the library of your sensor from ordinary touches, whose points need not be known.",
         ("train",),
-    ),
-    "convert": Entry(
-        "calibrations",
-        "A library in another format: netCDF, SOFA (AES69-2022, GeneralTF-E), NPZ or CSV, and back to the last digit.",
     ),
     "train": Entry(
-        "localizers",
-        "Train a localizer on touches made from a library, and on recorded ones where there are some.",
-        ("train",),
+        "localizers", "Use", "Train a network that locates touches, or one that recognizes kinds of touch.", ("train",)
     ),
     "evaluate": Entry(
         "localizers",
-        "How often a localizer names the touched point, on touches it has never heard; the Bayes decoder beside it.",
+        "Use",
+        "Measure how accurately a trained network locates touches it was not trained on.",
         ("train",),
     ),
-    "onnx": Entry(
-        "locating",
-        "Write a localizer as one ONNX graph, from 250 samples of each microphone to the probability of each point.",
-        ("train",),
+    "locate": Entry("locating", "Use", "Find where and when the array was touched, from a recording."),
+    "live": Entry(
+        "live_input", "Use", "Locate touches as they happen, from a sound card or a recording played in real time."
     ),
-    "embed": Entry(
-        "locating",
-        "Write the decoder of a library as C99 for the microcontroller on the sensor: samples in, the touched point "
-        "out.",
-    ),
-    "locate": Entry("locating", "Where and when an array was touched, from a recording of its microphones."),
+    "track": Entry("locating", "Use", "Follow a moving contact across the surface, from a recording."),
     "recognize": Entry(
-        "locating",
-        "What kind each touch of a recording is: events, textures, or the labels that a recognizer was trained on.",
-        ("train",),
-    ),
-    "track": Entry(
-        "locating",
-        "Where a contact went on the surface, between the points too, from a recording; and gestures by rule.",
+        "locating", "Use", "Classify what kind each touch of a recording is, such as an event or a texture.", ("train",)
     ),
     "pulse": Entry(
-        "locating",
-        "The pulse under a finger that rests on the array: where it is felt, its rate, the waves of each beat.",
-        ("train",),
+        "locating", "Use", "Read the pulse of a finger that rests on the array, from a recording.", ("train",)
     ),
-    "live": Entry(
-        "live_input",
-        "Name touches while they happen: listen to the microphones on a sound card, or play a recording in real time.",
-    ),
-    "run": Entry(
-        "designs",
-        "Everything for one design: parts, transfer functions, localizer, figures, and report.html.",
-        ("fem", "train", "studies"),
-    ),
-    "bend": Entry(
-        "bending",
-        "Does a tube transmit less when it is bent? The publication's rig, the bent bore solved in 3-D.",
-        ("fem",),
-    ),
-    "sweep": Entry(
-        "sweeps", "Compute many designs: every case of a study with its metrics, into one store.", ("studies",)
-    ),
+    "onnx": Entry("locating", "Use", "Export a localizer as one ONNX graph.", ("train",)),
+    "embed": Entry("locating", "Use", "Export the decoder of a library as C99 source for a microcontroller."),
+    "convert": Entry("calibrations", "Use", "Convert a library to netCDF, SOFA, NPZ or CSV, or back, without loss."),
+    "sweep": Entry("sweeps", "Study", "Compute the metrics of many designs, every case of a study file.", ("studies",)),
     "tolerance": Entry(
         "searches",
-        "What manufacturing scatter does: spread of transfer functions and accuracy, and which tolerance matters most.",
+        "Study",
+        "Compute how manufacturing scatter spreads the accuracy, and which tolerance matters most.",
         ("studies", "train"),
     ),
     "optimize": Entry(
         "searches",
-        "Search the best designs of a study, of those that can be printed and laid out.",
+        "Study",
+        "Search for the best designs of a study file that can be printed and laid out.",
         ("studies", "train"),
     ),
-    "report": Entry(
-        "sweeps",
-        "One page about a sweep or a search: main effects, pairs, trade-offs, best designs, level and phase "
-        "differences.",
-        ("studies",),
-    ),
+    "report": Entry("sweeps", "Study", "Write one page about a sweep or a search.", ("studies",)),
     "best": Entry(
-        "sweeps", "List the best designs of a sweep or a search, or write the design file of one of them.", ("studies",)
+        "sweeps", "Study", "List the best designs of a sweep or a search, or write the file of one.", ("studies",)
     ),
 }
 
@@ -194,7 +166,9 @@ class VerbGroup(TyperGroup):
 
     def __init__(self, **settings: Any) -> None:
         """List the verbs."""
-        settings["commands"] = {name: _Listed(name, help=entry.help) for name, entry in VERBS.items()}
+        settings["commands"] = {
+            name: _Listed(name, help=entry.help, rich_help_panel=entry.group) for name, entry in VERBS.items()
+        }
         super().__init__(**settings)
 
 

@@ -93,6 +93,26 @@ class StudyFields(FileSection):
     )
 
 
+#: Sections that every design file has and no study file.
+_OF_A_DESIGN = ("resonator", "membrane", "tube")
+
+
+def _check_no_design(given: Mapping[str, Any], source: str) -> None:
+    """Reject a design file by its sections, with a study file that sweeps it.
+
+    Raises:
+        StudyError: it is a design file.
+    """
+    if "base" not in given and all(isinstance(given.get(section), Mapping) for section in _OF_A_DESIGN):
+        example = f'''base = "{source}" / metrics = ["predicted_top1"] / [parameters] / "tube.length" = [10.0, 15.0]'''
+        raise StudyError(
+            "is a design file",
+            kind=Kind.WRONG_TYPE,
+            file=source,
+            remedy=f"a study file names it and what varies, such as (a line for each part): {example}",
+        )
+
+
 def resolve_study(study: Study | PathLike) -> Study:
     """The study itself, or that of a file; errors as :func:`load_study`."""
     return study if isinstance(study, Study) else load_study(study)
@@ -143,6 +163,7 @@ def study_of(
         StudyError: not a valid study.
         DesignError: the base design is not valid.
     """
+    _check_no_design(given, source)
     file = model_of(StudyFields, given, source, "study", StudyError)
     design = base or _base(file.base, folder or Path(), source)
     try:

@@ -45,7 +45,7 @@ def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path:
     assert "1 of 4 points measured, 3 fitted" in result.output
     assert "fit: agrees with the measurement, chi-squared" in result.output
     assert re.search(
-        r"to expect: \d+\.\d % of touches classified correctly, \d+\.\d % in the worst of 20", result.output
+        r"expected: \d+\.\d % of touches classified correctly, \d+\.\d % in the worst of 20", result.output
     )
     assert (tmp_path / "made.png").stat().st_size > 10_000
     assert acoustic_fem.load(out).fidelity == MEASURED

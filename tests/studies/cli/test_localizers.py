@@ -127,7 +127,7 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
     told = command("train", library, "--out", tmp_path / "localizer", "--plan", "best")
     assert (told.code, "--plan = 'best' must be one of: usual, paper" in told.err) == (1, True)
     told = command("train", library, "--out", tmp_path / "localizer", "--plan", "paper", "--kind", "events")
-    assert (told.code, "--plan is of localizers" in told.err) == (2, True)
+    assert (told.code, "--plan is for localizers" in told.err) == (2, True)
 
 
 @pytest.mark.slow

@@ -107,4 +107,4 @@ def test_the_command_never_overwrites_a_library_its_own_least_of_all(
 def test_help_says_what_touches_are_needed(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(monkeypatch, "--help") == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "touches of fingers (taps, presses, slides), multi-sines or noise, one at a time" in said
+    assert "Record taps, presses or slides of fingers, one at a time, in a quiet room" in said

@@ -87,7 +87,7 @@ def test_an_evaluation_has_a_row_for_each_kind_of_touches(capsys: pytest.Capture
     lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
     assert max(map(len, lines)) <= 80
     figures = ["99.8", "100.0", "100.0"]
-    for words in ("network", "decoder", "most confused: 3 and 14, 1.2 %", "the worst sensor: 77.0 % right"):
+    for words in ("network", "decoder", "most confused: 3 and 14, 1.2 %", "the worst sensor: 77.0 % correct"):
         assert words in lines
     for words, error in (("multi-sine touches, nominal sensor", "0.1"), *((name, "10.0") for name, _ in beside)):
         rows = [line.removeprefix(words).split() for line in lines if line.startswith(words)]

@@ -45,7 +45,7 @@ def test_track_writes_a_table_and_a_picture_and_names_the_gesture(command: Comma
     assert told.code == 0, told.err
     assert "swipe" in told.out
     assert "1 path in 2.5 s" in told.out
-    assert "assumed is that the sensor is exactly as it was designed" in told.out
+    assert "the decoder assumes that the sensor is exactly as it was designed" in told.out
     assert picture.read_bytes().startswith(b"\x89PNG")
     with out.open(newline="") as file:
         rows = list(csv.DictReader(file))

@@ -11,6 +11,7 @@ import pytest
 from refusals import check_messages, refused
 
 from geometry import DesignError, Kind, prototype, save_design
+from geometry.design.design_file import prototype_text
 from studies.study.cases import cases_of
 from studies.study.file import load_study, read_study, resolve_study
 from studies.study.study import StudyError
@@ -56,7 +57,16 @@ def test_the_base_design_is_looked_for_beside_the_study(tmp_path: Path) -> None:
     assert load_study(tmp_path / "study.toml").base.tube.length == 20
 
 
-#: What makes a study wrong -> kind and field of the refusal.
+def test_a_design_file_is_recognized_and_the_study_file_of_the_message_sweeps_it(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text(prototype_text("array-2x6"))
+    with refused(Kind.WRONG_TYPE, file=str(path), error=StudyError) as caught:
+        load_study(path)
+    example = str(caught.value).split("): ")[1].replace(" / ", "\n")
+    assert len(read_study(example).axes) == 1
+
+
+#: Mistakes in a study file -> kind and field of the refusal.
 WRONG_FIELDS = {
     "cases = 3": (Kind.CONFLICT, "cases"),
     'sampling = "sobol"': (Kind.MISSING, "cases"),
