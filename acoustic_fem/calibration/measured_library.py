@@ -22,7 +22,7 @@ from acoustic_fem.calibration.recording_checks import (
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
-from geometry.ground.argument_checks import wrong_type
+from geometry.ground.argument_checks import check_shape
 from geometry.ground.file_checks import MOST_NUMBERS
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
@@ -97,8 +97,7 @@ class Calibration:
             h, deviation = fit.transfer_function.copy(), fit.deviation.copy()
         elif model_deviation is not None:
             deviation = np.array(model_deviation, dtype=np.float64)
-            if deviation.shape != h.shape:
-                raise wrong_type("model_deviation", f"has shape {deviation.shape}; it must be {h.shape}")
+            check_shape("model_deviation", deviation, h.shape)
         elif self.missing:
             raise Refusal(
                 f"must be given: point {self.missing[0]} has no recording", kind=Kind.MISSING, field="model_deviation"

@@ -23,8 +23,8 @@ from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.calibration.model_discrepancy import Discrepancy
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.estimate import TransferEstimate
-from geometry.ground.argument_checks import check_given, unsuitable
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_given, check_shape, unsuitable
+from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array, ComplexArray
 
 #: s, standard deviation of what the stated delay of the reference is off by, alike at all points.
@@ -101,9 +101,8 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
     shape = model._ratio.shape
     for number in points:
         in_range("point", number, 1, shape[0])
-        found = estimates[number].transfer_function.shape
-        if found != shape[1:]:
-            raise Refusal(f"has shape {found}; it must be {shape[1:]}", kind=Kind.MISMATCH, field=f"estimates.{number}")
+        found = estimates[number].transfer_function
+        check_shape(f"estimates.{number}", found, shape[1:], kind=Kind.MISMATCH)
         _check_estimate(number, estimates[number])
     rows = [number - 1 for number in points]
     measured = np.stack([estimates[number].transfer_function for number in points])

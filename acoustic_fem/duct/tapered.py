@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from acoustic_fem.duct.plane_wave import Line
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.argument_checks import out_of_range
+from geometry.ground.argument_checks import check_shape, out_of_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -97,8 +97,7 @@ def solve(
     """
     whole = float(positive("length", length, "m"))
     grid = np.atleast_1d(positive("frequency", frequency, "Hz"))
-    if grid.ndim != 1:
-        raise Refusal(f"has shape {grid.shape}; it must be 1-D", kind=Kind.WRONG_TYPE, field="frequency")
+    check_shape("frequency", grid, ("n_freq",))
     in_range("accuracy", accuracy, 1e-12, 0.1)
     nodes = np.array([0.0, *breaks, whole])
     if not (np.diff(nodes) > 0).all():

@@ -39,7 +39,7 @@ from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_completed
-from geometry.ground.argument_checks import wrong_type
+from geometry.ground.argument_checks import check_shape, wrong_type
 from geometry.ground.array_files import read_npz
 from geometry.ground.csv_files import read_csv
 from geometry.ground.extras import check_extras
@@ -190,8 +190,7 @@ def _dataset(attributes: dict[str, Any], frequency: Array, variables: dict[str, 
     dimensions = real_variables()
     for name, values in variables.items():
         shape = tuple(sizes[dimension] for dimension in dimensions[name])
-        if values.shape != shape:
-            raise wrong_type(name, f"has shape {values.shape}; it must be {shape} for its design and frequencies")
+        check_shape(name, values, shape, "that of its design and frequencies")
     return xr.Dataset({name: (dimensions[name], values) for name, values in variables.items()}, coordinates, attributes)
 
 

@@ -17,7 +17,7 @@ from typing import Self
 
 import numpy as np
 
-from geometry.ground.argument_checks import check_range, wrong_type
+from geometry.ground.argument_checks import check_range, check_shape
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import writing
@@ -70,8 +70,7 @@ class GrowingWav:
             Refusal: another number of channels, or more than the file can hold.
             OSError: it cannot be written: the disk is full.
         """
-        if samples.ndim != 2 or len(samples) != self.channels:
-            raise wrong_type("samples", f"has shape {samples.shape}; it must be (n_channel, n) = ({self.channels}, n)")
+        check_shape("samples", samples, (self.channels, "n"), "a row for each channel")
         if 4 * self.channels * (self.samples + samples.shape[1]) > 2 * LARGEST - _HEAD_BYTES:
             raise Refusal(
                 f"cannot hold {self.samples + samples.shape[1]} samples: a WAV file has at most {2 * LARGEST} bytes",

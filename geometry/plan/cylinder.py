@@ -151,5 +151,6 @@ def wound_turn(length: float, inner: tuple[float, float], outer: tuple[float, fl
     """
     low, high = 2 * math.atan(max(outer) / radius), math.pi
     shortest, longest = (wound_length(turn, inner, outer, radius) for turn in (low, high))
-    check_range("length", length, shortest, longest, "mm", kind=Kind.CONFLICT)
+    allowed = f"between {shortest:.4g} and {longest:.4g} mm"
+    check_range("length", length, shortest, longest, "mm", kind=Kind.CONFLICT, allowed=allowed)
     return zero_crossing(lambda turn: wound_length(turn, inner, outer, radius) - length, low, high)
