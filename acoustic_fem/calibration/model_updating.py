@@ -101,8 +101,7 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
     shape = model._ratio.shape
     for number in points:
         in_range("point", number, 1, shape[0])
-        found = estimates[number].transfer_function
-        check_shape(f"estimates.{number}", found, shape[1:], kind=Kind.MISMATCH)
+        check_shape(f"estimates.{number}", estimates[number].transfer_function, shape[1:], kind=Kind.MISMATCH)
         _check_estimate(number, estimates[number])
     rows = [number - 1 for number in points]
     measured = np.stack([estimates[number].transfer_function for number in points])
