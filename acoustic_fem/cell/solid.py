@@ -64,7 +64,7 @@ class MarkedSolid:
     faces: BodyFaces
     """Names of the tube ports, the moving walls and the mirror."""
     cylinder: CylinderAir | None = None
-    """The same air, or twice it at a mirror, told as a cylinder with bores, the ports first; None where it is none."""
+    """The same air, or twice it at a mirror, as a cylinder with bores, the ports first; None for other shapes."""
 
     def mesh(self, sizes: MeshSizes, beat: Callable[[], None]) -> SolidMesh:
         """The body meshed; ``beat`` is called while gmsh is at work."""

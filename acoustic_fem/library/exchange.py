@@ -64,7 +64,7 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
     """Write a library in netCDF; the file is whole or not there. What is there is replaced as :func:`export` does it.
 
     Raises:
-        LibraryError: the file cannot be written, or is there and is none in netCDF, no library, or a measured one.
+        LibraryError: the file cannot be written, or exists and is not netCDF, not a library, or a measured one.
     """
     path = Path(path)
     check_own_kind(path, ".nc", LibraryError)
@@ -101,7 +101,7 @@ def check_replaceable(path: Path) -> None:
 
 
 def fidelity_in(path: Path) -> str | None:
-    """Fidelity of the library in a file; None where there is none that can be read."""
+    """Fidelity of the library in a file; None where none can be read."""
     try:
         return load(path).fidelity
     except LibraryError:

@@ -89,8 +89,8 @@ TOLERANCES = (
 
 
 _WIDE = "assumed: between a careful workshop and a first sensor of one's own"
-#: Tolerances assumed of a sensor that nobody measured. The more is assumed, the less are neighbours in a long line told
-#: apart: of line-2 as designed it costs 0.3 % of the frames that 10 % for the batch would name.
+#: Tolerances assumed of a sensor that nobody measured. The more is assumed, the less are neighbours in a long line
+#: distinguished: of line-2 as designed it costs 0.3 % of the frames that 10 % for the batch would name.
 UNCALIBRATED = (
     Tolerance("bore", 0.05, "relative", _WIDE),
     Tolerance("cavity_height", 0.05, "relative", _WIDE),

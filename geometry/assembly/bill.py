@@ -263,6 +263,6 @@ def _sheaths(cuts: Sequence[Cut], prices: Prices) -> list[BillItem]:
     return items
 
 
-def _of_length(title: str, count: int, length: float, price: float | None, words: str) -> BillItem:
+def _of_length(title: str, count: int, length: float, price: float, words: str) -> BillItem:
     """Pieces of a length in mm, bought by the metre."""
     return BillItem(title, "bought", count, count * length / 1000, "m", price, words)

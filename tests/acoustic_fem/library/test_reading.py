@@ -53,5 +53,5 @@ def test_reading_a_library_loads_neither_finite_elements_nor_torch(tmp_path: Pat
         "assert library.transfer_function.shape == (12, 2, 2)\n"
         "print(sorted({'skfem', 'torch', 'cadquery', 'gmsh', 'scipy.spatial', 'distributed'} & set(sys.modules)))"
     )
-    told = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert told.stdout.strip() == "[]"
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert ended.stdout.strip() == "[]"

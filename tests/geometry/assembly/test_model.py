@@ -164,9 +164,9 @@ def test_shells_stand_on_the_cylinder_and_collide_where_it_is_too_narrow():
     shells = tuple(part for part in narrow.placed if part.kind == "shell")
     solids = {frozenset((f.first, f.second)) for f in interferences(dataclasses.replace(narrow, placed=shells))}
     notes = buildability_notes(narrow.design, narrow.layout)
-    told = [re.match(r"(shell \d+) overlaps (shell \d+) by", note) for note in notes]
+    overlaps = [re.match(r"(shell \d+) overlaps (shell \d+) by", note) for note in notes]
     assert solids
-    assert {frozenset(words.groups()) for words in told if words} == solids
+    assert {frozenset(words.groups()) for words in overlaps if words} == solids
 
 
 # -- assembly -------------------------------------------------------------------------------------------
