@@ -49,14 +49,15 @@ def check_range(
 
 
 def _range_in_words(low: float, high: float, unit: str, excluded: str, whole: bool) -> str:
-    least = f"above {low:g}" if excluded in ("low", "both") else f"at least {low:g}"
-    most = f"below {high:g}" if excluded in ("high", "both") else f"at most {high:g}"
+    first, last = (str(bound) if isinstance(bound, int) else f"{bound:g}" for bound in (low, high))
+    least = f"above {first}" if excluded in ("low", "both") else f"at least {first}"
+    most = f"below {last}" if excluded in ("high", "both") else f"at most {last}"
     if math.isinf(high):
         words = least
     elif math.isinf(low):
         words = most
     else:
-        words = f"{least} and {most}" if excluded else f"between {low:g} and {high:g}"
+        words = f"{least} and {most}" if excluded else f"between {first} and {last}"
     return f"{'a whole number ' if whole else ''}{words} {unit}".rstrip()
 
 

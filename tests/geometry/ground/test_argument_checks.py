@@ -19,6 +19,7 @@ from geometry.ground.refusal import Kind, Refusal
         (True, {"low": 1, "whole": True}, "a whole number at least 1"),
         (9, {"high": 8, "why": "the number of points"}, "at most 8, the number of points"),
         (9, {"high": 8, "allowed": "few"}, "few"),
+        (0, {"low": 1, "high": 2**31}, "between 1 and 2147483648"),
     ],
 )
 def test_a_number_outside_its_range_is_rejected_with_the_range(value, options, allowed):
