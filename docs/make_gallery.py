@@ -65,8 +65,8 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
         made = f"{100 * quality.mis_made:.1f} ({100 * quality.worst:.1f})" if quality.sensors else "not computed"
         words = design.description.rstrip(".")
         rows.append(
-            f"| [{name}](#{name}) | {words} | {design.point_count} | {len(design.microphones)} | {100 * quality.named:.1f} "
-            f"| {made} | {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
+            f"| [{name}](#{name}) | {words} | {design.point_count} | {len(design.microphones)} "
+            f"| {100 * quality.named:.1f} | {made} | {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
             f"| {quality.cost:.2f} |"
         )
         file = f"[{name}.toml](examples/{name}.toml)\n\n" if name in ours else ""
