@@ -120,7 +120,7 @@ def table(rule: Rule, curves: dict[str, Curve]) -> list[str]:
 
 
 def verdict(rule: Rule, curves: dict[str, Curve]) -> str:
-    """Whether distances and accuracies follow the claim, from the rank correlations alone."""
+    """True if distances and accuracies follow the claim, from the rank correlations alone."""
     parts = []
     for metric, called in (
         ("distance_smallest_low", "distance below 20 Hz"),

@@ -1,4 +1,4 @@
-"""What a sweep will cost is said before any work, and workers are taken where they save more than their start."""
+"""The cost of a sweep is printed before any work, and workers are taken where they save more than their start."""
 
 from __future__ import annotations
 

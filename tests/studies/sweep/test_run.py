@@ -275,7 +275,7 @@ def test_a_mistake_of_the_program_is_no_property_of_a_design(
 
 
 def events(out: Path) -> list[dict[str, Any]]:
-    """What the log says."""
+    """Entries of the log."""
     return [json.loads(line) for line in out.with_name(f"{out.name}.log").read_text().splitlines()]
 
 
