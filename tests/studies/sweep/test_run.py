@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from bores_study import METRICS_OF_STUDY, TEXT
 from refusals import refused
 from stores import assert_same_store
 from typer.testing import CliRunner
@@ -42,29 +43,6 @@ from studies.sweep.retries import ENDED_WORKERS, solved_blocks
 from studies.sweep.run import Summary, run_sweep
 from studies.sweep.store import open_sweep
 from studies.sweep.workers import Workers, open_workers
-
-METRICS_OF_STUDY = ("distance_smallest", "ipd_mean", "sensitivity_force", "volume")
-TEXT = f"""
-name = "bores"
-base = "array-2x6"
-fidelity = "lumped"
-frequencies = "1:100:12"
-metrics = {json.dumps(METRICS_OF_STUDY)}
-sampling = "random"
-cases = 40
-transfer_functions = true
-
-[parameters]
-"tube.inner_diameter" = {{from = 0.3, to = 0.8}}
-"tube.length" = {{from = 8, to = 30, scale = "log"}}
-"lines.0.points" = [6, 12]
-"membrane.material" = ["silicone-shore-a-30", "silicone-shore-a-10"]
-"""
-
-
-@pytest.fixture(scope="module")
-def study() -> Study:
-    return read_study(TEXT)
 
 
 @pytest.fixture(scope="module")
