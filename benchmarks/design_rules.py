@@ -32,9 +32,9 @@ COLOURS = {"2 x 6": "#1f5f8b", "line of 36": "#b5651d"}
 #: What is tabled: metric, heading, digits behind the point of its number.
 COLUMNS = (
     ("distance_smallest_low", "distance, 1 to 20 Hz", ".3f"),
-    ("distance_smallest", "1 to 100 Hz", ".3f"),
-    ("predicted_top1", "top-1, quiet (%)", ".1f"),
-    ("predicted_top1_white_noise", "0.05 Pa (%)", ".1f"),
+    ("distance_smallest", "distance, 1 to 100 Hz", ".3f"),
+    ("predicted_top1", "top-1 in quiet (%)", ".1f"),
+    ("predicted_top1_white_noise", "top-1 in noise (%)", ".1f"),
     ("sensitivity_force", "sensitivity (Pa/N)", ".3g"),
 )
 #: A rank correlation beyond this is called a rise or a fall.
@@ -55,15 +55,15 @@ class Rule:
 
 RULES = (
     Rule("cavity_volume", "resonator.cavity_height", "height of the cavities (mm)",
-         "larger cavities are told apart better at low frequency", 1),
+         "Points with larger cavities are easier to tell apart at low frequency.", 1),
     Rule("tube_length", "tube.length", "length of the tubes (mm)",
-         "points joined by longer tubes are told apart better at low frequency", 1),
+         "Points joined by longer tubes are easier to tell apart at low frequency.", 1),
     Rule("tube_diameter", "tube.inner_diameter", "bore of the tubes (mm)",
-         "points joined by thinner tubes are told apart better", -1),
+         "Points joined by thinner tubes are easier to tell apart.", -1),
     Rule("membrane_stiffness", "membrane.thickness", "thickness of the membranes (mm)",
-         "points under softer membranes are told apart better", -1),
+         "Points under softer membranes are easier to tell apart.", -1),
     Rule("points", "lines.0.points", "points on the line",
-         "more points are harder to tell apart (ours, not the paper's)", -1),
+         "More points are harder to tell apart. This rule is ours and not the paper's.", -1),
 )  # fmt: skip
 
 
@@ -83,7 +83,7 @@ def main() -> None:
     for rule in RULES:
         curves = {title: sweep(rule, geometry.prototype(base)) for title, base in BASES.items()}
         draw(rule, curves, FOLDER / f"{rule.name}.png")
-        lines = [*table(rule, curves), "", verdict(rule, curves), "", at_navier_stokes(rule)]
+        lines = [f"*{rule.claim}*", "", *verdict(rule, curves), "", *table(rule, curves), "", at_navier_stokes(rule)]
         print("\n".join(lines), end="\n\n")
         begin, end = BEGIN.format(name=rule.name), END.format(name=rule.name)
         replace_section(FOLDER / "README.md", begin, end, lines)
@@ -106,7 +106,7 @@ def sweep(rule: Rule, base: ArrayDesign) -> Curve:
 def table(rule: Rule, curves: dict[str, Curve]) -> list[str]:
     """Lowest, middle and highest value of each base."""
     lines = [
-        f"| from | {rule.axis} | " + " | ".join(heading for _, heading, _ in COLUMNS) + " |",
+        f"| design | {rule.axis} | " + " | ".join(heading for _, heading, _ in COLUMNS) + " |",
         "|---" * (2 + len(COLUMNS)) + "|",
     ]
     for title, curve in curves.items():
@@ -119,24 +119,25 @@ def table(rule: Rule, curves: dict[str, Curve]) -> list[str]:
     return lines
 
 
-def verdict(rule: Rule, curves: dict[str, Curve]) -> str:
-    """Whether distances and accuracies follow the claim, from the rank correlations alone."""
-    parts = []
+def verdict(rule: Rule, curves: dict[str, Curve]) -> list[str]:
+    """Table of distances and accuracies, each with its verdict on the claim, from the rank correlations alone."""
+    lines = ["| measure | verdict |", "|---|---|"]
     for metric, called in (
-        ("distance_smallest_low", "distance below 20 Hz"),
-        ("distance_smallest", "up to 100 Hz"),
+        ("distance_smallest_low", "distance, 1 to 20 Hz"),
+        ("distance_smallest", "distance, 1 to 100 Hz"),
         ("predicted_top1", "accuracy in quiet"),
         ("predicted_top1_white_noise", "accuracy in noise"),
     ):
-        told = {title: rule.grows * curve.trend(metric) for title, curve in curves.items()}
-        if all(value > TREND for value in told.values()):
-            parts.append(f"{called}: confirmed")
-        elif all(value < -TREND for value in told.values()):
-            parts.append(f"{called}: **the opposite**")
+        trends = {title: rule.grows * curve.trend(metric) for title, curve in curves.items()}
+        if all(value > TREND for value in trends.values()):
+            found = "confirmed"
+        elif all(value < -TREND for value in trends.values()):
+            found = "**the opposite**"
         else:
-            each = ", ".join(f"{title} {rule.grows * value:+.2f}" for title, value in told.items())
-            parts.append(f"{called}: no common trend ({each})")
-    return f"Claim: {rule.claim}. " + "; ".join(parts) + "."
+            each = ", ".join(f"{title} {rule.grows * value:+.2f}" for title, value in trends.items())
+            found = f"no common trend ({each})"
+        lines.append(f"| {called} | {found} |")
+    return lines
 
 
 def at_navier_stokes(rule: Rule) -> str:
@@ -155,8 +156,8 @@ def at_navier_stokes(rule: Rule) -> str:
         worst = max(worst, *(abs(a / b - 1) for a, b in zip(lumped, solved, strict=True)))
         ends.append(solved[0])
     return (
-        f"At navier-stokes the first distance of 2 x 6 goes from {ends[0]:.3f} to {ends[1]:.3f}; "
-        f"lumped ones are within {100 * worst:.1f} %."
+        f"Solved in 3-D (`navier-stokes`), the distance of 2 x 6 from 1 to 20 Hz goes from {ends[0]:.3f} to "
+        f"{ends[1]:.3f}. Closed forms (`lumped`) differ by at most {100 * worst:.1f} %."
     )
 
 

@@ -1,4 +1,4 @@
-"""The paper's table as a study: which share of touches is named right, by microphones, points, noise and decoder.
+"""The paper's table as a study: top-1 accuracy by number of microphones, points, noise and decoder.
 
 ``python benchmarks/paper_table.py --out DIR`` takes about two hours of one core; every row is stored when it is
 done, a training that is stopped goes on where it was, and running the command again takes up the rest. ``--full``
@@ -114,8 +114,9 @@ def measure(row: Row, full: bool, folder: Path, seconds: float | None = None) ->
 def table(rows: list[dict[str, Any]]) -> str:
     """Table of the rows as Markdown."""
     lines = [
-        "| microphones | points | noise (mPa) | network: top-1 / top-2 (%) | trained on touches per point | taps (%) "
-        "| model-based: top-1 / top-2 (%) | taps (%) | a frame, network / model-based (ms) |",
+        "| microphones | points | noise (mPa) | network: top-1 / top-2 (%) | network: training touches per point "
+        "| network: taps, top-1 (%) | model-based: top-1 / top-2 (%) | model-based: taps, top-1 (%) "
+        "| time per frame, network / model-based (ms) |",
         "|---|---|---|---|---|---|---|---|---|",
     ]
     for row in sorted(rows, key=lambda row: (row["microphones"], row["points"], row["noise"])):
@@ -134,8 +135,8 @@ def table(rows: list[dict[str, Any]]) -> str:
 def full_table(rows: list[dict[str, Any]]) -> str:
     """Table of the rows that were trained by the paper's plan, as Markdown."""
     lines = [
-        "| microphones | points | epochs of 30 | touches trained on | held-out touches of the same short windows: "
-        "top-1 (%) | exact touches: top-1 / top-2 (%) | taps (%) | model-based, exact touches: top-1 (%) |",
+        "| microphones | points | epochs of 30 | training touches | held-out touches with short windows: top-1 (%) "
+        "| exact touches: top-1 / top-2 (%) | taps: top-1 (%) | model-based, exact touches: top-1 (%) |",
         "|---|---|---|---|---|---|---|---|",
     ]
     for row in sorted(rows, key=lambda row: (row["microphones"], row["points"], row["noise"])):

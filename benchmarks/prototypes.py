@@ -1,8 +1,8 @@
-"""The paper's five made prototypes: how often the touched point is named, nominal, mis-made and calibrated.
+"""The paper's five made prototypes: top-1 accuracy of nominal, as-built and calibrated sensors.
 
 ``python benchmarks/prototypes.py`` writes the table of docs/studies/paper_table/README.md, in some minutes of one core;
 names of prototypes make those rows anew.
-Mis-made sensors are virtual rigs with all that they hide, recorded to WAV files and calibrated from them as the verb
+As-built sensors are virtual rigs with all that they hide, recorded to WAV files and calibrated from them as the verb
 does. No constant was chosen on these seeds.
 """
 
@@ -42,8 +42,8 @@ SENSORS = {**dict.fromkeys(STATED, 10), "large-area-64": 3}
 EVERY, SECONDS = {**dict.fromkeys(STATED, 4), "large-area-64": 1}, 30.0
 GRID = np.arange(1.0, 161.0)
 HEAD = (
-    "| prototype | microphones, points | the paper (%) | nominal sensor (%) | mis-made, nominal library (%) | "
-    "mis-made, knowing the tolerances (%) | calibrated (%) | points recorded | sensors |"
+    "| prototype | microphones, points | the paper (%) | nominal sensor (%) | as built, nominal decoder (%) | "
+    "as built, tolerance-aware decoder (%) | as built, calibrated (%) | points recorded | sensors |"
 )
 COLUMNS = 9
 #: The soft caps of the fingertips need less; none of the recordings may clip.

@@ -1,4 +1,4 @@
-"""What recorded touches of a mis-made sensor add. ``python benchmarks/recorded_touches.py [SEED ...]``.
+"""Gain from recorded touches of an as-built sensor. ``python benchmarks/recorded_touches.py [SEED ...]``.
 
 For each seed a sensor of the virtual rig, array-2x6 with a modulus 15 % below its design's, records touches of the
 paper's four parts; localizers are trained on simulated touches of the design, on both, and on recorded ones alone, and

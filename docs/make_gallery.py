@@ -24,16 +24,22 @@ MADE = {
 FOUND = ("fingertip-12", "graded-line-36", "line-36", "ring-3x12")
 _HEAD = """# Gallery
 
-Every prototype, and designs of ours. Figures of `acoustic-fem check`: predicted at fidelity atlas (lumped where that
-has not the sensors), for sums of sines and the noise of the design's microphone, of a localizer trained on the nominal
-design. *Mis-made*: mean and worst of
-64 sensors (of more than 24 points fewer, four at least) with assumed [scatter](tolerances.md), not calibrated;
-[calibration](calibration.md) brings most of it back. Cost: materials of one array at assumed prices, no molds. In the
-pictures each point has the colour of its own share; the hardest pair is ringed. `acoustic-fem prototypes NAME`
-prints the file of a prototype, `acoustic-fem parts NAME --out parts` makes the parts, of ours with the file's path in
-place of the name.
+Pick a design that resembles yours and start from it. The page shows every prototype and some designs of ours, with the
+figures that `acoustic-fem check` predicts.
+
+Accuracies are top-1 of multi-sine touches with the noise of the design's microphone, for a localizer that is trained on
+the nominal design. As-built sensors have assumed [tolerances](tolerances.md) and are not calibrated. If the mean of the
+as-built sensors is low, [calibrate](calibration.md) each sensor, because calibration removes most of the loss. The cost
+is that of the materials of one array at assumed prices without molds. In the pictures each point has the colour of its
+own accuracy and the hardest pair is ringed.
+
+`acoustic-fem prototypes NAME` prints the file of a prototype. `acoustic-fem parts NAME --out parts` makes its parts. For
+a design of ours, use the path of its file in place of the name.
 
 <!-- made by python docs/make_gallery.py -->
+
+Each row is a design: top-1 accuracy of the nominal sensor, mean and worst of up to 64 as-built sensors, and the hardest
+pair with its largest level and phase difference.
 """
 
 
@@ -57,19 +63,19 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
         assert quality is not None
         picture = draw_quality(design, quality, PICTURES / f"{name}.png")
         made = f"{100 * quality.mis_made:.1f} ({100 * quality.worst:.1f})" if quality.sensors else "not computed"
+        words = design.description.rstrip(".")
         rows.append(
-            f"| [{name}](#{name}) | {design.point_count} | {len(design.microphones)} | {100 * quality.named:.1f} "
-            f"| {made} | {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
+            f"| [{name}](#{name}) | {words} | {design.point_count} | {len(design.microphones)} "
+            f"| {100 * quality.named:.1f} | {made} | {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
             f"| {quality.cost:.2f} |"
         )
-        words = design.description.rstrip(".")
-        file = f": [{name}.toml](examples/{name}.toml)" if name in ours else ""
+        file = f"[{name}.toml](examples/{name}.toml)\n\n" if name in ours else ""
         link = picture.relative_to(DOCS).as_posix()
-        blocks.append(f"### {name}\n\n{words}{file}.\n\n![In plan]({link})\n")
+        blocks.append(f"### {name}\n\n{file}![In plan]({link})\n")
         print(rows[-1], flush=True)
     head = (
-        "| design | points | microphones | named right, nominal (%) | mis-made: mean (worst) (%) | hardest pair "
-        "| cost (USD) |\n|---|---|---|---|---|---|---|"
+        "| design | description | points | microphones | nominal (%) | as built: mean (worst) (%) | hardest pair "
+        "| cost (USD) |\n|---|---|---|---|---|---|---|---|"
     )
     split = len(ours)
     parts = ["\n".join([head, *rows]), "## Designs of ours", *blocks[:split], "## Prototypes", *blocks[split:]]

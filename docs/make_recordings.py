@@ -2,7 +2,7 @@
 
 python docs/make_recordings.py
 
-A virtual made sensor of array-2x6, seed 17, is calibrated at three of its points, tapped at all of them and stroked
+A virtual made sensor of array-2x6, seed 17, is calibrated at six of its points, tapped at all of them and stroked
 along both rows. The seed was the first one tried, and no constant was chosen on it.
 """
 
@@ -21,8 +21,8 @@ from studies.test_rig import record_contact
 
 DOCS = Path(__file__).parent
 SEED = 17
-#: Points that are recorded with a calibration microphone, for 20 s each: a fit tells the others.
-CALIBRATED = (2, 6, 11)
+#: Points that are recorded with a calibration microphone, for SECONDS each: a fit gives the others.
+CALIBRATED, SECONDS = (1, 3, 5, 8, 10, 12), 20.0
 #: A light finger: mm, N, and how much its force fluctuates.
 LIGHT = Tool("finger", (4.0, 6.0), (1e-3, 4e-3), (0.1, 0.3), 0.15)
 #: Of the recordings of touches, Pa; and how fast the finger slides, mm/s.
@@ -38,7 +38,7 @@ def make(folder: Path) -> studies.TrackedRecording:
     rig = studies.Rig(geometry.prototype("array-2x6"), SEED, fidelity="lumped")
     for old in (folder / "calibration", folder / "library.nc"):
         shutil.rmtree(old) if old.is_dir() else old.unlink(missing_ok=True)
-    manifest = rig.record(folder / "calibration", CALIBRATED, studies.Recorder(seconds=20.0))
+    manifest = rig.record(folder / "calibration", CALIBRATED, studies.Recorder(seconds=SECONDS))
     library = studies.calibrate_sensor(manifest, folder / "library.nc", fidelity="lumped").library
     (folder / "library.png").unlink()
     place = response_of(library).position

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.atlas.cell_table import CellAtlas, Opening, OutsideAtlas, cell_atlas
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
@@ -16,13 +15,13 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell
 from geometry.ground.refusal import Kind
-from geometry.ground.typed import NumpyOrTorch
+from geometry.ground.typed import Array, ComplexArray, NumpyOrTorch
 
 #: Prandtl number and ratio of heat capacities of the air that the atlas was made in, and how far others may be off.
 _PRANDTL, _GAMMA, _PART = 0.71, 1.4, 0.05
 
 
-def atlas_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium) -> NDArray[np.complex128]:
+def atlas_admittance(cell: Cell, frequency: Array, medium: Medium) -> ComplexArray:
     """Volume velocities into a cell per pressure at its nodes, in m^3/(Pa s), as 3-D Navier-Stokes gives them.
 
     Closed forms, with the impedances of the openings, their part in the compliance and the inertance of the air in
@@ -43,7 +42,7 @@ def atlas_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium)
     check_cell(atlas, cell, frequency, medium)
     omega, radius = 2 * np.pi * frequency, metres(cell.diameter) / 2
     compliance = closed_cylinder_compliance(radius, metres(cell.height), frequency, medium)
-    known: dict[tuple[float, float], tuple[NDArray[np.complex128], NDArray[np.complex128]]] = {}
+    known: dict[tuple[float, float], tuple[ComplexArray, ComplexArray]] = {}
     necks = []
     for opening, port in zip(_openings(cell), cell.ports, strict=True):
         a, alike = opening.radius, (port.bore_diameter, cell.height_of(port))
@@ -88,7 +87,7 @@ def opening_node(
     return 1 / node, fraction, 1 / total - shared * fraction
 
 
-def check_cell(atlas: CellAtlas, cell: Cell, frequency: NDArray[np.float64], medium: Medium) -> None:
+def check_cell(atlas: CellAtlas, cell: Cell, frequency: Array, medium: Medium) -> None:
     """Refuse a cell outside the atlas; arguments and errors as :func:`atlas_admittance`."""
     if cell.shape is not None:
         raise OutsideAtlas(
@@ -142,13 +141,7 @@ def _openings(cell: Cell) -> list[Opening]:
     ]
 
 
-def _neck(
-    radius: float,
-    length: float,
-    opening: NDArray[np.complex128],
-    frequency: NDArray[np.float64],
-    medium: Medium,
-) -> NDArray[np.complex128]:
+def _neck(radius: float, length: float, opening: ComplexArray, frequency: Array, medium: Medium) -> ComplexArray:
     """Two-port of a duct whose second end opens into a cavity."""
     duct = port_admittance(radius, length, frequency, medium)
     own, transfer = duct[:, 0, 0], duct[:, 0, 1]
@@ -161,8 +154,8 @@ def _neck(
 
 
 def _around_node(
-    necks: list[NDArray[np.complex128]], storage: NDArray[np.complex128], passage: NumpyOrTorch, through: NumpyOrTorch
-) -> NDArray[np.complex128]:
+    necks: list[ComplexArray], storage: ComplexArray, passage: NumpyOrTorch, through: NumpyOrTorch
+) -> ComplexArray:
     """Nodal admittance of necks around a cavity: their outer ends, then the membrane; see :func:`opening_node`."""
     transfer = np.stack([neck[:, 0, 1] for neck in necks], -1)
     inner = sum(neck[:, 1, 1] for neck in necks)
@@ -179,9 +172,7 @@ def _around_node(
     return nodal
 
 
-def _behind_sound_hole(
-    cell: Cell, nodal: NDArray[np.complex128], frequency: NDArray[np.float64], medium: Medium
-) -> NDArray[np.complex128]:
+def _behind_sound_hole(cell: Cell, nodal: ComplexArray, frequency: Array, medium: Medium) -> ComplexArray:
     """The chamber's node replaced by the far end of the sound hole, which is as at fidelity lumped."""
     radius = metres(cell.opening_diameter) / 2
     opening = entrance_impedance(radius, frequency, medium)

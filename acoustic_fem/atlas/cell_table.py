@@ -21,7 +21,7 @@ from acoustic_fem.atlas.polynomial import ShapePolynomial, layer_number
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_json, read_text
-from geometry.ground.typed import NumpyOrTorch
+from geometry.ground.typed import Array, NumpyOrTorch
 
 #: Enclosure that a cavity belongs to: its tubes open under a membrane or into the chamber of a microphone.
 Enclosure = Literal["resonator", "microphone"]
@@ -69,10 +69,10 @@ class CellAtlas:
     distances to floor and ceiling."""
     storage: ShapePolynomial
     """Compliance that an opening adds to its cavity, in a^3 / p, over a/R."""
-    passage: NDArray[np.float64]
+    passage: Array
     """Inertance that two openings share, in rho / R, over powers 0 to 2 of R/H and 0 to 1 of the port's place,
     (3, 2) float64."""
-    to_membrane: NDArray[np.float64]
+    to_membrane: Array
     """Inertance that an opening and the membrane have in common, as ``passage``, (3, 2) float64."""
     bounds: Mapping[Enclosure, Mapping[str, tuple[float, float]]]
     """Least and greatest value of each ratio."""
@@ -86,7 +86,7 @@ class CellAtlas:
         """Frequency up to which the errors were found, Hz."""
         return float(self.provenance["held-out designs"]["highest"])
 
-    def warn_above(self, frequency: NDArray[np.float64]) -> None:
+    def warn_above(self, frequency: Array) -> None:
         """Warn that errors are not known at the highest of frequencies.
 
         Args:
@@ -147,7 +147,7 @@ class CellAtlas:
         place = opening.port_height / opening.cavity_height - 0.5
         powers = [[flatness**m * place**n if n else flatness**m for n in range(2)] for m in range(3)]
 
-        def total(coefficients: NDArray[np.float64]) -> NumpyOrTorch:
+        def total(coefficients: Array) -> NumpyOrTorch:
             return sum(float(coefficients[m, n]) * powers[m][n] for m in range(3) for n in range(2))
 
         return total(self.passage), total(self.to_membrane)
@@ -186,7 +186,7 @@ class CellAtlas:
 
     def _bounded(
         self, enclosure: Enclosure, opening: Opening, square: NumpyOrTorch
-    ) -> Iterator[tuple[str, NDArray[np.float64], tuple[float, float]]]:
+    ) -> Iterator[tuple[str, Array, tuple[float, float]]]:
         """Names, values and bounds of what :meth:`check` looks at."""
         by_radius, by_floor, by_ceiling = opening.ratios
         values = {
@@ -202,7 +202,7 @@ class CellAtlas:
             yield name, np.asarray(value), self.bounds[enclosure][name]
 
 
-def _beyond(value: NDArray[np.float64], low: float, high: float) -> NDArray[np.bool_]:
+def _beyond(value: Array, low: float, high: float) -> NDArray[np.bool_]:
     return np.asarray((value < low * (1 - 1e-9)) | (value > high * (1 + 1e-9)))
 
 

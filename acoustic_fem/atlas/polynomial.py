@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.typed import NumpyOrTorch
+from geometry.ground.typed import Array, NumpyOrTorch
 
 #: A NumPy array or a torch tensor; all arrays of one call are of one kind.
 
@@ -22,9 +22,9 @@ class ShapePolynomial:
 
     powers: NDArray[np.int64]
     """Powers p_m of the ratios in each term, (n_term, n_ratio) int64."""
-    real: NDArray[np.float64]
+    real: Array
     """Coefficients of the first, (n_term, n_layer) float64, in the unit of what is fitted."""
-    imag: NDArray[np.float64]
+    imag: Array
     """Coefficients of the second, (n_term, n_layer) float64, in the same unit."""
 
     def __call__(self, ratios: Sequence[NumpyOrTorch], layer: NumpyOrTorch) -> tuple[NumpyOrTorch, NumpyOrTorch]:
@@ -54,7 +54,7 @@ def _term(ratios: Sequence[NumpyOrTorch], powers: NDArray[np.int64]) -> NumpyOrT
     return value
 
 
-def _series(terms: Sequence[NumpyOrTorch], coefficients: NDArray[np.float64], layer: NumpyOrTorch) -> NumpyOrTorch:
+def _series(terms: Sequence[NumpyOrTorch], coefficients: Array, layer: NumpyOrTorch) -> NumpyOrTorch:
     """Horner's rule in the layer's number."""
     total: NumpyOrTorch = 0.0
     for column in coefficients.T[::-1]:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.batch.means import ball_mean, cylinder_mean
 from acoustic_fem.batch.numpy_or_torch import namespace
-from geometry.ground.typed import NumpyOrTorch
+from geometry.ground.typed import Array, NumpyOrTorch
 
 
 @dataclass(frozen=True)
@@ -121,12 +121,12 @@ def _put_back(pieces: Sequence[NumpyOrTorch], rows: Sequence[NDArray[np.int64]])
 
 
 @lru_cache(maxsize=48)
-def _series(mean: _Mean, tile: tuple[int, ...], grid: bytes) -> tuple[NDArray[np.float64], ...]:
+def _series(mean: _Mean, tile: tuple[int, ...], grid: bytes) -> tuple[Array, ...]:
     """Chebyshev coefficients on a tile: (product of terms, 2 n_freq), real and imaginary parts in turn.
 
     As a product of two matrices of the numerical rank where that is less work.
     """
-    omega: NDArray[np.float64] = np.frombuffer(grid)
+    omega: Array = np.frombuffer(grid)
     nodes = [np.cos(np.pi * (np.arange(terms) + 0.5) / terms) for terms in mean.terms]
     sizes = [np.exp(w * (low + (x + 1) / 2)) for x, low, w in zip(nodes, tile, mean.width, strict=True)]
     every = [size.reshape(-1, 1) for size in np.meshgrid(*sizes, indexing="ij")]
@@ -136,7 +136,7 @@ def _series(mean: _Mean, tile: tuple[int, ...], grid: bytes) -> tuple[NDArray[np
         transform = _chebyshev(x, terms).T * (2 / terms)
         transform[0] /= 2
         values = np.moveaxis(np.tensordot(transform, values, (1, axis)), 0, axis)
-    series: NDArray[np.float64] = np.ascontiguousarray(values.reshape(-1, len(omega))).view(np.float64)
+    series: Array = np.ascontiguousarray(values.reshape(-1, len(omega))).view(np.float64)
     size = np.abs(series).max(0)  # each part of each frequency keeps its digits
     left, singular, right = np.linalg.svd(series / size, full_matrices=False)
     rank = int(np.count_nonzero(singular > _RANK * singular[0]))
@@ -157,7 +157,7 @@ def _chosen(values: NumpyOrTorch, rows: NDArray[np.int64]) -> NumpyOrTorch:
     return values if len(rows) == values.shape[0] else values[rows]
 
 
-def _numbers(values: NumpyOrTorch) -> NDArray[np.float64]:
+def _numbers(values: NumpyOrTorch) -> Array:
     """The values as a NumPy array, outside any graph of torch."""
-    array: NDArray[np.float64] = values if isinstance(values, np.ndarray) else values.detach().cpu().numpy()
+    array: Array = values if isinstance(values, np.ndarray) else values.detach().cpu().numpy()
     return array

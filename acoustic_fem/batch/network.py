@@ -25,7 +25,7 @@ from acoustic_fem.batch.topology import LineWiring, Topology
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.typed import NumpyOrTorch
 
 #: Values per array worked on at once (designs x points x frequencies): larger leaves the processor's cache.
@@ -99,8 +99,7 @@ def batch_response(
     """
     grid = frequency_grid(frequency)
     if fidelity not in CLOSED_FORMS:
-        allowed = f"one of {', '.join(CLOSED_FORMS)} in a batch"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="fidelity", value=fidelity, allowed=allowed)
+        raise out_of_range("fidelity", fidelity, f"one of {', '.join(CLOSED_FORMS)} in a batch")
     check_parameters(parameters, topology)
     if fidelity == "atlas":
         check_openings(parameters, topology, grid, medium)

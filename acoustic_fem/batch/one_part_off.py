@@ -66,7 +66,7 @@ def one_part_off(topology: Topology, parts: PartsOff) -> tuple[NumpyOrTorch, ...
         grounds[line.last] = grounds[line.last] + chain.last
     impedance = impedance_between(xp, grounds, series)
 
-    def heard(microphone: int) -> NumpyOrTorch:
+    def pressure(microphone: int) -> NumpyOrTorch:
         received = impedance[:, :, microphone] * ratios[microphone][:, None]  # from each end
         lines = [
             chain.to_last * received[:, line.first][:, :, None] + chain.to_first * received[:, line.last][:, :, None]
@@ -74,7 +74,7 @@ def one_part_off(topology: Topology, parts: PartsOff) -> tuple[NumpyOrTorch, ...
         ]
         return lines[0] if len(lines) == 1 else xp.concatenate(lines, 2)
 
-    return tuple(map(heard, range(microphones)))
+    return tuple(map(pressure, range(microphones)))
 
 
 class _Chain(NamedTuple):

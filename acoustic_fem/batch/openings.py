@@ -23,7 +23,7 @@ from geometry.ground.typed import NumpyOrTorch
 
 
 class Mouth(NamedTuple):
-    """Where tubes of one column open into cavities of another."""
+    """Openings of the tubes of one column into the cavities of another."""
 
     enclosure: Enclosure
     """Enclosure that the cavity belongs to."""

@@ -24,6 +24,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres, metres
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_given, mismatch, out_of_range, wrong_type
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import NumpyOrTorch
 
@@ -134,15 +135,12 @@ class ArrayParameters:
             Refusal: no design, designs that are wired in different ways, a cavity that is no cylinder, or a
                 pre-stretched membrane with loss.
         """
-        if not designs:
-            raise Refusal("is empty; a batch needs at least one", kind=Kind.MISSING, field="designs")
+        check_given("designs", designs, "a batch needs at least one")
         topology = Topology.of(designs[0])
         for number, design in enumerate(designs):
             if Topology.of(design) != topology:
-                raise Refusal(
-                    f"({design.name}) is not wired as the first one ({designs[0].name})",
-                    kind=Kind.MISMATCH,
-                    field=f"designs.{number + 1}",
+                raise mismatch(
+                    f"designs.{number + 1}", f"({design.name}) is not wired as the first one ({designs[0].name})"
                 )
         common = _Common(medium, known)
         rows = [_row(design, common) for design in designs]
@@ -250,41 +248,29 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
     for field in fields(parameters):
         values = getattr(parameters, field.name)
         if namespace(values) is not xp:
-            raise Refusal(
-                f"is a {type(values).__name__}; all fields must be arrays of {xp.__name__}",
-                kind=Kind.WRONG_TYPE,
-                field=field.name,
-            )
+            raise wrong_type(field.name, f"is a {type(values).__name__}; all fields must be arrays of {xp.__name__}")
         if values.dtype != xp.float64:
             raise Refusal(f"is {values.dtype}; it must be float64", kind=Kind.WRONG_TYPE, field=field.name)
         shape, needed = tuple(values.shape), columns[PART[field.name]]
         more = _THIRD_AXIS.get(field.name, "")
         if len(shape) != (3 if more else 2) or shape[0] not in (1, count) or shape[1] != needed:
-            raise Refusal(
-                f"has shape {shape}; it must be ({count}, {needed}{more}) or (1, {needed}{more})",
-                kind=Kind.WRONG_TYPE,
-                field=field.name,
+            raise wrong_type(
+                field.name, f"has shape {shape}; it must be ({count}, {needed}{more}) or (1, {needed}{more})"
             )
         may_vanish = field.name in _MAY_VANISH
         fits = xp.isfinite(values) & ((values >= 0) if may_vanish else (values > 0))
         if not bool(fits.all()):
             bound = "at least 0" if may_vanish else "above 0"
-            first = float(values[~fits].flatten()[0])
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field=field.name, value=first, allowed=f"finite and {bound}")
+            raise out_of_range(field.name, float(values[~fits].flatten()[0]), f"finite and {bound}")
     for rubber in _RUBBERS:
         moduli, times = (f"{rubber}_{name}" for name in ("relaxation", "relaxation_time"))
         terms = [tuple(getattr(parameters, name).shape)[2] for name in (moduli, times)]
         if terms[0] != terms[1]:
-            raise Refusal(
-                f"has {terms[0]} terms and {times} {terms[1]}; both need the same", kind=Kind.MISMATCH, field=moduli
-            )
+            raise mismatch(moduli, f"has {terms[0]} terms and {times} {terms[1]}; both need the same")
     modes = tuple(parameters.membrane_fraction.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
     if modes[0] != modes[1] or modes[0] == 0:
-        raise Refusal(
-            f"has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, at least 1",
-            kind=Kind.MISMATCH,
-            field="membrane_fraction",
-        )
+        problem = f"has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, at least 1"
+        raise mismatch("membrane_fraction", problem)
 
 
 def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
@@ -298,17 +284,9 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
     for field in fields(medium):
         values = getattr(medium, field.name)
         if namespace(values) is not xp or values.dtype != xp.float64:
-            raise Refusal(
-                f"must be a float64 array of {xp.__name__}, as the parameters are",
-                kind=Kind.WRONG_TYPE,
-                field=f"medium.{field.name}",
-            )
+            raise wrong_type(f"medium.{field.name}", f"must be a float64 array of {xp.__name__}, as the parameters are")
         if tuple(values.shape) not in ((1,), (rows,)) or (count > 1 and rows not in (1, count)):
-            raise Refusal(
-                f"has shape {tuple(values.shape)}; it must be ({count},) or (1,)",
-                kind=Kind.WRONG_TYPE,
-                field=f"medium.{field.name}",
-            )
+            raise wrong_type(f"medium.{field.name}", f"has shape {tuple(values.shape)}; it must be ({count},) or (1,)")
         if not bool((xp.isfinite(values) & (values > 0)).all()):
             raise Refusal("must be finite and above 0", kind=Kind.OUT_OF_RANGE, field=f"medium.{field.name}")
     return max(rows, count)
@@ -377,13 +355,8 @@ def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
             remedy="solve() takes it",
         )
     if design.resonator.shape != "cylinder":
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="resonator.shape",
-            value=design.resonator.shape,
-            allowed="'cylinder' in a batch, which has closed forms only",
-            remedy="solve() takes it at every fidelity",
-        )
+        allowed, remedy = "'cylinder' in a batch, which has closed forms only", "solve() takes it at every fidelity"
+        raise out_of_range("resonator.shape", design.resonator.shape, allowed, remedy=remedy)
     share = disc.model.swept**2 / disc.model.eigenvalues
     mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)
     return {

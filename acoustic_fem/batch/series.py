@@ -6,12 +6,11 @@ from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import binom, zeta
 
 from acoustic_fem.batch.numpy_or_torch import joined, largest, namespace
 from acoustic_fem.cavity.closed_forms import bessel_zeros
-from geometry.ground.typed import NumpyOrTorch
+from geometry.ground.typed import Array, NumpyOrTorch
 
 #: Powers of s kept in the tail of the cylinder's series, and how far past sqrt(|s|) it begins: 1.7^-48 = 9e-12
 #: of what is a hundredth of the whole.
@@ -167,7 +166,7 @@ def _tail_coefficients(count: int) -> tuple[tuple[float, ...], tuple[float, ...]
 
 def _inverse_powers(count: int, power: int) -> float:
     """Sum of l^-power over the zeros l of J0 past ``count``: 400 one by one, then l = b + 1/(8 b), b = pi (n - 1/4)."""
-    explicit: NDArray[np.float64] = bessel_zeros(count + 400)[count:] ** -float(power)
+    explicit: Array = bessel_zeros(count + 400)[count:] ** -float(power)
     start = count + 400.75
 
     def powers(exponent: int) -> float:

@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.numpy_or_torch import namespace
@@ -20,10 +19,7 @@ from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.network.microphone import vent_ratio
 from acoustic_fem.quantities.checks import in_range
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.typed import Array
-
-Complex = NDArray[np.complex128]
-
+from geometry.ground.typed import Array, ComplexArray
 
 #: A combination of parameters counts as determined where the data say more of it than the prior.
 _DETERMINED = 1.0
@@ -169,7 +165,7 @@ class UpdatedModel:
         passed = (1 + vent) / (factor["corner"][:, :, None] + vent)
         return h * (factor["gain"][:, :, None] * passed)[:, None]
 
-    def jacobian(self, u: Array) -> Complex:
+    def jacobian(self, u: Array) -> ComplexArray:
         """Derivatives of the transfer functions by the parameters, by central differences of one batch.
 
         Args:
@@ -261,7 +257,7 @@ class Posterior:
         }
 
     @cached_property
-    def transfer_function(self) -> Complex:
+    def transfer_function(self) -> ComplexArray:
         """Transfer functions of the most probable sensor, (n_point, n_microphone, n_freq) complex128, Pa/Pa."""
         return np.asarray(self.model.transfer_function(self.parameters[None])[0])
 

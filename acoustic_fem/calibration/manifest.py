@@ -43,6 +43,10 @@ class ManifestError(Refusal):
     """A manifest that cannot be used: one line that names the file, the field and the reason."""
 
 
+def _fault(path: Path, problem: str, kind: Kind = Kind.CONFLICT, **facts: Any) -> ManifestError:
+    return ManifestError(problem, kind=kind, file=path, **facts)
+
+
 def _files(value: Any) -> Any:
     """One file, or one per channel."""
     if not isinstance(value, str) and not (
@@ -96,10 +100,9 @@ def read_manifest(path: Path) -> Manifest:
     design = resolve_design(file.design if file.design in prototype_names() else path.parent / file.design)
     names = (REFERENCE, *design.microphones)
     if REFERENCE in design.microphones:
-        raise ManifestError(
+        raise _fault(
+            path,
             f"has a microphone {REFERENCE!r}, which is the name of the reference channel",
-            kind=Kind.CONFLICT,
-            file=path,
             field="design",
             remedy="rename the microphone",
         )
@@ -109,12 +112,7 @@ def read_manifest(path: Path) -> Manifest:
             raise ManifestError(kind=Kind.UNKNOWN, file=path, field=f"{field}.{unknown[0]}", allowed=names)
     channels = file.channels or {name: number for number, name in enumerate(names, 1)}
     if set(channels) != set(names) or len(set(channels.values())) < len(names):
-        raise ManifestError(
-            f"must give {', '.join(names)} a number each, all different",
-            kind=Kind.CONFLICT,
-            file=path,
-            field="channels",
-        )
+        raise _fault(path, f"must give {', '.join(names)} a number each, all different", field="channels")
     points: dict[int, Mapping[str, Path]] = {}
     for text, files in file.points.items():
         if not (text.isascii() and text.isdigit() and 1 <= int(text) <= design.point_count) or int(text) in points:
@@ -126,10 +124,10 @@ def read_manifest(path: Path) -> Manifest:
             )
         by_channel = dict.fromkeys(names, files) if isinstance(files, str) else files
         if set(by_channel) != set(names):
-            raise ManifestError(
+            raise _fault(
+                path,
                 f"has files of {', '.join(by_channel)}; it must be one file, or one each of: {', '.join(names)}",
                 kind=Kind.MISMATCH,
-                file=path,
                 field=f"points.{text}",
             )
         points[int(text)] = {name: path.parent / by_channel[name] for name in names}

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.calibration.manifest import REFERENCE, Manifest
 from acoustic_fem.calibration.model_updating import Update
@@ -23,9 +22,10 @@ from acoustic_fem.calibration.recording_checks import (
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
+from geometry.ground.argument_checks import check_shape
 from geometry.ground.file_checks import MOST_NUMBERS
 from geometry.ground.refusal import Kind, Refusal, counted
-from geometry.ground.typed import Array
+from geometry.ground.typed import Array, ComplexArray
 
 #: Mains frequencies, Hz, whose hum is looked for, and removed where it is found.
 MAINS = (50.0, 60.0)
@@ -97,10 +97,7 @@ class Calibration:
             h, deviation = fit.transfer_function.copy(), fit.deviation.copy()
         elif model_deviation is not None:
             deviation = np.array(model_deviation, dtype=np.float64)
-            if deviation.shape != h.shape:
-                raise Refusal(
-                    f"has shape {deviation.shape}; it must be {h.shape}", kind=Kind.WRONG_TYPE, field="model_deviation"
-                )
+            check_shape("model_deviation", deviation, h.shape)
         elif self.missing:
             raise Refusal(
                 f"must be given: point {self.missing[0]} has no recording", kind=Kind.MISSING, field="model_deviation"
@@ -183,7 +180,7 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
 
 
 def _point(
-    manifest: Manifest, number: int, expected: NDArray[np.complex128], frequency: Array
+    manifest: Manifest, number: int, expected: ComplexArray, frequency: Array
 ) -> tuple[TransferEstimate, tuple[str, ...], str]:
     """Estimate and notes of a point, and a hash of its signals.
 
@@ -216,7 +213,7 @@ def _together(
     """Channels from the moment at which the last recorder had started, to the nearest sample.
 
     Returns:
-        The channels, and what is left of their lateness, (n_channel,) float64, s.
+        The channels, and the residual of their lateness, (n_channel,) float64, s.
 
     Raises:
         RecordingFault: what all channels share is too short.
@@ -292,7 +289,7 @@ def _channel(file: Path, sound: Sound, name: str, number: int, alone: bool) -> A
 
 
 def _without_hum(signals: Array, rate: float) -> tuple[Array, tuple[str, ...]]:
-    """Signals without the mains where it is heard: the same narrow bands are taken from all channels, so that their
+    """Signals without the mains where it is audible: the same narrow bands are taken from all channels, so that their
     ratios elsewhere stay as they were.
     """
     spectrum = np.fft.rfft(signals)

@@ -10,11 +10,8 @@ frequency, a sum of one that all transfer functions share, one for each micropho
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from geometry.ground.typed import Array
-
-Complex = NDArray[np.complex128]
+from geometry.ground.typed import Array, ComplexArray
 
 COMMON, OF_MICROPHONE, OWN = 0.012, 0.008, 0.007
 """Root mean square, relative to the transfer function, of the three parts: about those of sensors of the virtual rig,
@@ -42,7 +39,7 @@ class Discrepancy:
         noise: of the same shape, standard deviation of the real part, and of the imaginary part, of the measurement.
     """
 
-    def __init__(self, frequency: Array, about: Complex, noise: Array) -> None:
+    def __init__(self, frequency: Array, about: ComplexArray, noise: Array) -> None:
         self._about = about
         own = np.broadcast_to(OWN**2 / 2 * _covariance(frequency), (*about.shape, len(frequency))).copy()
         diagonal = np.arange(len(frequency))
@@ -57,7 +54,7 @@ class Discrepancy:
             columns[:] = np.concatenate(parts, axis=1) / np.sqrt(2)  # half of it in each of real and imaginary part
         self._q, self._s, _ = np.linalg.svd((self._whiten @ shared).reshape(about.size, -1), full_matrices=False)
 
-    def residuals(self, difference: Complex) -> Array:
+    def residuals(self, difference: ComplexArray) -> Array:
         """Independent residuals, or derivatives of them.
 
         Args:
@@ -72,7 +69,7 @@ class Discrepancy:
         found = own + own @ self._q * (1 / np.sqrt(1 + self._s**2) - 1) @ self._q.T
         return np.concatenate([found.real, found.imag], axis=-1)
 
-    def by_point(self, difference: Complex) -> Array:
+    def by_point(self, difference: ComplexArray) -> Array:
         """Sum of squares per residual, without what all points share: about 1 where nothing is wrong.
 
         Args:
@@ -85,12 +82,12 @@ class Discrepancy:
         left = own - own @ self._q * (self._s**2 / (1 + self._s**2)) @ self._q.T
         return np.asarray((np.abs(left.reshape(len(difference), -1)) ** 2).mean(1) / 2)
 
-    def _own(self, difference: Complex) -> Complex:
+    def _own(self, difference: ComplexArray) -> ComplexArray:
         relative = (difference / self._about)[..., None]
         return np.asarray((self._whiten @ relative)[..., 0].reshape(*difference.shape[:-3], -1))
 
 
-def draw(random: np.random.Generator, frequency: Array, shape: tuple[int, int, int]) -> Complex:
+def draw(random: np.random.Generator, frequency: Array, shape: tuple[int, int, int]) -> ComplexArray:
     """Effects in as-built sensors that the model lacks, relative to their transfer functions.
 
     Args:
@@ -104,7 +101,7 @@ def draw(random: np.random.Generator, frequency: Array, shape: tuple[int, int, i
     columns = _columns(frequency)
     sensors, points, microphones = shape
 
-    def process(*size: int) -> Complex:
+    def process(*size: int) -> ComplexArray:
         parts = random.standard_normal((2, *size, columns.shape[1]))
         return np.asarray((parts[0] + 1j * parts[1]) / np.sqrt(2) @ columns.T)
 

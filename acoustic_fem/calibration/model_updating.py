@@ -19,12 +19,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy.stats
 
-from acoustic_fem.calibration.fitted_model import Complex, Posterior, UpdatedModel
+from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.calibration.model_discrepancy import Discrepancy
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.estimate import TransferEstimate
-from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.typed import Array
+from geometry.ground.argument_checks import check_given, check_shape, unsuitable
+from geometry.ground.refusal import Kind
+from geometry.ground.typed import Array, ComplexArray
 
 #: s, standard deviation of what the stated delay of the reference is off by, alike at all points.
 DELAY = 1e-3
@@ -96,14 +97,11 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
         Refusal: no estimate, one of a point that the design does not have, on other frequencies, of 0 or not finite.
     """
     points = sorted(estimates)
-    if not points:
-        raise Refusal("is empty; a fit needs at least one measured point", kind=Kind.MISSING, field="estimates")
+    check_given("estimates", points, "a fit needs at least one measured point")
     shape = model._ratio.shape
     for number in points:
         in_range("point", number, 1, shape[0])
-        found = estimates[number].transfer_function.shape
-        if found != shape[1:]:
-            raise Refusal(f"has shape {found}; it must be {shape[1:]}", kind=Kind.MISMATCH, field=f"estimates.{number}")
+        check_shape(f"estimates.{number}", estimates[number].transfer_function, shape[1:], kind=Kind.MISMATCH)
         _check_estimate(number, estimates[number])
     rows = [number - 1 for number in points]
     measured = np.stack([estimates[number].transfer_function for number in points])
@@ -133,16 +131,12 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
 def _check_estimate(number: int, estimate: TransferEstimate) -> None:
     h, deviation = np.abs(estimate.transfer_function), estimate.deviation
     if not (np.isfinite(h).all() and h.min() > 0):
-        raise Refusal(
-            f"has a transfer function of {h.min()} Pa/Pa; it must be finite and not 0",
-            kind=Kind.UNSUITABLE,
-            field=f"estimates.{number}",
+        raise unsuitable(
+            f"estimates.{number}", f"has a transfer function of {h.min()} Pa/Pa; it must be finite and not 0"
         )
     if not (np.isfinite(deviation).all() and deviation.min() >= 0):
-        raise Refusal(
-            f"has a deviation of {deviation.min()} Pa/Pa; it must be finite, 0 or above",
-            kind=Kind.UNSUITABLE,
-            field=f"estimates.{number}",
+        raise unsuitable(
+            f"estimates.{number}", f"has a deviation of {deviation.min()} Pa/Pa; it must be finite, 0 or above"
         )
 
 
@@ -161,15 +155,15 @@ class _Fitted:
         measured: (n_point, n_microphone, n_freq) Pa/Pa.
     """
 
-    def __init__(self, model: UpdatedModel, rows: list[int], measured: Complex) -> None:
+    def __init__(self, model: UpdatedModel, rows: list[int], measured: ComplexArray) -> None:
         self.model, self.rows, self.measured = model, rows, measured
         self._turn = -2j * np.pi * model.frequency * DELAY
 
-    def expected(self, v: Array) -> Complex:
+    def expected(self, v: Array) -> ComplexArray:
         h = self.model.transfer_function(v[None, :-1])[0][self.rows]
         return np.asarray(h * np.exp(self._turn * v[-1]))
 
-    def jacobian(self, v: Array) -> Complex:
+    def jacobian(self, v: Array) -> ComplexArray:
         """(count + 1, n_point, n_microphone, n_freq)."""
         by_parameters = self.model.jacobian(v[:-1])[:, self.rows] * np.exp(self._turn * v[-1])
         return np.concatenate([by_parameters, (self._turn * self.expected(v))[None]])

@@ -12,9 +12,7 @@ from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.sound.clipping import first_clipped
 from acoustic_fem.sound.estimate import TransferEstimate, amplitudes, shortest_record
 from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.typed import Array
-
-Complex = NDArray[np.complex128]
+from geometry.ground.typed import Array, ComplexArray
 
 #: Seconds of equal samples that show a gap, and how many they must be at least.
 GAP, GAP_SAMPLES = 0.05, 8
@@ -73,13 +71,8 @@ def check_signals(
             clipped or interrupted, or two that are the same.
     """
     if rate < 2.5 * highest:
-        raise RecordingFault(
-            kind=Kind.UNSUITABLE,
-            field="sample_rate",
-            value=rate,
-            unit="Hz",
-            allowed=f"at least {2.5 * highest:g} Hz, 2.5 x {highest:g} Hz",
-        )
+        allowed = f"at least {2.5 * highest:g} Hz, 2.5 x {highest:g} Hz"
+        raise RecordingFault(kind=Kind.UNSUITABLE, field="sample_rate", value=rate, unit="Hz", allowed=allowed)
     seconds = min(len(values) for values in channels.values()) / rate
     if seconds < shortest_record():
         raise RecordingFault(
@@ -188,7 +181,7 @@ def check_estimate(estimate: TransferEstimate, microphones: tuple[str, ...], lea
 
 def check_against_model(
     estimate: TransferEstimate,
-    model: Complex,
+    model: ComplexArray,
     point: int,
     frequency: Array,
     microphones: tuple[str, ...],
@@ -252,7 +245,7 @@ def check_against_model(
     return tuple(notes)
 
 
-def common_delay(measured: Complex, model: Complex, frequency: Array) -> float:
+def common_delay(measured: ComplexArray, model: ComplexArray, frequency: Array) -> float:
     """Delay tau, s, within 0.25 s, that turns the model best into what was measured, whatever the polarity of each
     microphone: H = +- model exp(-2 pi j f tau).
 
@@ -268,7 +261,7 @@ def common_delay(measured: Complex, model: Complex, frequency: Array) -> float:
     return float(delays[np.argmax(fit)])
 
 
-def _misfit(measured: Complex, model: Complex, known: NDArray[np.bool_]) -> float:
+def _misfit(measured: ComplexArray, model: ComplexArray, known: NDArray[np.bool_]) -> float:
     """Root mean square difference of levels in dB, where the measured ones are known; one gain per channel is free
     within 3 dB, which is what uncalibrated microphones differ by.
     """
@@ -281,8 +274,8 @@ def _misfit(measured: Complex, model: Complex, known: NDArray[np.bool_]) -> floa
 
 
 def _explanations(
-    measured: Complex, model: Complex, point: int, microphones: tuple[str, ...], pascals: tuple[float, ...]
-) -> Iterator[tuple[str, Complex, Complex]]:
+    measured: ComplexArray, model: ComplexArray, point: int, microphones: tuple[str, ...], pascals: tuple[float, ...]
+) -> Iterator[tuple[str, ComplexArray, ComplexArray]]:
     """Texts with the measured values they would change, and those to compare with."""
     of_reference, *scale = pascals
     for a, b in combinations(range(len(microphones)), 2):

@@ -11,19 +11,18 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.special import jn_zeros, jve, zeta
 
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.typed import Array, ComplexArray
 
 #: Results on longer grids are not kept.
 _LONGEST_GRID = 1024
 
 
-def closed_cylinder_compliance(
-    radius: float, height: float, frequency: ArrayLike, medium: Medium
-) -> NDArray[np.complex128]:
+def closed_cylinder_compliance(radius: float, height: float, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Compliance of a closed cylinder, m^3/Pa.
 
     Args:
@@ -48,7 +47,7 @@ def closed_cylinder_compliance(
     return _compliance(np.pi * radius**2 * height, mean, medium)
 
 
-def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Compliance of a closed sphere, m^3/Pa.
 
     Args:
@@ -67,17 +66,17 @@ def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium
     return _compliance(4 / 3 * np.pi * radius**3, mean, medium)
 
 
-def _rate(frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+def _rate(frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Rate of heat diffusion j w / alpha, 1/m^2."""
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     return np.asarray(1j * omega / medium.thermal_diffusivity)
 
 
-def _compliance(volume: float, mean: NDArray[np.complex128], medium: Medium) -> NDArray[np.complex128]:
+def _compliance(volume: float, mean: ComplexArray, medium: Medium) -> ComplexArray:
     return volume * (medium.gamma - (medium.gamma - 1) * mean) / (medium.gamma * medium.pressure)
 
 
-def _sphere_mean(radius: float, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _sphere_mean(radius: float, rate: ComplexArray) -> ComplexArray:
     """<Psi> = 1 + 3 (z cot z - 1)/z^2 with z = R sqrt(-j w / alpha).
 
     Below |z| = 1 taken as -J_{5/2}(z) / J_{1/2}(z), which does not cancel and is slow.
@@ -93,7 +92,7 @@ def _sphere_mean(radius: float, rate: NDArray[np.complex128]) -> NDArray[np.comp
     return np.asarray(mean, dtype=np.complex128)
 
 
-def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _cylinder_mean(radius: float, height: float, rate: ComplexArray) -> ComplexArray:
     """<Psi> = sum 4/l^2 s/q^2 (1 - tanh(q H/2)/(q H/2)), q^2 = (l/R)^2 + s, over the zeros l of J0.
 
     Explicit terms reach past both scales of the problem, l = 4 R |s|^(1/2) and q H/2 = 20; the rest is
@@ -127,11 +126,11 @@ def _tails(count: int) -> tuple[float, ...]:
 
 
 @lru_cache(maxsize=32)  # an array has cells of one height and diameter that differ in their ports
-def _known_cylinder_mean(radius: float, height: float, rate: bytes) -> NDArray[np.complex128]:
+def _known_cylinder_mean(radius: float, height: float, rate: bytes) -> ComplexArray:
     return _cylinder_mean(radius, height, np.frombuffer(rate, dtype=np.complex128))
 
 
-def bessel_zeros(count: int) -> NDArray[np.float64]:
+def bessel_zeros(count: int) -> Array:
     """First zeros of J0, (count,) float64; beyond the 30th by McMahon's expansion, accurate to rounding there."""
     exact = _first_zeros()[:count]
     beta = np.pi * (np.arange(len(exact) + 1, count + 1) - 0.25)
@@ -139,12 +138,12 @@ def bessel_zeros(count: int) -> NDArray[np.float64]:
 
 
 @lru_cache(maxsize=1)
-def _first_zeros() -> NDArray[np.float64]:
+def _first_zeros() -> Array:
     """The first 30 zeros of J0, found once: the search takes longer than what is summed over them."""
     return np.asarray(jn_zeros(0, 30))
 
 
-def _one_minus_tanh_over(x: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _one_minus_tanh_over(x: ComplexArray) -> ComplexArray:
     """1 - tanh(x)/x without cancellation at small x."""
     square = x**2
     series = square * (1 / 3 - square * (2 / 15 - square * (17 / 315 - square * 62 / 2835)))

@@ -11,7 +11,7 @@ from dataclasses import asdict
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
@@ -22,6 +22,7 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import mesh_solid
 from geometry.ground.extras import installed_version
+from geometry.ground.typed import Array, ComplexArray
 from geometry.schema.cavity_shapes import Box, Dome, draw_cavity
 
 #: Relative error of the compliance that the mesh is refined to, and the scale of the first one that may do.
@@ -35,7 +36,7 @@ _VERSION = 2
 
 def shaped_cavity_compliance(
     shape: Box | Dome, radius: float, height: float, frequency: ArrayLike, medium: Medium
-) -> NDArray[np.complex128]:
+) -> ComplexArray:
     """Compliance of a closed cavity of uniform pressure with isothermal walls, m^3/Pa.
 
     Args:
@@ -69,7 +70,7 @@ def shaped_cavity_compliance(
 @lru_cache(maxsize=64)
 def _thermal_model(
     shape: Box | Dome, radius: float, height: float, medium: Medium, band: tuple[float, float]
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+) -> tuple[Array, Array, Array]:
     """Projected stiffness and mass, load, and the mean of each function: lengths in mm."""
     sizes = {"kind": type(shape).__name__, **asdict(shape), "radius": radius, "height": height}
     about = {"shaped cavity": _VERSION, "accuracy": ACCURACY, "gmsh": installed_version("gmsh")}
@@ -84,7 +85,7 @@ def _thermal_model(
 
 def _solve(
     shape: Box | Dome, radius: float, height: float, medium: Medium, band: tuple[float, float]
-) -> dict[str, NDArray[np.float64]]:
+) -> dict[str, Array]:
     import cadquery as cq
 
     diffusivity = medium.thermal_diffusivity

@@ -18,7 +18,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.cell.solid import checked_physics
@@ -29,7 +29,9 @@ from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import FIRST, LAST, Winding, swept_mesh
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 
 #: Length of the piece that is solved, in bore radii.
 PIECE = 4.0
@@ -43,9 +45,9 @@ LARGEST_SHEAR_NUMBER = 7.0
 class BentBore:
     """A bent bore as a uniform line, per length of its centre line."""
 
-    series: NDArray[np.complex128]
+    series: ComplexArray
     """Series impedance Z' per length, (n_freq,) complex128, Pa s/m^4."""
-    shunt: NDArray[np.complex128]
+    shunt: ComplexArray
     """Shunt admittance Y' per length, (n_freq,) complex128, m^2/(Pa s)."""
     straight_error: float
     """Largest relative error of the straight bore's admittance on the same mesh, against the exact duct; it is taken
@@ -54,7 +56,7 @@ class BentBore:
     unknowns: int
     """Number of unknowns of the largest system solved."""
 
-    def port_admittance(self, length: ArrayLike) -> NDArray[np.complex128]:
+    def port_admittance(self, length: ArrayLike) -> ComplexArray:
         """Two-port of a piece of a length, scalar, m: (n_freq, 2, 2) complex128, m^3/(Pa s)."""
         return plane_wave.two_port(self.series, self.shunt, length)
 
@@ -99,7 +101,7 @@ def solve_bent_bores(
     length = PIECE * radius
     pieces: list[Winding | None] = [None, *windings]
     exact = plane_wave.port_admittance(radius, length, grid, medium)
-    solved: list[tuple[NDArray[np.complex128], int]] = []
+    solved: list[tuple[ComplexArray, int]] = []
 
     def advance(done: float) -> None:
         progress((len(solved) + done) / len(pieces))
@@ -112,9 +114,7 @@ def solve_bent_bores(
     return [BentBore(series, shunt, error, unknowns) for series, shunt in lines]
 
 
-def check_bent_bore(
-    radius: float, windings: Sequence[Winding], frequency: ArrayLike, medium: Medium
-) -> NDArray[np.float64]:
+def check_bent_bore(radius: float, windings: Sequence[Winding], frequency: ArrayLike, medium: Medium) -> Array:
     """Check the arguments of :func:`solve_bent_bores` without solving: radius in m, frequency (n_freq,) in Hz.
 
     Returns:
@@ -126,8 +126,7 @@ def check_bent_bore(
     bore = float(positive("radius", radius, "m"))
     for winding in windings:
         if not bore * winding.curvature < metres(1.0):
-            allowed = f"below the bend's radius {metres(1 / winding.curvature):g} m"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="radius", value=bore, unit="m", allowed=allowed)
+            raise out_of_range("radius", bore, f"below the bend's radius {metres(1 / winding.curvature):g} m", "m")
     grid = frequency_grid(frequency)
     highest = LARGEST_SHEAR_NUMBER**2 * medium.kinematic_viscosity / (2 * np.pi * bore**2)
     if grid[-1] > highest:
@@ -146,11 +145,11 @@ def _piece(
     radius: float,
     winding: Winding | None,
     rings: int,
-    frequency: NDArray[np.float64],
+    frequency: Array,
     medium: Medium,
     physics: Physics,
     progress: Callable[[float], None],
-) -> tuple[NDArray[np.complex128], int]:
+) -> tuple[ComplexArray, int]:
     """Admittance of a piece between its two ends, the same from both, and the number of unknowns."""
     bore = radius / metres(1.0)
     section = MeshedSection.circle(bore, rings)
@@ -165,7 +164,7 @@ def _piece(
     return (admittance + admittance[:, ::-1, ::-1]) / 2, body.unknowns
 
 
-def _line(admittance: NDArray[np.complex128], length: float) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+def _line(admittance: ComplexArray, length: float) -> tuple[ComplexArray, ComplexArray]:
     """Z' and Y' of the uniform line whose piece has this two-port, that of a duct inverted.
 
     cosh x - 1 = -(Y11 + Y12) / Y12, Z' L = -x / (Y12 sinh x), Z' Y' L^2 = x^2; pieces with |x| below about 1.

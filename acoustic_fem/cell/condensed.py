@@ -26,8 +26,8 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
 from geometry.air.straight_bores import StraightBore
-from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.typed import ComplexArray
+from geometry.ground.argument_checks import out_of_range
+from geometry.ground.typed import Array, ComplexArray
 
 #: A solved thermal field: on a mesh of its own, or of the sections of a cylinder and its bores.
 ThermalField: TypeAlias = DiffusionField | CylinderField
@@ -65,7 +65,7 @@ class BodyFaces:
 
 @dataclass(frozen=True)
 class AirModel:
-    """What a body of air is solved for: the gas, the frequencies and the equations."""
+    """The gas, the frequencies and the equations that a body of air is solved for."""
 
     medium: Medium
     """The gas."""
@@ -84,7 +84,7 @@ class Pumped:
 
     flow: ReducedModel
     """Reduced model of the flow, driven by the wall motions."""
-    energies: NDArray[np.float64]
+    energies: Array
     """Terms that the wall motions add to the response themselves, (n_term, m, m) float64."""
 
 
@@ -107,15 +107,15 @@ class CondensedBody:
     flow: ReducedModel
     """Reduced model of the flow."""
     pumped: Pumped | None
-    """What a midplane leaves out: None without one, or without a wall that moves."""
+    """The part that a midplane leaves out: None without one, or without a wall that moves."""
     bores: tuple[StraightBore, ...]
     """Straight bores beyond the tube ports, exact ones: one per port, or none."""
-    energies: NDArray[np.float64]
+    energies: Array
     """Terms that the excitations add to the response themselves, (n_term, m, m) float64."""
     unknowns: int
     """Number of unknowns of the largest system solved."""
 
-    def nodal_admittance(self, frequency: NDArray[np.float64]) -> ComplexArray:
+    def nodal_admittance(self, frequency: Array) -> ComplexArray:
         """Symmetric admittance between the ports and the pressures on the moving walls.
 
         The pressure of a wall's node is the mean over the wall weighted by the shape of its motion.
@@ -132,12 +132,8 @@ class CondensedBody:
         low, high = self.flow.lowest, self.flow.highest
         outside = frequency[(frequency < low * (1 - 1e-9)) | (frequency > high * (1 + 1e-9))]
         if outside.size:
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="frequency",
-                value=float(outside[0]),
-                unit="Hz",
-                allowed=f"between {low:g} and {high:g} Hz, the band solved",
+            raise out_of_range(
+                "frequency", float(outside[0]), f"between {low:g} and {high:g} Hz, the band solved", "Hz"
             )
         response = _navier_stokes_response if self.physics == "navier-stokes" else _helmholtz_response
         nodal = self.copies * response(self, frequency)
@@ -221,7 +217,7 @@ def _condense_navier_stokes(
     tolerance: float,
     report: Callable[[float], None],
     driven: bool = True,
-) -> tuple[ReducedModel, NDArray[np.float64], int]:
+) -> tuple[ReducedModel, Array, int]:
     """Model of the flow, energies of the motions and unknowns; where not driven, ports hold no pressure."""
     system = cell_system(whole, faces.tubes, faces.motions, faces.planes)
     blank = sp.csr_array((system.n_velocity, system.n_velocity))
@@ -245,7 +241,7 @@ def _condense_navier_stokes(
 
 
 def _navier_stokes_coefficients(
-    frequency: NDArray[np.float64], heat: ReducedModel, medium: Medium
+    frequency: Array, heat: ReducedModel, medium: Medium
 ) -> tuple[ComplexArray, ComplexArray]:
     """Coefficients of the matrices viscous, inertia, coupling, storage and of the excitations."""
     rate = _inertia_coefficient(frequency, medium)
@@ -255,7 +251,7 @@ def _navier_stokes_coefficients(
     return theta, np.column_stack([one, one, rate, -one])
 
 
-def _navier_stokes_response(body: CondensedBody, frequency: NDArray[np.float64]) -> ComplexArray:
+def _navier_stokes_response(body: CondensedBody, frequency: Array) -> ComplexArray:
     medium, n = body.medium, body.n_port
     response = body.flow.response(*_navier_stokes_coefficients(frequency, body.heat, medium))
     rate = _inertia_coefficient(frequency, medium)[:, None, None]
@@ -279,7 +275,7 @@ def _condense_helmholtz(
     air: AirModel,
     tolerance: float,
     report: Callable[[float], None],
-) -> tuple[ReducedModel, NDArray[np.float64], int]:
+) -> tuple[ReducedModel, Array, int]:
     system = pressure_system(mesh, faces.tubes, faces.motions)
     whole = [system.conduction(weight) for weight in viscous.at_quadrature()]
     uniform = np.ones_like(system.basis.dx)
@@ -303,7 +299,7 @@ def _condense_helmholtz(
 
 
 def _helmholtz_coefficients(
-    frequency: NDArray[np.float64], heat: ReducedModel, viscous: ReducedModel, medium: Medium
+    frequency: Array, heat: ReducedModel, viscous: ReducedModel, medium: Medium
 ) -> tuple[ComplexArray, ComplexArray]:
     """Coefficients of conduction and storage, in Pa -> m^3/s per mm, and of the excitations.
 
@@ -316,7 +312,7 @@ def _helmholtz_coefficients(
     return theta, np.column_stack([theta, np.ones(len(frequency), dtype=np.complex128)])
 
 
-def _helmholtz_response(body: CondensedBody, frequency: NDArray[np.float64]) -> ComplexArray:
+def _helmholtz_response(body: CondensedBody, frequency: Array) -> ComplexArray:
     if body.viscous is None:
         raise RuntimeError("a lossy Helmholtz body must have a viscous field")
     n = body.n_port
@@ -342,9 +338,7 @@ def _nodal(y: NDArray, b: NDArray, z: NDArray) -> ComplexArray:
     return nodal
 
 
-def _through_bore(
-    nodal: ComplexArray, port: int, bore: StraightBore, frequency: NDArray[np.float64], medium: Medium
-) -> ComplexArray:
+def _through_bore(nodal: ComplexArray, port: int, bore: StraightBore, frequency: Array, medium: Medium) -> ComplexArray:
     """The admittance with the port at the far end of a bore."""
     duct = port_admittance(metres(bore.radius), metres(bore.length), frequency, medium)
     met = nodal[:, port, port] + duct[:, 1, 1]
@@ -355,12 +349,12 @@ def _through_bore(
     return np.asarray(beyond, dtype=np.complex128)
 
 
-def _storage_factors(frequency: NDArray[np.float64], heat: ReducedModel, medium: Medium) -> ComplexArray:
+def _storage_factors(frequency: Array, heat: ReducedModel, medium: Medium) -> ComplexArray:
     """Factors of the storage matrices in gamma - (gamma - 1) sum_k c_k v_k, (n_freq, 1 + r)."""
     coefficients = field_coefficients(heat, frequency, medium.thermal_diffusivity)
     constant = np.full((len(frequency), 1), medium.gamma, dtype=np.complex128)
     return np.hstack([constant, -(medium.gamma - 1) * coefficients])
 
 
-def _inertia_coefficient(frequency: NDArray[np.float64], medium: Medium) -> ComplexArray:
+def _inertia_coefficient(frequency: Array, medium: Medium) -> ComplexArray:
     return np.asarray(2j * np.pi * frequency * _LENGTH**2 / medium.kinematic_viscosity, dtype=np.complex128)

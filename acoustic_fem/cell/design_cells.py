@@ -6,8 +6,7 @@ import threading
 from collections.abc import Sequence
 from functools import partial
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.cell.one_cell import DESIGN_BAND, CellRecord, CellSolution, CellTask, rebuilt, solve_task
 from acoustic_fem.cell.side_by_side import solve_side_by_side
@@ -17,6 +16,7 @@ from acoustic_fem.numerics.processors import cores
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
+from geometry.ground.typed import Array
 
 #: Processor time of a cell that is not in the cache, s: a middling one of the prototypes', 1 to 5 s, and its part of
 #: the start of the processes, 2 s each.
@@ -120,5 +120,5 @@ def keep_cell(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str, r
         disk_cache.store(CellTask(cell, medium, _band(frequency_grid(frequency)), fidelity).key, *record)
 
 
-def _band(grid: NDArray[np.float64]) -> tuple[float, float]:
+def _band(grid: Array) -> tuple[float, float]:
     return min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1]))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.cavity.shaped import shaped_cavity_compliance
@@ -12,9 +11,10 @@ from acoustic_fem.duct.tube_opening import entrance_impedance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell
+from geometry.ground.typed import Array, ComplexArray
 
 
-def lumped_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium) -> NDArray[np.complex128]:
+def lumped_admittance(cell: Cell, frequency: Array, medium: Medium) -> ComplexArray:
     """Volume velocities into a cell per pressure at its nodes, in m^3/(Pa s).
 
     Against 3-D Navier-Stokes: 0.04 to 0.15 % in the two-port of a 6 x 2.5 mm cavity with tubes of 0.25 mm
@@ -57,7 +57,7 @@ def lumped_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium
     return nodal
 
 
-def _neck(radius: float, length: float, frequency: NDArray[np.float64], medium: Medium) -> NDArray[np.complex128]:
+def _neck(radius: float, length: float, frequency: Array, medium: Medium) -> ComplexArray:
     """Two-port of a duct whose second end opens into a cavity."""
     duct = port_admittance(radius, length, frequency, medium)
     own, transfer = duct[:, 0, 0], duct[:, 0, 1]

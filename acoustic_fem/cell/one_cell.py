@@ -22,6 +22,7 @@ from geometry.air.straight_bores import StraightBore
 from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.ground.extras import NotInstalled, installed_version
 from geometry.ground.refusal import Kind, Refusal, said_by
+from geometry.ground.typed import Array, ComplexArray
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
 DESIGN_BAND = (1.0, 500.0)
@@ -59,7 +60,7 @@ class CellFault(RuntimeError):
 class CellSolution:
     """Responses of one cell and how they were obtained."""
 
-    admittance: NDArray[np.complex128]
+    admittance: ComplexArray
     """Nodal admittance, (n_freq, k + 1, k + 1) complex128, m^3/(Pa s): the k tube ports in order, then the opening."""
     physics: str
     """The model it was solved with."""
@@ -204,7 +205,7 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     return arrays, about
 
 
-def rebuilt(task: CellTask, record: CellRecord, grid: NDArray[np.float64], cached: bool) -> CellSolution:
+def rebuilt(task: CellTask, record: CellRecord, grid: Array, cached: bool) -> CellSolution:
     """Solution of a cell on a grid of frequencies, (n_freq,) float64 in Hz, from its record."""
     arrays, about = record
 

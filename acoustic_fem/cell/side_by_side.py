@@ -28,7 +28,7 @@ class _Resting:
 
     child: Child
     environment: dict[str, str]
-    """What it was started in."""
+    """The environment that it was started in."""
     timer: threading.Timer
     """Ends it when nobody has a cell for it."""
 
@@ -136,10 +136,10 @@ def _solve(task: CellTask, tell: Callable[[float], None]) -> tuple[CellRecord, l
 
 
 def _record(task: CellTask, message: Message) -> CellRecord:
-    """What a process has found; its warnings are passed on.
+    """The record that a process sent; its warnings are passed on.
 
     Raises:
-        CellError: it has found nothing.
+        CellError: it sent none.
     """
     label = task.cell.label
     try:

@@ -12,7 +12,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 import geometry
 from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped, ThermalField, condense
@@ -27,8 +27,10 @@ from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, mesh_s
 from geometry.air.solid_checks import sound_solid
 from geometry.air.straight_bores import shortened
 from geometry.air.volume import MIRROR
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 
 if TYPE_CHECKING:
     import cadquery
@@ -62,7 +64,7 @@ class MarkedSolid:
     faces: BodyFaces
     """Names of the tube ports, the moving walls and the mirror."""
     cylinder: CylinderAir | None = None
-    """The same air, or twice it at a mirror, told as a cylinder with bores, the ports first; None where it is none."""
+    """The same air, or twice it at a mirror, as a cylinder with bores, the ports first; None for other shapes."""
 
     def mesh(self, sizes: MeshSizes, beat: Callable[[], None]) -> SolidMesh:
         """The body meshed; ``beat`` is called while gmsh is at work."""
@@ -87,8 +89,8 @@ class MeshGoal:
     checked_band: tuple[float, float] | None = None
     """Lowest and highest frequency at which the accuracy must hold, Hz; None: the whole band."""
 
-    def frequencies(self, band: tuple[float, float]) -> NDArray[np.float64]:
-        """Where the accuracy is looked at in a body solved over a band: (5,) float64, Hz, or (1,) in a band of one."""
+    def frequencies(self, band: tuple[float, float]) -> Array:
+        """Frequencies of the accuracy check of a body: (5,) float64, Hz, or (1,) in a band of one frequency."""
         low, high = self.checked_band or band
         return np.geomspace(low, high, 5) if high > low else np.array([low])
 
@@ -121,7 +123,7 @@ def port_admittance(
     fidelity: str = "navier-stokes",
     accuracy: float = 1e-3,
     progress: Progress | None = None,
-) -> NDArray[np.complex128]:
+) -> ComplexArray:
     """Port admittance of a body of air of any shape.
 
     Every face that is no port is a rigid, no-slip, isothermal wall. Ports must lie a few bore radii down a
@@ -292,7 +294,7 @@ def _converged_flow(
     return flow, max(error, least), meshes
 
 
-def _difference(first: CondensedBody, second: CondensedBody, frequency: NDArray[np.float64]) -> float:
+def _difference(first: CondensedBody, second: CondensedBody, frequency: Array) -> float:
     """Largest relative difference of two admittances, each entry against its row and column."""
     a, b = first.nodal_admittance(frequency), second.nodal_admittance(frequency)
     scale = np.sqrt(np.abs(np.einsum("fii->fi", a)))
@@ -308,8 +310,7 @@ def checked_physics(fidelity: str) -> Physics:
     for name in PHYSICS:
         if fidelity == name:
             return name
-    allowed = f"one of {', '.join(PHYSICS)} for a 3-D cell"
-    raise Refusal(kind=Kind.OUT_OF_RANGE, field="fidelity", value=fidelity, allowed=allowed)
+    raise out_of_range("fidelity", fidelity, f"one of {', '.join(PHYSICS)} for a 3-D cell")
 
 
 def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -> cadquery.Shape:

@@ -25,13 +25,14 @@ from typing import Any
 import numpy as np
 import scipy.sparse as sp
 import skfem
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.duct.plane_wave import Line, diffusion_rate
 from acoustic_fem.numerics.rational_sweep import reduce_system
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import out_of_range
+from geometry.ground.typed import Array, ComplexArray
 
 #: Columns of elements over a quarter of the wire; see tests/acoustic_fem/duct/test_coil_bore.py for the error.
 REFINEMENT = 12
@@ -59,11 +60,9 @@ class CoilBore(Line):
         outer = float(positive("outer_diameter", self.outer_diameter, "m"))
         wire = float(positive("wire_diameter", self.wire_diameter, "m"))
         if wire >= outer / 4:
-            allowed = f"below a quarter of outer_diameter = {outer:g} m"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="wire_diameter", value=wire, unit="m", allowed=allowed)
+            raise out_of_range("wire_diameter", wire, f"below a quarter of outer_diameter = {outer:g} m", "m")
         if int(self.refinement) != self.refinement or self.refinement < 2:
-            allowed = "a whole number of at least 2"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="refinement", value=self.refinement, allowed=allowed)
+            raise out_of_range("refinement", self.refinement, "a whole number of at least 2")
         in_range("cusp", self.cusp, 0.02, 0.5, "rad")
 
     @property
@@ -84,13 +83,13 @@ class CoilBore(Line):
         conductance = float(self._flow_response(np.zeros(1))[0].real) / self._depth
         return self.crest_radius * (8 * conductance / np.pi) ** 0.25
 
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Series impedance Z' per length, Pa s/m^4: shape of frequency (Hz), complex128."""
         rate = np.abs(diffusion_rate(frequency, medium.kinematic_viscosity))
         response = self._flow_response(rate.ravel() * self.crest_radius**2).reshape(rate.shape)
         return np.asarray(medium.viscosity / self.crest_radius**4 * self._depth / response)
 
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Shunt admittance Y' per length, m^2/(Pa s): shape of frequency (Hz), complex128."""
         rate = np.abs(diffusion_rate(frequency, medium.thermal_diffusivity))
         scaled = rate.ravel() * self.crest_radius**2
@@ -105,7 +104,7 @@ class CoilBore(Line):
         """Radius of the wire in units of the crest radius: the length of half a pitch."""
         return self.wire_diameter / 2 / self.crest_radius
 
-    def _flow_response(self, scaled_rate: NDArray[np.float64]) -> NDArray[np.complex128]:
+    def _flow_response(self, scaled_rate: Array) -> ComplexArray:
         flow, load = self._flow
         return _response(flow, load, scaled_rate)
 
@@ -114,11 +113,11 @@ class CoilBore(Line):
         return half_pitch_mesh(self._depth, self._depth, self.refinement, self.cusp)
 
     @cached_property
-    def _flow(self) -> tuple[list[sp.csr_array], NDArray[np.float64]]:
+    def _flow(self) -> tuple[list[sp.csr_array], Array]:
         return flow_system(self._mesh)
 
     @cached_property
-    def _heat(self) -> tuple[list[sp.csr_array], NDArray[np.float64]]:
+    def _heat(self) -> tuple[list[sp.csr_array], Array]:
         return heat_system(self._mesh)
 
 
@@ -158,7 +157,7 @@ def half_pitch_mesh(half_pitch: float, wire_radius: float, refinement: int, cusp
     )
 
 
-def flow_system(mesh: skfem.MeshQuad2) -> tuple[list[sp.csr_array], NDArray[np.float64]]:
+def flow_system(mesh: skfem.MeshQuad2) -> tuple[list[sp.csr_array], Array]:
     """Matrices (constant, times s), (n, n), and load, (n,) float64, of flow; load K^-1 load is flux x pitch / 2."""
     velocity = skfem.Basis(mesh, skfem.ElementVector(skfem.ElementQuad2()), intorder=6)
     pressure = velocity.with_element(skfem.ElementQuad1())
@@ -176,7 +175,7 @@ def flow_system(mesh: skfem.MeshQuad2) -> tuple[list[sp.csr_array], NDArray[np.f
     return [2 * np.pi * constant, 2 * np.pi * sp.block_diag([inertia, blank], format="csr")], load
 
 
-def heat_system(mesh: skfem.MeshQuad2) -> tuple[list[sp.csr_array], NDArray[np.float64]]:
+def heat_system(mesh: skfem.MeshQuad2) -> tuple[list[sp.csr_array], Array]:
     """Matrices (constant, times s), (n, n), and load, (n,) float64, of the heat; s load K^-1 load is its integral."""
     basis = skfem.Basis(mesh, skfem.ElementQuad2(), intorder=6)
     free = np.setdiff1d(np.arange(basis.N), basis.get_dofs("wall").flatten())
@@ -186,15 +185,13 @@ def heat_system(mesh: skfem.MeshQuad2) -> tuple[list[sp.csr_array], NDArray[np.f
     return [sp.csr_array(conduction[free][:, free]), sp.csr_array(storage[free][:, free])], load
 
 
-def _response(
-    matrices: list[sp.csr_array], load: NDArray[np.float64], rates: NDArray[np.float64]
-) -> NDArray[np.complex128]:
+def _response(matrices: list[sp.csr_array], load: Array, rates: Array) -> ComplexArray:
     """Load^T (K0 + j rate K1)^-1 load at all rates from a few solves."""
 
-    def theta(rates: NDArray[np.float64]) -> NDArray[np.complex128]:
+    def theta(rates: Array) -> ComplexArray:
         return np.column_stack([np.ones_like(rates), 1j * rates])
 
-    def phi(rates: NDArray[np.float64]) -> NDArray[np.complex128]:
+    def phi(rates: Array) -> ComplexArray:
         return np.ones((len(rates), 1), dtype=np.complex128)
 
     band = (float(rates.min()), float(rates.max()))

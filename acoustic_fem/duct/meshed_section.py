@@ -16,8 +16,10 @@ from skfem.helpers import dot, grad
 from acoustic_fem.duct.sections import Section
 from acoustic_fem.numerics.rational_sweep import reduce_system
 from acoustic_fem.quantities.checks import positive
+from geometry.ground.argument_checks import unsuitable, wrong_type
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 
 #: Wall layer sqrt(2/|s|) per element edge on the wall below which a meshed section warns.
 RESOLVED_LAYER = 1.0
@@ -32,7 +34,7 @@ class MeshedSection(Section):
     wall, the error reaches 0.2 to 0.5 % and a warning says so.
     """
 
-    points: NDArray[np.float64]
+    points: Array
     """Places of the nodes, (n, 2) float64, m."""
     triangles: NDArray[np.int64]
     """Nodes of the triangles, (m, 6) int64: three corners, then the middles of edges 01, 12 and 20; turned
@@ -42,15 +44,9 @@ class MeshedSection(Section):
     def __post_init__(self) -> None:
         points, triangles = np.asarray(self.points, dtype=np.float64), np.asarray(self.triangles)
         if points.ndim != 2 or points.shape[1] != 2 or not np.isfinite(points).all():
-            raise Refusal(
-                f"has shape {points.shape}; it must be (n, 2) and finite", kind=Kind.WRONG_TYPE, field="points"
-            )
+            raise wrong_type("points", f"has shape {points.shape}; it must be (n, 2) and finite")
         if triangles.ndim != 2 or triangles.shape[1] != 6 or not len(triangles):
-            raise Refusal(
-                f"has shape {triangles.shape}; it must be (m, 6) with at least one row",
-                kind=Kind.WRONG_TYPE,
-                field="triangles",
-            )
+            raise wrong_type("triangles", f"has shape {triangles.shape}; it must be (m, 6) with at least one row")
         if triangles.dtype.kind not in "iu" or triangles.min() < 0 or triangles.max() >= len(points):
             raise Refusal(f"must hold integers from 0 to {len(points) - 1}", kind=Kind.OUT_OF_RANGE, field="triangles")
         clockwise = _corner_areas(points[triangles]) < 0
@@ -63,10 +59,8 @@ class MeshedSection(Section):
         if bad.any():
             k = int(np.argmax(bad))
             x, y = points[triangles[k, :3]].mean(axis=0)
-            raise Refusal(
-                f"row {k} at ({x:g}, {y:g}) m is inverted, overlaps a neighbour or has no area",
-                kind=Kind.UNSUITABLE,
-                field="triangles",
+            raise unsuitable(
+                "triangles", f"row {k} at ({x:g}, {y:g}) m is inverted, overlaps a neighbour or has no area"
             )
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "triangles", triangles)
@@ -106,7 +100,7 @@ class MeshedSection(Section):
         """Area of the meshed section, m^2."""
         return self._discrete.area * self._extent**2
 
-    def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def mean_field(self, rate: ComplexArray) -> ComplexArray:
         """Galerkin's mean <Psi> of the field: shape of the rate (1/m^2), complex128.
 
         All rates come from a few solves (:mod:`acoustic_fem.numerics.rational_sweep`, to 1e-9).
@@ -120,10 +114,10 @@ class MeshedSection(Section):
                 f"({discrete.wall_edge * self._extent:.3g} m): refine the mesh",
             )
 
-        def theta(rates: NDArray[np.float64]) -> NDArray[np.complex128]:
+        def theta(rates: Array) -> ComplexArray:
             return np.column_stack([np.ones_like(rates), 1j * rates])
 
-        def phi(rates: NDArray[np.float64]) -> NDArray[np.complex128]:
+        def phi(rates: Array) -> ComplexArray:
             return np.ones((len(rates), 1), dtype=np.complex128)
 
         model = reduce_system(
@@ -164,7 +158,7 @@ class _Discrete:
 
     stiffness: sp.csr_array
     mass: sp.csr_array
-    load: NDArray[np.float64]
+    load: Array
     area: float
     wall_edge: float
 
@@ -179,13 +173,13 @@ def _mass(u: Any, v: Any, _: Any) -> Any:
     return u * v
 
 
-def _corner_areas(places: NDArray[np.float64]) -> NDArray[np.float64]:
+def _corner_areas(places: Array) -> Array:
     """Twice the signed areas of the straight triangles, (m,)."""
     one, two = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
     return np.asarray(one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0])
 
 
-def _jacobians(places: NDArray[np.float64]) -> NDArray[np.float64]:
+def _jacobians(places: Array) -> Array:
     """(m, 6) Jacobian determinants of second-order triangles (m, 6, 2) at their nodes."""
     nodes = np.array([[0, 0], [1, 0], [0, 1], [0.5, 0], [0.5, 0.5], [0, 0.5]])
     x, y = nodes.T
@@ -196,10 +190,7 @@ def _jacobians(places: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(dx[..., 0] * dy[..., 1] - dx[..., 1] * dy[..., 0])
 
 
-def _from_map(
-    reference: tuple[NDArray[np.float64], NDArray[np.int64]],
-    place: Callable[[NDArray[np.float64]], NDArray[np.float64]],
-) -> MeshedSection:
+def _from_map(reference: tuple[Array, NDArray[np.int64]], place: Callable[[Array], Array]) -> MeshedSection:
     """A straight mesh (points, corners) with its corners and edge middles moved by a smooth map."""
     points, corners = reference
     pairs = np.sort(corners[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
@@ -209,7 +200,7 @@ def _from_map(
     return MeshedSection(place(np.vstack([points, middles])), triangles.astype(np.int64))
 
 
-def _triangle_grid(divisions: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+def _triangle_grid(divisions: int) -> tuple[Array, NDArray[np.int64]]:
     """The unit triangle in divisions^2 triangles."""
     i, j = np.mgrid[: divisions + 1, : divisions + 1]
     inside = i + j <= divisions
@@ -220,7 +211,7 @@ def _triangle_grid(divisions: int) -> tuple[NDArray[np.float64], NDArray[np.int6
     return np.column_stack([i[inside], j[inside]]) / divisions, np.vstack([lower, upper]).astype(np.int64)
 
 
-def _hexagon(rings: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+def _hexagon(rings: int) -> tuple[Array, NDArray[np.int64]]:
     """A regular hexagon of radius 1 in 6 rings^2 triangles."""
     unit, corners = _triangle_grid(rings)
     angle = np.arange(7) * np.pi / 3
@@ -233,7 +224,7 @@ def _hexagon(rings: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     return points[first], number.reshape(-1)[triangles]
 
 
-def _disc(points: NDArray[np.float64], radius: float) -> NDArray[np.float64]:
+def _disc(points: Array, radius: float) -> Array:
     """The hexagon of radius 1 onto a disc: its rings become circles."""
     angle = np.arctan2(points[:, 1], points[:, 0])
     sector = np.floor(angle / (np.pi / 3)) * np.pi / 3

@@ -21,20 +21,22 @@ from typing import Literal
 
 import numpy as np
 from numpy.polynomial.polynomial import polyval
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.special import jve, zeta
 
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.argument_checks import mismatch, out_of_range
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 
 #: A complex quantity over frequency: values that broadcast with the frequencies, or a function of Hz.
-Spectrum = ArrayLike | Callable[[NDArray[np.float64]], ArrayLike]
+Spectrum = ArrayLike | Callable[[Array], ArrayLike]
 #: Ducts on longer grids are computed anew each time, so that what is kept stays below 10 MB.
 _LONGEST_GRID = 1024
 
 
-def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Series impedance per length of a round bore, Pa s/m^4.
 
     Z' = j w rho / (S (1 - J(kv a))), kv = sqrt(-j w rho / mu).
@@ -58,7 +60,7 @@ def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
     return series_from_mean(np.pi * radius**2, mean, frequency, medium)
 
 
-def shunt_admittance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+def shunt_admittance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Shunt admittance per length of a round bore, m^2/(Pa s).
 
     Y' = j w S / (rho c^2) (1 + (gamma - 1) J(kt a)), kt = sqrt(-j w rho cp / kappa). Low frequency: j w S / p
@@ -72,9 +74,7 @@ def shunt_admittance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
     return shunt_from_mean(np.pi * radius**2, mean, frequency, medium)
 
 
-def port_admittance(
-    radius: ArrayLike, length: ArrayLike, frequency: ArrayLike, medium: Medium
-) -> NDArray[np.complex128]:
+def port_admittance(radius: ArrayLike, length: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Volume velocities into a round duct per pressure at its two ends, in m^3/(Pa s).
 
     Args:
@@ -97,19 +97,19 @@ def port_admittance(
 
 
 @lru_cache(maxsize=64)
-def _duct(radius: float, length: float, grid: bytes, medium: Medium) -> NDArray[np.complex128]:
+def _duct(radius: float, length: float, grid: bytes, medium: Medium) -> ComplexArray:
     """As :func:`port_admittance`, kept: an array has many tubes and cells, and few bores that differ."""
     return two_port(*_line(radius, grid, medium), length)
 
 
 @lru_cache(maxsize=32)
-def _line(radius: float, grid: bytes, medium: Medium) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+def _line(radius: float, grid: bytes, medium: Medium) -> tuple[ComplexArray, ComplexArray]:
     """Series impedance and shunt admittance per length of a round bore, kept."""
     frequency = np.frombuffer(grid)
     return series_impedance(radius, frequency, medium), shunt_admittance(radius, frequency, medium)
 
 
-def two_port(series: ArrayLike, shunt: ArrayLike, length: ArrayLike) -> NDArray[np.complex128]:
+def two_port(series: ArrayLike, shunt: ArrayLike, length: ArrayLike) -> ComplexArray:
     """Volume velocities into a uniform line per pressure at its two ends, in m^3/(Pa s).
 
     Y11 = Y22 = x coth(x) / (Z' L), Y12 = Y21 = -x / sinh(x) / (Z' L), x^2 = Z' Y' L^2: even in x, so that
@@ -141,22 +141,22 @@ class Line(ABC):
     """
 
     @abstractmethod
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Series impedance Z' per length, Pa s/m^4: shape of frequency (Hz), complex128."""
 
     @abstractmethod
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Shunt admittance Y' per length, m^2/(Pa s): shape of frequency (Hz), complex128."""
 
-    def propagation(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def propagation(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Propagation constant Gamma = sqrt(Z' Y'), 1/m: shape of frequency (Hz), complex128, real part >= 0."""
         return np.sqrt(self.series_impedance(frequency, medium) * self.shunt_admittance(frequency, medium))
 
-    def characteristic_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def characteristic_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Characteristic impedance sqrt(Z' / Y'), Pa s/m^3: shape of frequency (Hz), complex128, real part >= 0."""
         return np.sqrt(self.series_impedance(frequency, medium) / self.shunt_admittance(frequency, medium))
 
-    def port_admittance(self, length: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def port_admittance(self, length: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Two-port of a piece of a length (m) by :func:`two_port`: broadcast shape + (2, 2), m^3/(Pa s)."""
         return two_port(self.series_impedance(frequency, medium), self.shunt_admittance(frequency, medium), length)
 
@@ -172,7 +172,7 @@ class UserLine(Line):
     zc: Spectrum
     """Characteristic impedance, Pa s/m^3, real part not negative; values or a function as of ``gamma``."""
 
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Series impedance per length Z' = Gamma Zc, Pa s/m^4: shape of frequency (Hz), complex128.
 
         Raises:
@@ -180,31 +180,24 @@ class UserLine(Line):
         """
         return self._at("gamma", frequency) * self._at("zc", frequency)
 
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Shunt admittance per length Y' = Gamma / Zc, m^2/(Pa s): shape of frequency (Hz), complex128.
 
         Errors as :meth:`series_impedance`.
         """
         return self._at("gamma", frequency) / self._at("zc", frequency)
 
-    def _at(self, name: str, frequency: ArrayLike) -> NDArray[np.complex128]:
+    def _at(self, name: str, frequency: ArrayLike) -> ComplexArray:
         frequency = positive("frequency", frequency, "Hz")
         given = getattr(self, name)
         values = np.asarray(given(frequency) if callable(given) else given, dtype=np.complex128)
         try:
             values = np.broadcast_to(values, frequency.shape)
         except ValueError:
-            raise Refusal(
-                f"has shape {values.shape}, the frequencies have {frequency.shape}", kind=Kind.MISMATCH, field=name
-            ) from None
+            raise mismatch(name, f"has shape {values.shape}, the frequencies have {frequency.shape}") from None
         bad = ~np.isfinite(values) | (values.real < 0) | (values == 0)
         if bad.any():
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field=name,
-                value=complex(values[bad][0]),
-                allowed="finite, not 0, and its real part not negative",
-            )
+            raise out_of_range(name, complex(values[bad][0]), "finite, not 0, and its real part not negative")
         return values
 
 
@@ -217,7 +210,7 @@ class CompliantWall(Line):
 
     line: Line
     """The same line with a rigid wall."""
-    compliance: complex | NDArray[np.complex128]
+    compliance: complex | ComplexArray
     """Compliance C' = dS/dp, m^2/Pa, imaginary part (losses) not positive, one or (n_freq,) complex128; see
     :func:`tube_compliance`."""
 
@@ -225,18 +218,15 @@ class CompliantWall(Line):
         values = np.asarray(self.compliance, dtype=np.complex128)
         bad = ~(np.isfinite(values) & (values.real >= 0) & (values.imag <= 0))
         if bad.any():
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="compliance",
-                value=complex(values[bad][0]),
-                allowed="finite, with real part >= 0 and imaginary <= 0, m^2/Pa",
+            raise out_of_range(
+                "compliance", complex(values[bad][0]), "finite, with real part >= 0 and imaginary <= 0, m^2/Pa"
             )
 
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Series impedance Z' of the line per length, Pa s/m^4: shape of frequency (Hz), complex128."""
         return self.line.series_impedance(frequency, medium)
 
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Shunt admittance per length Y' + j w C', m^2/(Pa s): shape of frequency (Hz), complex128."""
         omega = 2 * np.pi * positive("frequency", frequency, "Hz")
         return self.line.shunt_admittance(frequency, medium) + 1j * omega * self.compliance
@@ -273,8 +263,7 @@ def tube_compliance(
     modulus = float(positive("youngs_modulus", youngs_modulus, "Pa"))
     nu, eta = in_range("poisson_ratio", poisson_ratio, 0.0, 0.5), in_range("loss_factor", loss_factor, 0.0, 2.0)
     if b <= a:
-        allowed = f"above inner_radius = {a:g} m"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="outer_radius", value=b, unit="m", allowed=allowed)
+        raise out_of_range("outer_radius", b, f"above inner_radius = {a:g} m", "m")
     wall = (b - a) * (b + a)
     if axial == "held":
         displacement = (1 + nu) * a * ((1 - 2 * nu) * a**2 + b**2) / wall
@@ -285,14 +274,12 @@ def tube_compliance(
     return 2 * np.pi * a * displacement / (modulus * (1 + 1j * eta))
 
 
-def diffusion_rate(frequency: ArrayLike, diffusivity: float) -> NDArray[np.complex128]:
+def diffusion_rate(frequency: ArrayLike, diffusivity: float) -> ComplexArray:
     """Rate of diffusion s = j w / diffusivity, 1/m^2: shape of frequency (Hz), complex128."""
     return np.asarray(2j * np.pi * positive("frequency", frequency, "Hz") / diffusivity, dtype=np.complex128)
 
 
-def series_from_mean(
-    area: ArrayLike, mean: NDArray[np.complex128], frequency: ArrayLike, medium: Medium
-) -> NDArray[np.complex128]:
+def series_from_mean(area: ArrayLike, mean: ComplexArray, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Series impedance per length of a section, Z' = j w rho / (S <Psi_v>).
 
     Args:
@@ -307,9 +294,7 @@ def series_from_mean(
     return np.asarray(2j * np.pi * np.asarray(frequency) * medium.density / (np.asarray(area) * mean))
 
 
-def shunt_from_mean(
-    area: ArrayLike, mean: NDArray[np.complex128], frequency: ArrayLike, medium: Medium
-) -> NDArray[np.complex128]:
+def shunt_from_mean(area: ArrayLike, mean: ComplexArray, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Shunt admittance per length of a section, Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>).
 
     Args:
@@ -326,7 +311,7 @@ def shunt_from_mean(
     return np.asarray(adiabatic * (gamma - (gamma - 1) * mean))
 
 
-def round_mean(dimension: int, radius: ArrayLike, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def round_mean(dimension: int, radius: ArrayLike, rate: ComplexArray) -> ComplexArray:
     """Mean <Psi> of a slab, circle or sphere (dimension 1, 2, 3) of that half thickness or radius (m).
 
     With x^2 = R^2 s the means 1 - tanh(x)/x, 1 - 2 I1/(x I0), 1 - 3 (x coth x - 1)/x^2 are all
@@ -344,12 +329,12 @@ def round_mean(dimension: int, radius: ArrayLike, rate: NDArray[np.complex128]) 
     scaled = np.asarray(np.asarray(radius) ** 2 * rate, dtype=np.complex128)
     order = dimension / 2 - 1
 
-    def series(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def series(square: ComplexArray) -> ComplexArray:
         quarter = square / 4
         first = quarter / ((order + 1) * (order + 2)) * _hypergeometric(order + 3, quarter)
         return first / _hypergeometric(order + 1, quarter)
 
-    def bessel(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def bessel(square: ComplexArray) -> ComplexArray:
         argument = np.sqrt(-square)
         return np.asarray(-jve(order + 2, argument) / jve(order, argument))
 
@@ -357,11 +342,11 @@ def round_mean(dimension: int, radius: ArrayLike, rate: NDArray[np.complex128]) 
 
 
 def _by_size(
-    square: NDArray[np.complex128],
+    square: ComplexArray,
     limit: float,
-    below: Callable[[NDArray[np.complex128]], NDArray[np.complex128]],
-    above: Callable[[NDArray[np.complex128]], NDArray[np.complex128]],
-) -> NDArray[np.complex128]:
+    below: Callable[[ComplexArray], ComplexArray],
+    above: Callable[[ComplexArray], ComplexArray],
+) -> ComplexArray:
     """One function where the modulus is below a limit, another elsewhere, each only where it is wanted."""
     small = np.abs(square) < limit
     if small.all():
@@ -373,7 +358,7 @@ def _by_size(
     return values
 
 
-def _hypergeometric(parameter: float, y: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _hypergeometric(parameter: float, y: ComplexArray) -> ComplexArray:
     """0F1(; parameter; y) for |y| <= 1/4."""
     total = np.ones_like(y)
     for k in range(12, 0, -1):
@@ -381,15 +366,12 @@ def _hypergeometric(parameter: float, y: NDArray[np.complex128]) -> NDArray[np.c
     return total
 
 
-def _line_values(
-    series: ArrayLike, shunt: ArrayLike, length: NDArray[np.float64]
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+def _line_values(series: ArrayLike, shunt: ArrayLike, length: Array) -> tuple[ComplexArray, ComplexArray]:
     """Z' L and (Gamma L)^2."""
     z, y = np.asarray(series, dtype=np.complex128), np.asarray(shunt, dtype=np.complex128)
     for name, values, bad in (("series", z, ~np.isfinite(z) | (z == 0)), ("shunt", y, ~np.isfinite(y))):
         if bad.any():
-            allowed = "finite and not 0" if name == "series" else "finite"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=complex(values[bad].flat[0]), allowed=allowed)
+            raise out_of_range(name, complex(values[bad].flat[0]), "finite and not 0" if name == "series" else "finite")
     total, square = np.broadcast_arrays(z * length, (z * length) * (y * length))
     return total, square
 
@@ -401,14 +383,14 @@ _COTH = np.concatenate([[1.0], -2 * zeta(2.0 * _ORDERS) * (-1 / np.pi**2) ** _OR
 _CSCH = np.concatenate([[1.0], 2 * zeta(2.0 * _ORDERS) * (1 - 2.0 ** (1 - 2 * _ORDERS)) * (-1 / np.pi**2) ** _ORDERS])
 
 
-def _polynomial(coefficients: NDArray[np.float64]) -> Callable[[NDArray[np.complex128]], NDArray[np.complex128]]:
+def _polynomial(coefficients: Array) -> Callable[[ComplexArray], ComplexArray]:
     return lambda square: np.asarray(polyval(square, coefficients), dtype=np.complex128)
 
 
-def _x_coth_x(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _x_coth_x(square: ComplexArray) -> ComplexArray:
     """The function x coth(x) of x^2: 1 + x^2/3 - ..."""
 
-    def long(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def long(square: ComplexArray) -> ComplexArray:
         x = np.sqrt(square)
         shrink = -np.expm1(-2 * x)
         return np.asarray(x * (2 - shrink) / shrink)
@@ -416,10 +398,10 @@ def _x_coth_x(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
     return _by_size(square, _SHORT, _polynomial(_COTH), long)
 
 
-def _x_over_sinh_x(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _x_over_sinh_x(square: ComplexArray) -> ComplexArray:
     """The function x / sinh(x) of x^2: 1 - x^2/6 + ..."""
 
-    def long(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def long(square: ComplexArray) -> ComplexArray:
         x = np.sqrt(square)
         return np.asarray(2 * x * np.exp(-x) / -np.expm1(-2 * x))
 

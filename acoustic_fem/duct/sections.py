@@ -12,12 +12,13 @@ from abc import abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.special import zeta
 
 from acoustic_fem.duct.plane_wave import Line, diffusion_rate, round_mean, series_from_mean, shunt_from_mean
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.typed import ComplexArray
 
 
 class Section(Line):
@@ -29,15 +30,15 @@ class Section(Line):
         """Area of the section, m^2."""
 
     @abstractmethod
-    def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def mean_field(self, rate: ComplexArray) -> ComplexArray:
         """Mean <Psi> of the field at the rate s = j w / diffusivity (1/m^2): shape of the rate, complex128."""
 
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Series impedance per length Z' = j w rho / (S <Psi_v>), Pa s/m^4: shape of frequency (Hz), complex128."""
         mean = self.mean_field(diffusion_rate(frequency, medium.kinematic_viscosity))
         return series_from_mean(self.area, mean, frequency, medium)
 
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Shunt admittance per length, m^2/(Pa s): shape of frequency (Hz), complex128.
 
         Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>).
@@ -61,7 +62,7 @@ class CircularSection(Section):
         """Area of the section, m^2."""
         return np.pi * self.radius**2
 
-    def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def mean_field(self, rate: ComplexArray) -> ComplexArray:
         """Mean <Psi> = 1 - 2 I1(x)/(x I0(x)), x^2 = a^2 s: shape of the rate s (1/m^2), complex128."""
         return round_mean(2, self.radius, rate)
 
@@ -87,7 +88,7 @@ class SlitSection(Section):
         """Area of the section, m^2."""
         return self.gap * self.width
 
-    def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def mean_field(self, rate: ComplexArray) -> ComplexArray:
         """Mean <Psi> = 1 - tanh(x)/x, x = h sqrt(s) / 2: shape of the rate s (1/m^2), complex128."""
         return round_mean(1, self.gap / 2, rate)
 
@@ -115,7 +116,7 @@ class RectangularSection(Section):
         """Area of the section, m^2."""
         return self.width * self.height
 
-    def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def mean_field(self, rate: ComplexArray) -> ComplexArray:
         """Mean <Psi>: shape of the rate s (1/m^2), complex128.
 
         The mean of the slit less the sum over odd m of 8/(pi m)^2 s/q^2 tanh(q w/2)/(q w/2), q^2 = (m pi/h)^2 + s,
@@ -157,6 +158,6 @@ class TriangularSection(Section):
         """Area of the section, m^2."""
         return np.sqrt(3) / 4 * self.side**2
 
-    def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def mean_field(self, rate: ComplexArray) -> ComplexArray:
         """Mean <Psi>, that of a sphere of radius sqrt(3) d / 4: shape of the rate (1/m^2), complex128."""
         return round_mean(3, np.sqrt(3) / 4 * self.side, rate)

@@ -14,12 +14,14 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.duct.plane_wave import Line
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.argument_checks import check_shape, out_of_range
 from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 
 #: Polynomial degree of the elements; the two-port converges with twice that order.
 DEGREE = 4
@@ -35,7 +37,7 @@ class TaperError(Refusal):
 class TaperedTwoPort:
     """The two-port of a duct of varying section, and how far it has settled."""
 
-    admittance: NDArray[np.complex128]
+    admittance: ComplexArray
     """Volume velocity into each end per pressure at each end, (n_freq, 2, 2) complex128, m^3/(Pa s)."""
     elements: int
     """Number of elements used for it."""
@@ -52,7 +54,7 @@ def port_admittance(
     medium: Medium,
     breaks: Sequence[float] = (),
     accuracy: float = 1e-9,
-) -> NDArray[np.complex128]:
+) -> ComplexArray:
     """The two-port of :func:`solve` alone; errors as there.
 
     Args:
@@ -95,13 +97,11 @@ def solve(
     """
     whole = float(positive("length", length, "m"))
     grid = np.atleast_1d(positive("frequency", frequency, "Hz"))
-    if grid.ndim != 1:
-        raise Refusal(f"has shape {grid.shape}; it must be 1-D", kind=Kind.WRONG_TYPE, field="frequency")
+    check_shape("frequency", grid, ("n_freq",))
     in_range("accuracy", accuracy, 1e-12, 0.1)
     nodes = np.array([0.0, *breaks, whole])
     if not (np.diff(nodes) > 0).all():
-        allowed = f"places in m that ascend between 0 and {whole:g} m"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="breaks", value=list(breaks), allowed=allowed)
+        raise out_of_range("breaks", list(breaks), f"places in m that ascend between 0 and {whole:g} m")
     nodes = _halved(_halved(nodes))
     previous, error = None, np.inf
     while len(nodes) - 1 <= _MAX_ELEMENTS:
@@ -123,17 +123,13 @@ def solve(
     )
 
 
-def _halved(nodes: NDArray[np.float64]) -> NDArray[np.float64]:
+def _halved(nodes: Array) -> Array:
     return np.sort(np.concatenate([nodes, (nodes[1:] + nodes[:-1]) / 2]))
 
 
 def assemble(
-    section: Callable[[float], Line],
-    nodes: NDArray[np.float64],
-    frequency: NDArray[np.float64],
-    medium: Medium,
-    degree: int = DEGREE,
-) -> NDArray[np.complex128]:
+    section: Callable[[float], Line], nodes: Array, frequency: Array, medium: Medium, degree: int = DEGREE
+) -> ComplexArray:
     """The duct on given elements as a Pi circuit.
 
     Args:
@@ -160,12 +156,12 @@ def assemble(
     return _joined(_condensed(stiffness + storage, storage.sum(axis=-1)))
 
 
-def _products(functions: NDArray[np.float64], weights: NDArray[np.float64]) -> NDArray[np.float64]:
+def _products(functions: Array, weights: Array) -> Array:
     """Weighted products of pairs of shape functions, (n_point, degree + 1, degree + 1)."""
     return functions[:, :, None] * functions[:, None, :] * weights[:, None, None]
 
 
-def _condensed(element: NDArray[np.complex128], uniform: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _condensed(element: ComplexArray, uniform: ComplexArray) -> ComplexArray:
     """Elements with their inner unknowns eliminated, as Pi circuits: (3, n_freq, n_element).
 
     A transfer -Y12 and the shunts Y11 + Y12, Y22 + Y12, which are the response to a uniform pressure: taken
@@ -181,7 +177,7 @@ def _condensed(element: NDArray[np.complex128], uniform: NDArray[np.complex128])
     return np.stack([transfer, shunt[..., 0], shunt[..., 1]])
 
 
-def _joined(chain: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _joined(chain: ComplexArray) -> ComplexArray:
     """Pi circuits (3, n_freq, n) in a row joined into one, neighbours first: (3, n_freq)."""
     while chain.shape[-1] > 1:
         odd = chain[..., -1:] if chain.shape[-1] % 2 else chain[..., :0]
@@ -195,7 +191,7 @@ def _joined(chain: NDArray[np.complex128]) -> NDArray[np.complex128]:
     return chain[..., 0]
 
 
-def _shapes(degree: int, points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _shapes(degree: int, points: Array) -> tuple[Array, Array]:
     """Lagrange polynomials on equal steps of [-1, 1], first and last at the ends, and slopes: (n_point, degree+1)."""
     nodes = np.linspace(-1, 1, degree + 1)
     to_powers = np.linalg.inv(np.vander(nodes, increasing=True))

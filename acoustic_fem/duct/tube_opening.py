@@ -1,13 +1,14 @@
-"""Where a tube opens into a cavity: the extra series impedance of one opening."""
+"""The extra series impedance of one opening of a tube into a cavity."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
 from geometry.ground.caller_warnings import warn_caller
+from geometry.ground.typed import ComplexArray
 
 #: Resistance of one opening in units of mu / a^3: half of the creeping flow through a hole in a thin
 #: plate (R. A. Sampson, Phil. Trans. R. Soc. A 182 (1891) 449).
@@ -22,7 +23,7 @@ INERTANCE = 0.42
 LARGEST_SHEAR_NUMBER = 5.0
 
 
-def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Impedance of one opening in series with its tube, Z = 1.5 mu / a^3 + j w 0.42 rho / a, Pa s/m^3.
 
     Within 4 % in resistance and 9 % in inertance of the Navier-Stokes table for shear numbers
@@ -50,7 +51,7 @@ def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) 
             f"the largest it is fit for (bore radius {np.max(radius) * 1e3:.3g} mm, up to "
             f"{np.max(omega) / (2 * np.pi):.4g} Hz)",
         )
-    impedance: NDArray[np.complex128] = (
+    impedance: ComplexArray = (
         RESISTANCE * medium.viscosity / radius**3 + 1j * omega * INERTANCE * medium.density / radius
     )
     return impedance

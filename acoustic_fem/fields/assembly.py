@@ -10,13 +10,14 @@ from collections.abc import Iterator
 import numpy as np
 import scipy.sparse as sp
 import skfem
-from numpy.typing import NDArray
+
+from geometry.ground.typed import Array
 
 #: Elements taken together: the numbers of so many stay in the processor's caches.
 _TOGETHER = 512
 
 
-def stiffness_matrix(basis: skfem.CellBasis, weight: NDArray[np.float64] | None = None) -> sp.csr_array:
+def stiffness_matrix(basis: skfem.CellBasis, weight: Array | None = None) -> sp.csr_array:
     """Integral of weight grad p . grad q.
 
     Args:
@@ -36,7 +37,7 @@ def stiffness_matrix(basis: skfem.CellBasis, weight: NDArray[np.float64] | None 
     return _assembled(local, basis, basis)
 
 
-def mass_matrix(basis: skfem.CellBasis, weight: NDArray[np.float64] | None = None) -> sp.csr_array:
+def mass_matrix(basis: skfem.CellBasis, weight: Array | None = None) -> sp.csr_array:
     """Integral of weight p q; arguments as of :func:`stiffness_matrix`.
 
     Returns:
@@ -71,17 +72,17 @@ def _parts(count: int) -> Iterator[slice]:
         yield slice(first, first + _TOGETHER)
 
 
-def _values(basis: skfem.CellBasis) -> NDArray[np.float64]:
+def _values(basis: skfem.CellBasis) -> Array:
     """Shape functions at the quadrature points of any element, (n_function, n_quadrature) float64."""
     return np.stack([np.asarray(basis.elem.lbasis(basis.X, number)[0]) for number in range(basis.Nbfun)])
 
 
-def _gradients(basis: skfem.CellBasis, part: slice) -> NDArray[np.float64]:
+def _gradients(basis: skfem.CellBasis, part: slice) -> Array:
     """Gradients of the shape functions of some elements, (n_element, n_function, 3, n_quadrature) float64."""
     return np.stack([function[0].grad[:, part].transpose(1, 0, 2) for function in basis.basis], axis=1)
 
 
-def _assembled(local: NDArray[np.float64], rows: skfem.CellBasis, columns: skfem.CellBasis) -> sp.csr_array:
+def _assembled(local: Array, rows: skfem.CellBasis, columns: skfem.CellBasis) -> sp.csr_array:
     """Matrices of the elements, (n_element, n_row_function, n_column_function) float64, added up."""
     row, column = rows.element_dofs.T[:, :, None], columns.element_dofs.T[:, None, :]
     at = (np.broadcast_to(row, local.shape).ravel(), np.broadcast_to(column, local.shape).ravel())

@@ -25,6 +25,7 @@ from acoustic_fem.fields.assembly import mass_matrix, stiffness_matrix
 from acoustic_fem.fields.diffusion import field_coefficients, field_model
 from acoustic_fem.numerics.rational_sweep import ReducedModel
 from acoustic_fem.quantities.units import metres
+from geometry.ground.typed import Array, ComplexArray
 
 #: Elements from the middle to a wall; the one at the wall has at most this part of the thinnest layer.
 _ELEMENTS, _AT_WALL = 14, 0.3
@@ -63,7 +64,7 @@ class CylinderAir:
     """Its bores, one at least."""
 
     @property
-    def volumes(self) -> NDArray[np.float64]:
+    def volumes(self) -> Array:
         """Volume of the cylinder, then of all bores, (2,) float64, mm^3."""
         bored = sum(bore.radius**2 * bore.length for bore in self.bores)
         return np.pi * np.array([self.radius**2 * self.height, bored])
@@ -87,14 +88,14 @@ class CylinderField:
     """The cavity and its bores."""
     section: skfem.CellBasis
     """Space of the cavity's section, distance from the axis and height, mm."""
-    functions: NDArray[np.float64]
+    functions: Array
     """The v_k at its degrees of freedom, (n_dof, r) float64."""
-    means: NDArray[np.float64]
+    means: Array
     """Mean of every v_k over the cavity, then over all bores, (2, r) float64."""
     model: ReducedModel
     """Reduced model that gives the coefficients."""
 
-    def mean(self, frequency: NDArray[np.float64], diffusivity: float) -> NDArray[np.complex128]:
+    def mean(self, frequency: Array, diffusivity: float) -> ComplexArray:
         """Mean of the field over the body, (n_freq,) complex128.
 
         Args:
@@ -103,7 +104,7 @@ class CylinderField:
         """
         return np.asarray(field_coefficients(self.model, frequency, diffusivity) @ self._over_all)
 
-    def means_over(self, flow: skfem.CellBasis) -> NDArray[np.float64]:
+    def means_over(self, flow: skfem.CellBasis) -> Array:
         """Mean of every v_k over each element of a mesh of the body, or of a half of it, (r, n_element) float64.
 
         The mean over the body is kept exactly; layers thinner than the elements are met by chance.
@@ -119,7 +120,7 @@ class CylinderField:
         return np.asarray(means + (self._over_all - means @ volume / volume.sum())[:, None])
 
     @property
-    def _over_all(self) -> NDArray[np.float64]:
+    def _over_all(self) -> Array:
         """Mean of every v_k over cavity and bores, (r,) float64."""
         return np.asarray(self.air.volumes @ self.means / self.air.volumes.sum())
 
@@ -191,7 +192,7 @@ def _opened(field: CylinderField, diffusivity: float) -> CylinderField:
     )
 
 
-def _slope_at(bore: SideBore, field: CylinderField) -> NDArray[np.float64]:
+def _slope_at(bore: SideBore, field: CylinderField) -> Array:
     """Slope towards the wall, its mean over the opening of a bore, as a functional: (n_dof,) float64, 1/mm."""
     section, air = field.section, field.air
     part, weight = np.polynomial.legendre.leggauss(24)
@@ -210,7 +211,7 @@ def _slope_at(bore: SideBore, field: CylinderField) -> NDArray[np.float64]:
     return total / weight.sum()
 
 
-def _tensor(section: skfem.CellBasis) -> tuple[list[NDArray[np.float64]], NDArray[np.int64]]:
+def _tensor(section: skfem.CellBasis) -> tuple[list[Array], NDArray[np.int64]]:
     """Places of the degrees of freedom along both axes, mm, and their numbers there, (n_across, n_along) int64."""
     axes, steps = [], []
     for places in section.doflocs:
@@ -222,7 +223,7 @@ def _tensor(section: skfem.CellBasis) -> tuple[list[NDArray[np.float64]], NDArra
     return axes, np.lexsort((steps[1], steps[0])).reshape(len(axes[0]), len(axes[1]))
 
 
-def _graded(extent: float, layer: float) -> NDArray[np.float64]:
+def _graded(extent: float, layer: float) -> Array:
     """Places from the middle, 0, to a wall, (n,) float64, mm: closer towards the wall where its layer is thin."""
     first, low, high = min(_AT_WALL * layer / extent, 1 / _ELEMENTS), 1.0, 3.0
     for _ in range(60):

@@ -16,7 +16,6 @@ from functools import cached_property
 import numpy as np
 import scipy.sparse as sp
 import skfem
-from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from acoustic_fem.fields.assembly import mass_matrix, stiffness_matrix
@@ -24,6 +23,7 @@ from acoustic_fem.fields.navier_stokes import dirichlet_nodes, tetrahedral_mesh
 from acoustic_fem.numerics.rational_sweep import ReducedModel, reduce_system
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
+from geometry.ground.typed import Array, ComplexArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,12 +32,12 @@ class DiffusionField:
 
     basis: skfem.CellBasis
     """Finite element space of the field, lengths in mm."""
-    functions: NDArray[np.float64]
+    functions: Array
     """Functions v_k at the degrees of freedom of the basis, (n_dof, r) float64."""
     model: ReducedModel
     """Reduced model that gives the coefficients."""
 
-    def mean(self, frequency: NDArray[np.float64], diffusivity: float) -> NDArray[np.complex128]:
+    def mean(self, frequency: Array, diffusivity: float) -> ComplexArray:
         """Mean of the field over the body, (n_freq,) complex128.
 
         Args:
@@ -48,11 +48,11 @@ class DiffusionField:
         return field_coefficients(self.model, frequency, diffusivity) @ integrals / self.basis.dx.sum()
 
     @cached_property
-    def integrals(self) -> NDArray[np.float64]:
+    def integrals(self) -> Array:
         """Integral of every v_k over each element of its mesh, (r, n_element) float64, mm^3."""
         return np.einsum("rek,ek->re", self.at_quadrature(), self.basis.dx)
 
-    def means_over(self, flow: skfem.CellBasis) -> NDArray[np.float64]:
+    def means_over(self, flow: skfem.CellBasis) -> Array:
         """Mean of every v_k over each element of another mesh of the same solid, (r, n_element) float64.
 
         Each element of the field's mesh counts for the element of the flow mesh whose middle is nearest: the integral
@@ -62,12 +62,12 @@ class DiffusionField:
         volume = flow.dx.sum(axis=1)
         return np.stack([np.bincount(nearest, weights=each, minlength=len(volume)) / volume for each in self.integrals])
 
-    def at_quadrature(self) -> NDArray[np.float64]:
+    def at_quadrature(self) -> Array:
         """Functions v_k at the quadrature points, (r, n_element, n_quadrature) float64."""
         return np.stack([np.asarray(self.basis.interpolate(function)) for function in self.functions.T])
 
 
-def _middles(basis: skfem.CellBasis) -> NDArray[np.float64]:
+def _middles(basis: skfem.CellBasis) -> Array:
     """Middles of the elements, (n_element, 3) float64, mm."""
     mesh = basis.mesh
     return np.asarray(mesh.p[:, mesh.t[:4]].mean(axis=1).T)
@@ -96,12 +96,8 @@ def diffusion_field(
 
 
 def field_model(
-    stiffness: sp.csr_array,
-    mass: sp.csr_array,
-    load: NDArray[np.float64],
-    diffusivity: float,
-    band: tuple[float, float],
-) -> tuple[ReducedModel, NDArray[np.float64]]:
+    stiffness: sp.csr_array, mass: sp.csr_array, load: Array, diffusivity: float, band: tuple[float, float]
+) -> tuple[ReducedModel, Array]:
     """Reduced model of a field, and the functions v_k at its free degrees of freedom, (n, r) float64.
 
     Args:
@@ -125,9 +121,7 @@ def field_model(
     return model, model.basis
 
 
-def field_coefficients(
-    model: ReducedModel, frequency: NDArray[np.float64], diffusivity: float
-) -> NDArray[np.complex128]:
+def field_coefficients(model: ReducedModel, frequency: Array, diffusivity: float) -> ComplexArray:
     """Coefficients c_k(f), (n_freq, r) complex128.
 
     Args:
@@ -139,8 +133,6 @@ def field_coefficients(
     return np.asarray(solution[:, :, 0], dtype=np.complex128)
 
 
-def _system_coefficients(
-    frequency: NDArray[np.float64], diffusivity: float
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+def _system_coefficients(frequency: Array, diffusivity: float) -> tuple[ComplexArray, ComplexArray]:
     rate = np.asarray(2j * np.pi * frequency * metres(1.0) ** 2 / diffusivity, dtype=np.complex128)
     return np.column_stack([np.ones_like(rate), rate]), rate[:, None]

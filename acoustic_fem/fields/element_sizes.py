@@ -30,7 +30,7 @@ def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tu
     thermal = _layer_thickness(medium.thermal_diffusivity, highest)
     return (
         MeshSizes(
-            # The flow is singular at the edge of a mouth, and what is left there falls with the size alone, or little
+            # The flow is singular at the edge of a mouth, and the residual there falls with the size alone, or little
             # faster; elsewhere it falls with the third power and more, and has the other sign. With the square here all
             # falls alike: otherwise the two cancel on one mesh and not on the next.
             mouth_edge=0.1 * scale**2,

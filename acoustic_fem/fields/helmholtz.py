@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 from acoustic_fem.fields.assembly import mass_matrix, stiffness_matrix
 from acoustic_fem.fields.navier_stokes import WallMotion, tetrahedral_mesh
 from geometry.air.mesh import SolidMesh
+from geometry.ground.typed import Array
 
 
 @skfem.LinearForm
@@ -46,18 +47,18 @@ class PressureSystem:
     """Finite element space of the pressure, lengths in mm."""
     free: NDArray[np.int64]
     """Degrees of freedom off the ports, (n_free,) int64."""
-    on_ports: NDArray[np.float64]
+    on_ports: Array
     """Pressure of one at each port, (n_dof, n_port) float64: 1 on the nodes of the port."""
-    sources: NDArray[np.float64]
+    sources: Array
     """Integral of each wall motion against the pressure, (n_dof, n_motion) float64, for a unit integral of its
     magnitude.
     """
 
-    def conduction(self, weight: NDArray[np.float64]) -> sp.csr_array:
+    def conduction(self, weight: Array) -> sp.csr_array:
         """Integral of weight grad p . grad q, (n_dof, n_dof), mm; weight at quadrature points (n_element, q)."""
         return stiffness_matrix(self.basis, weight)
 
-    def storage(self, weight: NDArray[np.float64]) -> sp.csr_array:
+    def storage(self, weight: Array) -> sp.csr_array:
         """Integral of weight p q, (n_dof, n_dof), mm^3; weight at quadrature points (n_element, q)."""
         return mass_matrix(self.basis, weight)
 

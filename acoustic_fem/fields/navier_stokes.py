@@ -32,6 +32,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.fields.assembly import divergence_matrix, mass_matrix, stiffness_matrix
 from geometry.air.mesh import SolidMesh
+from geometry.ground.typed import Array
 
 
 @skfem.LinearForm
@@ -55,13 +56,13 @@ class CellSystem:
     """Term of inertia, (n, n), taken s times."""
     coupling: sp.csr_array
     """Coupling of velocity and pressure, (n, n), subtracted."""
-    port_flux: NDArray[np.float64]
+    port_flux: Array
     """Volume velocity out through each port, (n, n_port) float64, mm^2 times the velocity."""
-    motion_terms: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+    motion_terms: tuple[Array, Array, Array]
     """Viscous term, inertia and coupling applied to the scaled wall motions, restricted to the unknowns, (n, n_motion)
     float64 each.
     """
-    motion_energy: NDArray[np.float64]
+    motion_energy: Array
     """Viscous and inertia energy of the wall motions themselves, (2, n_motion, n_motion) float64."""
     n_velocity: int
     """Number of free velocities, which come first among the unknowns."""
@@ -72,7 +73,7 @@ class CellSystem:
         return self.viscous.shape[0]
 
 
-def compliance_mass(pressure: skfem.CellBasis, weight: NDArray[np.float64]) -> sp.csr_array:
+def compliance_mass(pressure: skfem.CellBasis, weight: Array) -> sp.csr_array:
     """Integral of weight p q over the cell, (n_pressure, n_pressure), mm^3; the weight, a ratio, is (n_element,)."""
     return mass_matrix(pressure, weight[:, None])
 
@@ -98,7 +99,7 @@ class WallMotion:
 
     face: str
     """Name of the face."""
-    profile: NDArray[np.float64]
+    profile: Array
     """Radius (mm) and normal velocity, (n, 2) float64; scaled so that the integral of its magnitude over the face is 1:
     unit volume velocity into the cell, where the shape has one sign.
     """
@@ -194,7 +195,7 @@ def cell_system(
     )
 
 
-def _flux_through(face: NDArray[np.int64], quadratic: skfem.CellBasis) -> NDArray[np.float64]:
+def _flux_through(face: NDArray[np.int64], quadratic: skfem.CellBasis) -> Array:
     """Volume velocity out of the cell through facets for each velocity, (3 n_scalar,) float64."""
     surface = skfem.FacetBasis(quadratic.mesh, quadratic.elem, facets=face, intorder=4)
     return np.concatenate([normal_flux.assemble(surface, axis=axis) for axis in range(3)])
@@ -226,21 +227,19 @@ def _facets(mesh: skfem.MeshTet2, triangles: NDArray[np.int64]) -> NDArray[np.in
     return boundary[order[place]]
 
 
-def _tangents(normal: NDArray[np.float64]) -> NDArray[np.float64]:
+def _tangents(normal: Array) -> Array:
     """(3, 2): an orthonormal pair across the normal."""
     return _free_directions(normal[:, None])
 
 
-def _free_directions(barred: NDArray[np.float64]) -> NDArray[np.float64]:
+def _free_directions(barred: Array) -> Array:
     """(3, d): orthonormal, across all of the barred directions, (3, n) float64."""
     left, length, _ = np.linalg.svd(barred)
     return np.asarray(left[:, np.count_nonzero(length > 1e-6) :])
 
 
 def _velocity_reduction(
-    n_scalar: int,
-    wall_nodes: NDArray[np.int64],
-    guided: Sequence[tuple[NDArray[np.int64], NDArray[np.float64]]],
+    n_scalar: int, wall_nodes: NDArray[np.int64], guided: Sequence[tuple[NDArray[np.int64], Array]]
 ) -> sp.csr_array:
     """Map from free velocities to all: none on walls, none along the directions (3, d) that guided nodes are barred."""
     components = np.arange(3 * n_scalar).reshape(3, -1)
@@ -269,9 +268,9 @@ def _wall_motion(
     quadratic: skfem.CellBasis,
     face: NDArray[np.int64],
     resting: Sequence[NDArray[np.int64]],
-    normal: NDArray[np.float64],
+    normal: Array,
     motion: WallMotion,
-) -> NDArray[np.float64]:
+) -> Array:
     """Velocity of a moving wall, positive into the cell and scaled to a unit integral of its magnitude, mm^2."""
     on_face = np.unique(quadratic.get_dofs(face).all())
     rim = np.unique(np.concatenate([quadratic.get_dofs(index).all() for index in resting]))
@@ -281,5 +280,5 @@ def _wall_motion(
     inwards = np.zeros((3, quadratic.N, 2))
     inwards[:, on_face] = -normal[:, None, None] * np.column_stack([shape, np.abs(shape)])
     flat = inwards.reshape(-1, 2)
-    scaled: NDArray[np.float64] = flat[:, 0] / (-_flux_through(face, quadratic) @ flat[:, 1])
+    scaled: Array = flat[:, 0] / (-_flux_through(face, quadratic) @ flat[:, 1])
     return scaled

@@ -39,6 +39,7 @@ from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_completed
+from geometry.ground.argument_checks import check_shape, wrong_type
 from geometry.ground.array_files import read_npz
 from geometry.ground.csv_files import read_csv
 from geometry.ground.extras import check_extras
@@ -46,6 +47,7 @@ from geometry.ground.file_checks import MOST_NUMBERS, ordinary_file
 from geometry.ground.record import seal_file
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.text_files import parse_json
+from geometry.ground.typed import Array
 from geometry.ground.whole_files import check_own_kind, whole_file
 from geometry.layout.arrangement import place_housings
 from geometry.layout.placement import point_places
@@ -62,7 +64,7 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
     """Write a library in netCDF; the file is whole or not there. What is there is replaced as :func:`export` does it.
 
     Raises:
-        LibraryError: the file cannot be written, or is there and is none in netCDF, no library, or a measured one.
+        LibraryError: the file cannot be written, or exists and is not netCDF, not a library, or a measured one.
     """
     path = Path(path)
     check_own_kind(path, ".nc", LibraryError)
@@ -99,7 +101,7 @@ def check_replaceable(path: Path) -> None:
 
 
 def fidelity_in(path: Path) -> str | None:
-    """Fidelity of the library in a file; None where there is none that can be read."""
+    """Fidelity of the library in a file; None where none can be read."""
     try:
         return load(path).fidelity
     except LibraryError:
@@ -166,9 +168,7 @@ def _suffix(path: Path) -> str:
     return suffix
 
 
-def _dataset(
-    attributes: dict[str, Any], frequency: NDArray[np.float64], variables: dict[str, NDArray[np.float64]]
-) -> xr.Dataset:
+def _dataset(attributes: dict[str, Any], frequency: Array, variables: dict[str, Array]) -> xr.Dataset:
     """Variables shaped as :data:`VARIABLES` lists them, as :func:`library_of` takes them.
 
     Raises:
@@ -176,8 +176,7 @@ def _dataset(
     """
     design = _design(attributes)
     if frequency.ndim != 1 or frequency.dtype.kind not in "fiu":
-        problem = f"is {frequency.dtype} of shape {frequency.shape}; it must be numbers in one row"
-        raise Refusal(problem, kind=Kind.WRONG_TYPE, field="frequency")
+        raise wrong_type("frequency", f"is {frequency.dtype} of shape {frequency.shape}; it must be numbers in one row")
     lines, places = zip(*point_places(design), strict=True)
     coordinates: dict[str, tuple[str, Any]] = {
         "point": ("point", list(range(1, len(lines) + 1))),
@@ -191,9 +190,7 @@ def _dataset(
     dimensions = real_variables()
     for name, values in variables.items():
         shape = tuple(sizes[dimension] for dimension in dimensions[name])
-        if values.shape != shape:
-            problem = f"has shape {values.shape}; it must be {shape} for its design and frequencies"
-            raise Refusal(problem, kind=Kind.WRONG_TYPE, field=name)
+        check_shape(name, values, shape, "that of its design and frequencies")
     return xr.Dataset({name: (dimensions[name], values) for name, values in variables.items()}, coordinates, attributes)
 
 
@@ -240,7 +237,7 @@ def _write_sofa(library: Library, path: Path) -> None:
         seal_file(beside)
 
 
-def _places(design: ArrayDesign) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _places(design: ArrayDesign) -> tuple[Array, Array]:
     """(n_point, 3) and (n_microphone, 3), m."""
     layout = place_housings(design)
     points = [layout.frame(point).origin for point in layout.points]
@@ -265,8 +262,7 @@ def _read_sofa(path: Path) -> xr.Dataset:
             raise Refusal(f"holds {values.dtype}, not floating-point numbers", kind=Kind.WRONG_TYPE, field=own)
         if set(dimensions) == {"point", "microphone", "frequency"}:
             if values.ndim != 4 or len(values) != 1:
-                problem = f"has shape {values.shape}; it must be (1, receivers, frequencies, emitters)"
-                raise Refusal(problem, kind=Kind.WRONG_TYPE, field=own)
+                raise wrong_type(own, f"has shape {values.shape}; it must be (1, receivers, frequencies, emitters)")
             values = values[0].transpose(2, 0, 1)
         variables[name] = values
     return _dataset(attributes, frequency, variables)
@@ -350,7 +346,7 @@ def _read_csv(path: Path) -> xr.Dataset:
     return _dataset(attributes, columns[0, 0, :, 0], variables)
 
 
-def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, str]]) -> NDArray[np.float64]:
+def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, str]]) -> Array:
     """Numbers of all rows, their frequency first; (n_place n_freq, width - 2) float64.
 
     Args:

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from acoustic_fem.library.physics import check_physics
 from acoustic_fem.library.sealed_netcdf import read_netcdf
@@ -27,8 +26,10 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_completed, write_design
+from geometry.ground.argument_checks import check_choice, mismatch, wrong_type
 from geometry.ground.record import seal_file, sha256
 from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.typed import Array, ComplexArray
 from geometry.ground.whole_files import whole_file
 from geometry.layout.placement import point_places
 
@@ -197,8 +198,7 @@ def library_of(dataset: xr.Dataset) -> Library:
             raise Refusal("must be a text", kind=Kind.WRONG_TYPE, field=name)
     fidelity = dataset.attrs["fidelity"]
     known = (*FIDELITIES, MEASURED)
-    if fidelity not in known:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="fidelity", value=fidelity, allowed=known)
+    check_choice("fidelity", fidelity, known)
     design = read_completed(dataset.attrs["design_toml"], "design_toml")
     lines, places = zip(*point_places(design), strict=True)
     for name, expected in (
@@ -226,21 +226,20 @@ def _check_coordinate(found: xr.DataArray, expected: list[int] | list[str]) -> N
     """A coordinate must be what the design in the same file says."""
     values = found.values.ravel().tolist()
     if len(values) != len(expected):
-        problem = f"has {counted(len(values), 'value')}, its design has {len(expected)}"
-        raise Refusal(problem, kind=Kind.MISMATCH, field=str(found.name))
+        raise mismatch(str(found.name), f"has {counted(len(values), 'value')}, its design has {len(expected)}")
     for index, (value, wanted) in enumerate(zip(values, expected, strict=True)):
         if value != wanted:
             allowed = f"{wanted!r} as in its design"
             raise Refusal(kind=Kind.MISMATCH, field=f"{found.name}[{index}]", value=value, allowed=allowed)
 
 
-def _frequency(found: xr.DataArray) -> NDArray[np.float64]:
+def _frequency(found: xr.DataArray) -> Array:
     if found.dtype.kind not in "fiu":
         raise Refusal(f"holds {found.dtype}, not numbers", kind=Kind.WRONG_TYPE, field="frequency")
     return frequency_grid(found.values)
 
 
-def _complex(dataset: xr.Dataset, name: str) -> NDArray[np.complex128]:
+def _complex(dataset: xr.Dataset, name: str) -> ComplexArray:
     dimensions = VARIABLES[name][0]
     parts = [_real(dataset, f"{name}_{part}", dimensions) for part in ("real", "imag")]
     values = np.empty(parts[0].shape, dtype=np.complex128)
@@ -248,19 +247,18 @@ def _complex(dataset: xr.Dataset, name: str) -> NDArray[np.complex128]:
     return values
 
 
-def _deviation(dataset: xr.Dataset) -> NDArray[np.float64]:
+def _deviation(dataset: xr.Dataset) -> Array:
     values = _real(dataset, _DEVIATION, DEVIATION[0])
     if (values < 0).any():
         raise Refusal(kind=Kind.OUT_OF_RANGE, field=_DEVIATION, value=float(values.min()), allowed="at least 0")
     return values
 
 
-def _real(dataset: xr.Dataset, variable: str, dimensions: tuple[str, ...]) -> NDArray[np.float64]:
+def _real(dataset: xr.Dataset, variable: str, dimensions: tuple[str, ...]) -> Array:
     array = dataset[variable]
     if sorted(map(str, array.dims)) != sorted(dimensions):
         found = ", ".join(map(str, array.dims))
-        problem = f"has the dimensions ({found}), must be ({', '.join(dimensions)})"
-        raise Refusal(problem, kind=Kind.WRONG_TYPE, field=variable)
+        raise wrong_type(variable, f"has the dimensions ({found}), must be ({', '.join(dimensions)})")
     if array.dtype.kind != "f":
         raise Refusal(f"holds {array.dtype}, not floating-point numbers", kind=Kind.WRONG_TYPE, field=variable)
     array = array.transpose(*dimensions)
@@ -279,8 +277,7 @@ def _medium(text: str) -> Medium:
         if name not in values:
             raise Refusal(kind=Kind.MISSING, field=f"medium.{name}")
     for name, value in values.items():
-        if name not in known:
-            raise Refusal(kind=Kind.UNKNOWN, field="medium", value=name, allowed=known)
+        check_choice("medium", name, known, kind=Kind.UNKNOWN)
         if not isinstance(value, (int, float)) or isinstance(value, bool):
             raise Refusal(kind=Kind.WRONG_TYPE, field=f"medium.{name}", value=value, allowed="a number")
     try:

@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 import acoustic_fem
 from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
 from acoustic_fem.atlas.cell_table import cell_atlas
@@ -15,7 +12,7 @@ from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.typed import ComplexArray
+from geometry.ground.typed import Array, ComplexArray
 from geometry.layout.arrangement import place_housings
 
 if TYPE_CHECKING:
@@ -27,11 +24,11 @@ Report = Callable[[str, float], None]
 
 def array_responses(
     design: ArrayDesign,
-    frequency: NDArray[np.float64],
+    frequency: Array,
     fidelity: str,
     medium: Medium,
     report: Report = lambda message, fraction: None,
-) -> tuple[dict[str, NDArray[np.complex128]], list[dict[str, Any]]]:
+) -> tuple[dict[str, ComplexArray], list[dict[str, Any]]]:
     """Responses of an array, and how each distinct cell was computed.
 
     Args:
@@ -58,11 +55,11 @@ def array_responses(
 
 def joined_cells(
     design: ArrayDesign,
-    frequency: NDArray[np.float64],
+    frequency: Array,
     medium: Medium,
     admittances: Callable[[tuple[Cell, ...]], Mapping[Cell, ComplexArray]],
     discs: KnownDiscs | None = None,
-) -> dict[str, NDArray[np.complex128]]:
+) -> dict[str, ComplexArray]:
     """Responses of an array whose cells are solved by the caller.
 
     Args:
@@ -88,7 +85,7 @@ def joined_cells(
     }
 
 
-def closed_form(fidelity: str, cell: Cell, frequency: NDArray[np.float64], medium: Medium) -> ComplexArray:
+def closed_form(fidelity: str, cell: Cell, frequency: Array, medium: Medium) -> ComplexArray:
     """Admittance of a cell at a fidelity of :data:`acoustic_fem.quantities.fidelity.CLOSED_FORMS`.
 
     Args:
@@ -106,12 +103,8 @@ def closed_form(fidelity: str, cell: Cell, frequency: NDArray[np.float64], mediu
 
 
 def _cell_admittances(
-    cells: tuple[Cell, ...],
-    frequency: NDArray[np.float64],
-    fidelity: str,
-    medium: Medium,
-    report: Report,
-) -> tuple[dict[Cell, NDArray[np.complex128]], list[dict[str, Any]]]:
+    cells: tuple[Cell, ...], frequency: Array, fidelity: str, medium: Medium, report: Report
+) -> tuple[dict[Cell, ComplexArray], list[dict[str, Any]]]:
     """Nodal admittances of the cells, and how each was obtained."""
     if fidelity in CLOSED_FORMS:
         about: dict[str, Any] = {"method": "closed form"} if fidelity == "lumped" else _about_atlas(cells, frequency)
@@ -125,7 +118,7 @@ def _cell_admittances(
     return admittances, solved
 
 
-def _about_atlas(cells: tuple[Cell, ...], frequency: NDArray[np.float64]) -> dict[str, Any]:
+def _about_atlas(cells: tuple[Cell, ...], frequency: Array) -> dict[str, Any]:
     """Provenance of cells in the atlas; warns where its errors are not known."""
     atlas = cell_atlas()
     atlas.warn_above(frequency)

@@ -15,15 +15,17 @@ from typing import Literal, get_args
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.library.touch_pressure import TOUCHES
 from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.network.microphone import noise_density as own_noise_density, noise_density_behind_vent
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.argument_checks import check_choice, wrong_type
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.typed import Array, ComplexArray
 
 #: J/K, exact (SI 2019).
 BOLTZMANN = 1.380649e-23
@@ -40,7 +42,7 @@ def gas_temperature(medium: Medium) -> float:
     return medium.gamma * medium.pressure / ((medium.gamma - 1) * medium.density * medium.heat_capacity)
 
 
-def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> NDArray[np.complex128]:
+def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> ComplexArray:
     """Spectral density of thermal pressure noise between the ports of a passive network.
 
     2 k T (Z + Z*^T), one-sided, Pa^2/Hz (Twiss 1955, eq. 4).
@@ -57,13 +59,12 @@ def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> NDArray[
     """
     matrix = np.asarray(impedance, dtype=np.complex128)
     if matrix.ndim < 2 or matrix.shape[-1] != matrix.shape[-2]:
-        problem = f"has shape {matrix.shape}; it must be (..., n, n)"
-        raise Refusal(problem, kind=Kind.WRONG_TYPE, field="impedance")
+        raise wrong_type("impedance", f"has shape {matrix.shape}; it must be (..., n, n)")
     factor = 2 * BOLTZMANN * positive("temperature", temperature, "K")
     return np.asarray(factor[..., None, None] * (matrix + matrix.swapaxes(-1, -2).conj()))
 
 
-def port_noise(impedance: ArrayLike, temperature: ArrayLike, own: ArrayLike) -> NDArray[np.complex128]:
+def port_noise(impedance: ArrayLike, temperature: ArrayLike, own: ArrayLike) -> ComplexArray:
     """Thermal noise between ports with what each adds of its own, independent of the others.
 
     Args:
@@ -83,7 +84,7 @@ def port_noise(impedance: ArrayLike, temperature: ArrayLike, own: ArrayLike) -> 
     return covariance
 
 
-def combined_snr(signal: NDArray[np.complex128], noise: NDArray[np.complex128]) -> NDArray[np.float64]:
+def combined_snr(signal: ComplexArray, noise: ComplexArray) -> Array:
     """Ratio of signal to noise, of powers, behind the best linear combination of all microphones: h^H N^-1 h.
 
     Args:
@@ -100,7 +101,7 @@ def combined_snr(signal: NDArray[np.complex128], noise: NDArray[np.complex128]) 
     return np.asarray(np.einsum("...fmp,...fmp->...pf", scaled.conj(), whitened).real)
 
 
-def noise_covariance(library: Library, noise_at: NoiseAt = "front") -> NDArray[np.complex128]:
+def noise_covariance(library: Library, noise_at: NoiseAt = "front") -> ComplexArray:
     """Spectral density of thermal and own noise of the microphones, one-sided.
 
     The noise of the vents is in the thermal part; if the figures of the microphone were measured on a
@@ -256,18 +257,14 @@ def matched_filter_snr(
     grid = library.frequency
     given = np.asarray(spectrum, dtype=np.complex128)
     if given.shape not in ((), grid.shape) or not np.all(np.isfinite(given)):
-        raise Refusal(
-            f"has shape {given.shape}; it must be one finite value or {grid.shape} of them",
-            kind=Kind.WRONG_TYPE,
-            field="spectrum",
-        )
+        raise wrong_type("spectrum", f"has shape {given.shape}; it must be one finite value or {grid.shape} of them")
     power = xr.DataArray(np.broadcast_to(np.abs(given) ** 2, grid.shape), dims="frequency")
     density = _snr_density(library, touch, microphones, noise_at, contact_radius)
     snr = 4 * _integrated(density * power, band)
     return snr.rename("snr").assign_attrs({"units": "1", "long_name": "matched-filter ratio of signal to noise"})
 
 
-def _impedance(library: Library) -> NDArray[np.complex128]:
+def _impedance(library: Library) -> ComplexArray:
     """(n_freq, n_microphone, n_microphone)."""
     if library.microphone_impedance is None:
         raise Refusal(
@@ -279,7 +276,7 @@ def _impedance(library: Library) -> NDArray[np.complex128]:
     return np.asarray(library.microphone_impedance.transpose("frequency", "microphone", "microphone_2").values)
 
 
-def _own_density(library: Library, noise_at: NoiseAt) -> NDArray[np.float64]:
+def _own_density(library: Library, noise_at: NoiseAt) -> Array:
     if noise_at == "front":
         return own_noise_density(library.design.microphone, library.frequency)
     if noise_at == "output":
@@ -288,18 +285,13 @@ def _own_density(library: Library, noise_at: NoiseAt) -> NDArray[np.float64]:
 
 
 def _snr_density(
-    library: Library,
-    touch: str,
-    microphones: Sequence[str] | None,
-    noise_at: NoiseAt,
-    contact_radius: float | None,
+    library: Library, touch: str, microphones: Sequence[str] | None, noise_at: NoiseAt, contact_radius: float | None
 ) -> xr.DataArray:
     """h^H N^-1 h, (point, frequency), Hz per square unit of the touch."""
     response = library.touch_response(touch, contact_radius=contact_radius)
     names = [str(name) for name in response["microphone"].values]
     for name in microphones or ():
-        if name not in names:
-            raise Refusal(kind=Kind.UNKNOWN, field="microphones", value=name, allowed=names)
+        check_choice("microphones", name, names, kind=Kind.UNKNOWN)
     if microphones is not None and len(set(microphones)) != max(len(microphones), 1):
         raise Refusal(
             "must name at least one, and none twice", kind=Kind.OUT_OF_RANGE, field="microphones", value=[*microphones]
@@ -315,12 +307,8 @@ def _integrated(density: xr.DataArray, band: tuple[float, float]) -> xr.DataArra
     grid = density["frequency"].values
     low, high = (float(positive("band", edge, "Hz")) for edge in band)
     if not grid[0] <= low < high <= grid[-1]:
-        raise Refusal(
-            f"Hz must ascend and lie within the grid of the library, {grid[0]:g} to {grid[-1]:g} Hz",
-            kind=Kind.OUT_OF_RANGE,
-            field="band",
-            value=(low, high),
-        )
+        problem = f"Hz must ascend and lie within the grid of the library, {grid[0]:g} to {grid[-1]:g} Hz"
+        raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="band", value=(low, high))
     inside = grid[(grid > low) & (grid < high)]
     if len(inside) < _FEWEST_FREQUENCIES:
         warn_caller(

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
 from acoustic_fem.library.network_responses import array_responses
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import Array, ComplexArray
 
 
-def air_ratio(
-    design: ArrayDesign, frequency: NDArray[np.float64], before: Medium, after: Medium
-) -> dict[str, NDArray[np.complex128]]:
+def air_ratio(design: ArrayDesign, frequency: Array, before: Medium, after: Medium) -> dict[str, ComplexArray]:
     """Factors by which other air changes the responses of an array, at ``lumped`` fidelity.
 
     By what 3-D cells differ from closed forms hardly changes with the air; so their responses in other air

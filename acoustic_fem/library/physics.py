@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.library.transfer_functions import MEASURED, Library
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import ComplexArray
 
 #: Part of the size of impedances by which resistances may be negative, and impedances unequal, from rounding: cells
 #: in 3-D are symmetric and passive to 1e-9.
@@ -21,7 +22,7 @@ _ROUNDING = 1e-6
 def check_physics(library: Library) -> None:
     """Refuse a library that no sensor has.
 
-    - Something is heard of every point, and what is heard changes with the frequency.
+    - Every point has a response, and it changes with the frequency.
     - The source response is the transfer function times the point impedance.
     - Impedances take power and give none: resistances are not negative, and, where nothing was measured, the square of
       that between a point and a microphone is at most the product of their own (the real part of an impedance matrix
@@ -70,7 +71,7 @@ def _unphysical(variable: str, problem: str) -> Refusal:
     return Refusal(problem, kind=Kind.UNSUITABLE, field=variable)
 
 
-def _check_passive(name: str, array: xr.DataArray, values: NDArray[np.complex128]) -> None:
+def _check_passive(name: str, array: xr.DataArray, values: ComplexArray) -> None:
     wrong = values.real < -_ROUNDING * np.abs(values)
     if wrong.any():
         found = values.real[tuple(np.argwhere(wrong)[0])]

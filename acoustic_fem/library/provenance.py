@@ -10,8 +10,7 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
+from geometry.ground.typed import Array
 
 
 def versions(seed: int | None, libraries: Sequence[str]) -> dict[str, Any]:
@@ -30,7 +29,7 @@ def versions(seed: int | None, libraries: Sequence[str]) -> dict[str, Any]:
     }
 
 
-def library_provenance(frequency: NDArray[np.float64], libraries: Sequence[str]) -> dict[str, Any]:
+def library_provenance(frequency: Array, libraries: Sequence[str]) -> dict[str, Any]:
     """Plain values that every library states of itself: what made it, and the hash of its grid.
 
     Args:

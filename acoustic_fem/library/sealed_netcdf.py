@@ -29,7 +29,7 @@ T = TypeVar("T")
 
 
 def read_netcdf(path: Path, what: str, refusal: type[Refusal], take: Callable[[Any], T]) -> T:
-    """What is taken from a netCDF-4 file whose bytes are those that were written, or that was tried.
+    """The result of reading a netCDF-4 file whose bytes are those that were written, or that was tried.
 
     Args:
         path: the file.

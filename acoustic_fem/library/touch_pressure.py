@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 import acoustic_fem
 from acoustic_fem.quantities.checks import one_of
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import Array, ComplexArray
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
@@ -62,7 +62,7 @@ def touch_response(
 
 def touch_flow(
     design: ArrayDesign, point_impedance: xr.DataArray, touch: str, contact_radius: float | None = None
-) -> NDArray[np.complex128]:
+) -> ComplexArray:
     """Volume velocity that a touch of each membrane injects into its cavity; arguments as :func:`touch_response`.
 
     Returns:
@@ -99,9 +99,7 @@ def membranes_in_vacuo(design: ArrayDesign, response_of: Callable[[ArrayDesign],
     )
 
 
-def injected_flow(
-    touch: str, frequency: NDArray[np.float64], vacuum: DiscResponse, point_impedance: NDArray[np.complex128]
-) -> NDArray[np.complex128]:
+def injected_flow(touch: str, frequency: Array, vacuum: DiscResponse, point_impedance: ComplexArray) -> ComplexArray:
     """Volume velocity that a touch injects into the cavity of each point.
 
     Args:

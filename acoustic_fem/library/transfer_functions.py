@@ -18,6 +18,7 @@ from acoustic_fem.quantities.local_air import LocalAir, design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 from geometry.layout.placement import point_places
 
 #: Fidelity of a library made from recordings (:mod:`acoustic_fem.calibration`).
@@ -101,7 +102,7 @@ class Library:
     """
 
     @property
-    def frequency(self) -> NDArray[np.float64]:
+    def frequency(self) -> Array:
         """Grid of frequencies, (n_freq,) float64, ascending, Hz."""
         return np.asarray(self.transfer_function["frequency"].values)
 
@@ -156,8 +157,8 @@ class Library:
     ) -> Library:
         """The same sensor at another place, without a new 3-D solve.
 
-        All responses are multiplied by what the closed forms say that the air changes (:func:`air_ratio`); of a
-        library that was measured too. Of array-2x6, 1 to 200 Hz, that is within 0.23 % of a new 3-D solve at 2000 m,
+        All responses are multiplied by the change that the closed forms predict (:func:`air_ratio`), in measured
+        libraries too. For array-2x6, 1 to 200 Hz, that is within 0.23 % of a new 3-D solve at 2000 m,
         where the air changes the far microphone by 63 %, within 0.05 % at 10 K more, and within 0.4 % at 60 kPa and
         0 degC. The rubber stays as it was: what it does with temperature is no matter of the air.
 
@@ -215,12 +216,12 @@ class Library:
 
 def library_from_arrays(
     design: ArrayDesign,
-    frequency: NDArray[np.float64],
-    values: Mapping[str, NDArray[np.complex128]],
+    frequency: Array,
+    values: Mapping[str, ComplexArray],
     fidelity: str,
     medium: Medium,
     provenance: Mapping[str, Any],
-    deviation: NDArray[np.float64] | None = None,
+    deviation: Array | None = None,
 ) -> Library:
     """A library from bare arrays.
 
@@ -279,8 +280,8 @@ def _labels(
 def measured_library(
     design: ArrayDesign,
     known: Library,
-    transfer_function: NDArray[np.complex128],
-    deviation: NDArray[np.float64],
+    transfer_function: ComplexArray,
+    deviation: Array,
     libraries: Sequence[str],
     provenance: Mapping[str, Any],
 ) -> Library:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc
 from acoustic_fem.membrane.rubber import ELASTIC, Rubber
@@ -16,6 +16,7 @@ from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 
 #: Radius of the contact patch per radius of the opening, where none is given.
 CONTACT = 0.25
@@ -64,18 +65,18 @@ _PLAIN = DiscOptions()
 class DiscModes:
     """Axisymmetric modes in vacuo, undamped; amplitudes are the largest deflection of the lower face."""
 
-    frequency: NDArray[np.float64]
+    frequency: Array
     """Frequencies, (n,) float64, ascending, Hz."""
-    mass: NDArray[np.float64]
+    mass: Array
     """Modal masses, (n,) float64, kg."""
-    swept_area: NDArray[np.float64]
+    swept_area: Array
     """Participation in volume velocity, (n,) float64, m^2: volume that the lower face sweeps over the opening per
     amplitude; not negative.
     """
-    elastic_share: NDArray[np.float64]
+    elastic_share: Array
     """Share of the modal stiffness that is elastic and carries the loss, (n,) float64; the rest is pre-stress.
     """
-    shape: NDArray[np.float64]
+    shape: Array
     """Coupling shapes, (n, n_radius) float64: deflection of the lower face at the radii of :attr:`DiscSolution.radius`;
     largest magnitude 1, outwards where it sweeps volume.
     """
@@ -85,15 +86,15 @@ class DiscModes:
 class DiscResponse:
     """Responses of a disc in vacuo at some frequencies."""
 
-    compliance: NDArray[np.complex128]
+    compliance: ComplexArray
     """Volume swept by the lower face per pressure on it, m^3/Pa; shape of the frequencies, complex128."""
-    volume_per_force: NDArray[np.complex128]
+    volume_per_force: ComplexArray
     """Volume swept into the cavity per force on the contact patch, m^3/N; by reciprocity also the mean displacement of
     the patch per pressure in the cavity, m/Pa; shape of the frequencies, complex128.
     """
-    displacement_per_force: NDArray[np.complex128]
+    displacement_per_force: ComplexArray
     """Mean displacement of the patch per force on it, m/N; shape of the frequencies, complex128."""
-    volume_per_pressure: NDArray[np.complex128]
+    volume_per_pressure: ComplexArray
     """Volume swept into the cavity per pressure on the upper face, m^3/Pa; shape of the frequencies, complex128."""
 
 
@@ -107,9 +108,9 @@ class DiscSolution:
     """Frequency of the first axisymmetric mode, Hz."""
     modal_mass: float
     """Acoustic mass of that mode, scaled to sweep unit volume, kg/m^4."""
-    radius: NDArray[np.float64]
+    radius: Array
     """Radii over the opening, (n_radius,) float64, m."""
-    deflection: NDArray[np.float64]
+    deflection: Array
     """Static displacement of the lower face per pressure on it, (n_radius,) float64, outwards, m/Pa."""
     modes: DiscModes
     """The first axisymmetric modes."""
@@ -167,7 +168,7 @@ class DiscSolution:
             volume_per_pressure=answer[..., 0, 2] * volume,
         )
 
-    def compliance(self, frequency: ArrayLike, rubber: Rubber = ELASTIC) -> NDArray[np.complex128]:
+    def compliance(self, frequency: ArrayLike, rubber: Rubber = ELASTIC) -> ComplexArray:
         """Volume compliance C(w) at frequencies in Hz; arguments, validity and errors as :meth:`response`.
 
         Returns:
@@ -240,13 +241,8 @@ def shape_of_disc(
     stretch, tension, boss_radius = options.stretch, options.tension, options.boss_radius
     in_range("stretch", stretch, 1, _LARGEST_STRETCH)
     if stretch != 1 and tension != 0:
-        raise Refusal(
-            f"must not be given beside tension = {tension:g} N/m",
-            kind=Kind.CONFLICT,
-            field="stretch",
-            value=stretch,
-            remedy="give one of the two",
-        )
+        problem, remedy = f"must not be given beside tension = {tension:g} N/m", "give one of the two"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="stretch", value=stretch, remedy=remedy)
     if stretch != 1:
         in_range("thickness", thickness, 0.01 * radius * less, np.inf, "m")
         tension = thickness * youngs_modulus * (1 - stretch**-6) / 3
@@ -258,13 +254,8 @@ def shape_of_disc(
     raised = _raised(radius, rim_width, options.rim_height, boss_radius, options.boss_height)
     if raised is not None and tension != 0:
         name = "rim_height" if options.rim_height else "boss_height"
-        raise Refusal(
-            "must be 0 under a tension or a stretch: only a flat disc is stretched evenly",
-            kind=Kind.CONFLICT,
-            field=name,
-            value=getattr(options, name),
-            unit="m",
-        )
+        problem = "must be 0 under a tension or a stretch: only a flat disc is stretched evenly"
+        raise Refusal(problem, kind=Kind.CONFLICT, field=name, value=getattr(options, name), unit="m")
     contact = (boss_radius or CONTACT * radius) if options.contact_radius is None else options.contact_radius
     in_range("contact_radius", contact, 0.02 * radius, (boss_radius or 0.9 * radius) * more, "m")
     contact = min(contact, boss_radius or contact)
@@ -415,9 +406,7 @@ def design_rubber(design: ArrayDesign) -> Rubber:
     return Rubber.of(design.material(design.membrane.material))
 
 
-def design_compliance(
-    design: ArrayDesign, frequency: ArrayLike, known: KnownDiscs | None = None
-) -> NDArray[np.complex128]:
+def design_compliance(design: ArrayDesign, frequency: ArrayLike, known: KnownDiscs | None = None) -> ComplexArray:
     """Volume compliance of a design's membrane by the law of its material, m^3/Pa.
 
     Args:

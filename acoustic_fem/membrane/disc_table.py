@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.polynomial.chebyshev import chebvander
-from numpy.typing import NDArray
 
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from geometry.ground.typed import Array
 
 #: Largest relative error of the interpolated statics and of the first mode, at the points where it is checked.
 ACCURACY = 3e-4
@@ -36,11 +36,11 @@ class DiscTable:
 
     like: DiscShape
     """One of the discs; its Poisson's ratio and contact are those of all."""
-    bounds: NDArray[np.float64]
+    bounds: Array
     """Logarithms of the lowest and highest thickness / a (first row) and rim / a, ratios, (2, 2) float64."""
     discs: tuple[ElasticDisc, ...]
     """Solved discs in the order of the points: rim changes fastest."""
-    coefficients: NDArray[np.float64]
+    coefficients: Array
     """Chebyshev coefficients of the logarithms of the three static answers and of the first mode's eigenvalue, swept
     volume and patch displacement, (n_thickness, n_rim, 6) float64.
     """
@@ -84,16 +84,16 @@ class DiscTable:
             deflection=near.deflection * (compliance / near.compliance),
         )
 
-    def _table(self, row: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _table(self, row: Array) -> Array:
         return np.einsum("tri,r->ti", self.coefficients, row)
 
-    def _unit(self, shape: DiscShape) -> NDArray[np.float64]:
+    def _unit(self, shape: DiscShape) -> Array:
         """Place in the table, -1 to 1 along thickness and rim."""
         low, high = self.bounds.T
         width = np.where(high > low, high - low, 1.0)
         return (2 * np.log([shape.thickness, shape.rim or 1.0]) - low - high) / width
 
-    def _nearest(self, unit: NDArray[np.float64]) -> int:
+    def _nearest(self, unit: Array) -> int:
         sizes = self.coefficients.shape[:2]
         index = [int(np.abs(_points(size) - x).argmin()) for size, x in zip(sizes, unit, strict=True)]
         return index[0] * sizes[1] + index[1]
@@ -146,12 +146,12 @@ def _groups(shapes: Iterable[DiscShape]) -> list[list[DiscShape]]:
     return list(groups.values())
 
 
-def _bounds(group: Sequence[DiscShape]) -> NDArray[np.float64]:
+def _bounds(group: Sequence[DiscShape]) -> Array:
     places = np.log([[shape.thickness, shape.rim or 1.0] for shape in group])
     return np.stack([places.min(axis=0), places.max(axis=0)], axis=1)
 
 
-def _sizes(bounds: NDArray[np.float64]) -> list[int]:
+def _sizes(bounds: Array) -> list[int]:
     """Points along thickness and along rim."""
     widths = bounds[:, 1] - bounds[:, 0]
     return [1 if w < 1e-12 else math.ceil(_POINTS + more * w) for w, more in zip(widths, _MORE, strict=True)]
@@ -168,7 +168,7 @@ def _made(group: Sequence[DiscShape], solve: Solve) -> DiscTable | None:
     return None
 
 
-def _solved(like: DiscShape, bounds: NDArray[np.float64], sizes: Sequence[int], solve: Solve) -> DiscTable:
+def _solved(like: DiscShape, bounds: Array, sizes: Sequence[int], solve: Solve) -> DiscTable:
     points = [_points(size) for size in sizes]
     # between the points, in the middle and at both ends
     checks = [(_between(points[0], k), _between(points[1], -1 - k)) for k in (0, sizes[0] // 2, -1)]
@@ -189,23 +189,18 @@ def _solved(like: DiscShape, bounds: NDArray[np.float64], sizes: Sequence[int], 
     return replace(table, error=float(np.abs(np.array(guesses) - values[count:]).max()))
 
 
-def _smooth(disc: ElasticDisc) -> NDArray[np.float64]:
+def _smooth(disc: ElasticDisc) -> Array:
     """Logarithms of what is interpolated."""
     first = disc.eigenvalues[0], disc.swept[0], disc.patch[0]
     return np.log([disc.compliance, disc.volume_per_force, disc.displacement_per_force, *first])
 
 
 def _fitted(
-    swept: NDArray[np.float64],
-    patch: NDArray[np.float64],
-    eigenvalues: NDArray[np.float64],
-    compliance: float,
-    by_force: float,
-    displacement: float,
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    swept: Array, patch: Array, eigenvalues: Array, compliance: float, by_force: float, displacement: float
+) -> tuple[Array, Array]:
     """Columns like the given ones whose static sums are the given ones."""
 
-    def static(a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
+    def static(a: Array, b: Array) -> float:
         return float((a * b / eigenvalues).sum())
 
     swept = swept * math.sqrt(compliance / static(swept, swept))
@@ -215,12 +210,12 @@ def _fitted(
     return swept, along * swept + across
 
 
-def _points(size: int) -> NDArray[np.float64]:
+def _points(size: int) -> Array:
     """Chebyshev points with both ends, ascending."""
     return np.zeros(1) if size == 1 else -np.cos(np.pi * np.arange(size) / (size - 1))
 
 
-def _between(points: NDArray[np.float64], index: int) -> float:
+def _between(points: Array, index: int) -> float:
     if len(points) == 1:
         return 0.0
     middles = (points[1:] + points[:-1]) / 2

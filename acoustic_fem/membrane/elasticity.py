@@ -21,6 +21,8 @@ from scipy.sparse import bmat, csc_array
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from skfem.helpers import dot
 
+from geometry.ground.typed import Array
+
 #: Steps per thickness; 1e-4 in compliance against refinement 6 (tests/acoustic_fem/membrane/test_disc.py).
 REFINEMENT = 4
 
@@ -29,8 +31,6 @@ MODES = 4
 
 #: Radial steps are at most max(thickness, this) / refinement.
 _RADIAL_SCALE = 0.1
-
-Vector = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -68,23 +68,23 @@ class ElasticDisc:
 
     modes: int
     """Number of true modes among the columns."""
-    eigenvalues: Vector
+    eigenvalues: Array
     """Stiffness of the columns, for modes w^2, (modes + 2,) float64, in E / (rho a^2), ascending."""
-    geometric: Vector
+    geometric: Array
     """Part of the pre-stress in their stiffness, (modes + 2, modes + 2) float64, in E / (rho a^2)."""
-    swept: Vector
+    swept: Array
     """Volume swept by the lower face r < 1, outwards, (modes + 2,) float64."""
-    swept_above: Vector
+    swept_above: Array
     """Volume swept by the whole upper face, outwards, (modes + 2,) float64."""
-    patch: Vector
+    patch: Array
     """Mean displacement of the patch, outwards, (modes + 2,) float64."""
-    radius: Vector
+    radius: Array
     """Radii at which shapes are given, (n,) float64, 0 to 1."""
-    shapes: Vector
+    shapes: Array
     """Displacement of the lower face along its inner normal, (modes + 2, n) float64."""
     compliance: float
     """Volume swept by the lower face r < a per pressure on it, in units of a^3 / E."""
-    deflection: Vector
+    deflection: Array
     """Displacement of the lower face along its inner normal, (n,) float64, in a per pressure / E."""
     volume_per_force: float
     """Volume swept by the lower face per force on the patch, in units of a / E."""
@@ -137,16 +137,16 @@ def solve_dimensionless(shape: DiscShape, refinement: int = REFINEMENT, modes: i
     geometric = 2 * np.pi * _padded(prestress, size)[np.ix_(free, free)]
 
     factor = splu(system)
-    static: Vector = factor.solve(loads[:, :2])
+    static: Array = factor.solve(loads[:, :2])
     columns = _modes_and_static(system, mass, factor, static, modes)
     values, mix = eigh(columns.T @ (system @ columns), columns.T @ (mass @ columns))
     columns = columns @ mix
     columns *= np.where(columns.T @ loads[:, 0] < 0, -1.0, 1.0)  # outwards
 
-    def on_face(solution: Vector) -> Vector:
+    def on_face(solution: Array) -> Array:
         full = np.zeros((size, *solution.shape[1:]))
         full[free] = solution
-        result: Vector = full[face].T
+        result: Array = full[face].T
         return result
 
     static_response = loads[:, :2].T @ static
@@ -167,7 +167,7 @@ def solve_dimensionless(shape: DiscShape, refinement: int = REFINEMENT, modes: i
     )
 
 
-def _modes_and_static(system: Any, mass: Any, factor: Any, static: Vector, count: int) -> Vector:
+def _modes_and_static(system: Any, mass: Any, factor: Any, static: Array, count: int) -> Array:
     """The first modes, then the static solutions freed of them: columns, orthonormal in mass."""
     inverse = LinearOperator(factor.shape, matvec=factor.solve, dtype=np.float64)
     start = static[:, 0]  # close to the first mode; also makes the iteration repeatable
@@ -218,12 +218,12 @@ def _padded(matrix: Any, size: int) -> Any:
     return csc_array((entries.data, (entries.row, entries.col)), shape=(size, size))
 
 
-def _axial(displacement: skfem.Basis, face: str) -> tuple[NDArray[np.int64], Vector]:
+def _axial(displacement: skfem.Basis, face: str) -> tuple[NDArray[np.int64], Array]:
     """Axial unknowns of a horizontal face and their radii, outwards: corner, middle, corner, ..."""
     return _along(displacement, face, "u^2", 0)
 
 
-def _along(displacement: skfem.Basis, face: str, component: str, axis: int) -> tuple[NDArray[np.int64], Vector]:
+def _along(displacement: skfem.Basis, face: str, component: str, axis: int) -> tuple[NDArray[np.int64], Array]:
     """Unknowns of one component on a straight face and their places along it, ascending."""
     nodes = displacement.get_dofs(face).all(component)
     place = displacement.doflocs[axis, nodes]
@@ -231,13 +231,13 @@ def _along(displacement: skfem.Basis, face: str, component: str, axis: int) -> t
     return nodes[order], place[order]
 
 
-def _ring_areas(radius: Vector) -> Vector:
+def _ring_areas(radius: Array) -> Array:
     """2 pi times integrals of N r dr for quadratic shape functions."""
-    result: Vector = 2 * np.pi * radius * _lengths(radius)
+    result: Array = 2 * np.pi * radius * _lengths(radius)
     return result
 
 
-def _lengths(place: Vector) -> Vector:
+def _lengths(place: Array) -> Array:
     """Weights of Simpson's rule for nodes corner, middle, corner, ...: exact for cubics, so for N r."""
     steps = place[2::2] - place[:-2:2]
     weights = np.zeros_like(place)
@@ -299,7 +299,7 @@ def _mesh(shape: DiscShape, refinement: int) -> skfem.MeshQuad:
     )
 
 
-def _graded(length: float, first: float, largest: float) -> Vector:
+def _graded(length: float, first: float, largest: float) -> Array:
     """Nodes from 0 to length: steps double from ``first`` up to ``largest``."""
     steps = [first]
     while sum(steps) < length:
@@ -307,7 +307,7 @@ def _graded(length: float, first: float, largest: float) -> Vector:
     return _nodes(steps, length)
 
 
-def _graded_from_both(length: float, first: float, last: float, largest: float) -> Vector:
+def _graded_from_both(length: float, first: float, last: float, largest: float) -> Array:
     """Nodes from 0 to length: steps double from both ends up to ``largest``."""
     front, back = [first], [last]
     while sum(front) + sum(back) < length:
@@ -316,8 +316,8 @@ def _graded_from_both(length: float, first: float, last: float, largest: float) 
     return _nodes([*front, *back[::-1]], length)
 
 
-def _nodes(steps: list[float], length: float) -> Vector:
+def _nodes(steps: list[float], length: float) -> Array:
     nodes = np.concatenate([[0.0], np.cumsum(steps)])
-    result: Vector = nodes * (length / nodes[-1])
+    result: Array = nodes * (length / nodes[-1])
     result[-1] = length
     return result

@@ -21,10 +21,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.quantities.checks import in_range, positive
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import mismatch
+from geometry.ground.typed import ComplexArray
 from geometry.schema.materials import Material
 
 
@@ -70,10 +71,8 @@ class Rubber:
         in_range("loss_factor", self.loss_factor, 0, 1)
         positive("reference", self.reference, "Hz")
         if len(self.strengths) != len(self.times):
-            raise Refusal(
-                f"has {len(self.strengths)} values, times {len(self.times)}; they must be as many",
-                kind=Kind.MISMATCH,
-                field="strengths",
+            raise mismatch(
+                "strengths", f"has {len(self.strengths)} values, times {len(self.times)}; they must be as many"
             )
 
     @classmethod
@@ -95,7 +94,7 @@ class Rubber:
         """True if its modulus is real and the same at all frequencies."""
         return self.loss_factor == 0 and self.slope == 0 and not any(self.strengths)
 
-    def ratio(self, frequency: ArrayLike) -> NDArray[np.complex128]:
+    def ratio(self, frequency: ArrayLike) -> ComplexArray:
         """Complex modulus by the stated one.
 
         Args:

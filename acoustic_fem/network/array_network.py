@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.duct.plane_wave import CompliantWall, Line, port_admittance, two_port
 from acoustic_fem.duct.sections import CircularSection
@@ -24,7 +23,7 @@ from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell, CellCatalogue, CellUse
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.typed import ComplexArray
+from geometry.ground.typed import Array, ComplexArray
 from geometry.layout.placement import Housings
 from geometry.schema.part_fields import Tube
 
@@ -52,7 +51,7 @@ def solve_network(
     layout: Housings,
     catalogue: CellCatalogue,
     admittances: Mapping[Cell, ComplexArray],
-    frequency: NDArray[np.float64],
+    frequency: Array,
     medium: Medium,
     known: KnownDiscs | None = None,
 ) -> NetworkResponse:
@@ -102,7 +101,7 @@ def _loaded_cells(
     uses: tuple[CellUse, ...],
     admittances: Mapping[Cell, ComplexArray],
     beside: ComplexArray,
-    frequency: NDArray[np.float64],
+    frequency: Array,
 ) -> tuple[PointCell, list[int]]:
     """The points' cells that differ, (n, n_freq), with what yields beside their air, and which of them each point has.
 
@@ -119,7 +118,7 @@ def _loaded_cells(
     return PointCell(*(nodal[..., row, column] for row, column in pairs)), which
 
 
-def _ducts(design: ArrayDesign, frequency: NDArray[np.float64], medium: Medium) -> tuple[TwoPort, list[list[int]]]:
+def _ducts(design: ArrayDesign, frequency: Array, medium: Medium) -> tuple[TwoPort, list[list[int]]]:
     """The ducts that differ, (n, n_freq), and per line which of them lie along it."""
     alike: dict[Tube, int] = {}
     at = [[alike.setdefault(tube, len(alike)) for tube in design.tubes_of(line)] for line in design.lines]
@@ -127,7 +126,7 @@ def _ducts(design: ArrayDesign, frequency: NDArray[np.float64], medium: Medium) 
     return TwoPort(*(np.stack(entry) for entry in zip(*parts, strict=True))), at
 
 
-def _duct_between_stubs(design: ArrayDesign, tube: Tube, frequency: NDArray[np.float64], medium: Medium) -> TwoPort:
+def _duct_between_stubs(design: ArrayDesign, tube: Tube, frequency: Array, medium: Medium) -> TwoPort:
     length, radius = tube.acoustic_length(design.printing.port_lip), metres(tube.acoustic_diameter) / 2
     if tube.sheath_material is None:
         between = max(length - 2 * tube.stub_length, _SHORTEST_DUCT * tube.length)
@@ -140,7 +139,7 @@ def _duct_between_stubs(design: ArrayDesign, tube: Tube, frequency: NDArray[np.f
     return join(join(stub, soft), stub)
 
 
-def _line(line: Line, length: float, frequency: NDArray[np.float64], medium: Medium) -> TwoPort:
+def _line(line: Line, length: float, frequency: Array, medium: Medium) -> TwoPort:
     series, shunt = line.series_impedance(frequency, medium), line.shunt_admittance(frequency, medium)
     return _as_two_port(two_port(series, shunt, length))
 
@@ -149,7 +148,7 @@ def _as_two_port(nodal: ComplexArray) -> TwoPort:
     return TwoPort(nodal[:, 0, 0], nodal[:, 0, 1], nodal[:, 1, 1])
 
 
-def _at_place(use: CellUse, admittances: Mapping[Cell, ComplexArray], frequency: NDArray[np.float64]) -> ComplexArray:
+def _at_place(use: CellUse, admittances: Mapping[Cell, ComplexArray], frequency: Array) -> ComplexArray:
     """Nodal admittance of a cell with its ports in the order of the place's tubes."""
     cell = use.cell
     if cell not in admittances:
@@ -169,7 +168,7 @@ def _microphones(
     uses: tuple[CellUse, ...],
     admittances: Mapping[Cell, ComplexArray],
     lines: list[TwoPort],
-    frequency: NDArray[np.float64],
+    frequency: Array,
     medium: Medium,
 ) -> tuple[ComplexArray, dict[tuple[int, int], int], list[int]]:
     """The chambers joined by the condensed lines.

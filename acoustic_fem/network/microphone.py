@@ -7,16 +7,17 @@ high-pass corner: below it the pressures on both sides become equal.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.cavity.closed_forms import closed_sphere_compliance
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres
+from geometry.ground.typed import Array, ComplexArray
 from geometry.schema.part_fields import Microphone
 
 
-def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Volume velocity into the microphone per pressure on its front, in m^3/(Pa s).
 
     Y = j w Cb (j w Cd + 1/R) / (j w (Cb + Cd) + 1/R): diaphragm Cd and vent R side by side, in series with
@@ -39,7 +40,7 @@ def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium
     return 1j * omega * back * (1j * omega * diaphragm + leak) / (1j * omega * (back + diaphragm) + leak)
 
 
-def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Pressure across the diaphragm per pressure in front, (p - p_back) / p: what the electrical output follows.
 
     Frequency in Hz; arguments, errors and model as :func:`load_admittance`; the resonance of the diaphragm (above
@@ -53,7 +54,7 @@ def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> ND
     return 1j * omega * back / (1j * omega * (back + diaphragm) + leak)
 
 
-def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Admittance of the compliances over that of the vent R that discharges them, v = j w R (Cb + Cd).
 
     The response is Cb / (Cb + Cd) v / (1 + v); a vent that conducts s times as well makes v / s of it.
@@ -68,7 +69,7 @@ def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> 
     return 1j * omega * (back + diaphragm) / leak
 
 
-def noise_density(microphone: Microphone, frequency: ArrayLike) -> NDArray[np.float64]:
+def noise_density(microphone: Microphone, frequency: ArrayLike) -> Array:
     """Equivalent input noise n sqrt(1 + fc / f) in Pa/sqrt(Hz): white, and 1/f in power below fc.
 
     Args:
@@ -85,7 +86,7 @@ def noise_density(microphone: Microphone, frequency: ArrayLike) -> NDArray[np.fl
     return microphone.noise_density * np.sqrt(1 + ratio)
 
 
-def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.float64]:
+def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> Array:
     """Equivalent input noise of the figures read as noise of the output, referred to the pressure in front.
 
     n sqrt(1 + fc / f) / |response|, Pa/sqrt(Hz). A data sheet states noise at the output divided by the
@@ -100,9 +101,7 @@ def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medi
     return noise_density(microphone, frequency) / np.abs(response(microphone, frequency, medium))
 
 
-def circuit_elements(
-    microphone: Microphone, frequency: ArrayLike, medium: Medium
-) -> tuple[float, NDArray[np.complex128], float]:
+def circuit_elements(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> tuple[float, ComplexArray, float]:
     """The microphone as a circuit at a frequency, Hz; arguments and errors as :func:`response`.
 
     Returns:

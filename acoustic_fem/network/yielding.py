@@ -7,7 +7,6 @@ resonates near 1.8 kHz, which is 0.3 % of its compliance at 100 Hz.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.duct.leak import leak_conductance
 from acoustic_fem.duct.plane_wave import tube_compliance
@@ -16,6 +15,7 @@ from acoustic_fem.membrane.rubber import ELASTIC, Rubber
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import Array, ComplexArray
 from geometry.schema.part_fields import Tube
 
 
@@ -57,9 +57,7 @@ def sheath_compliance(design: ArrayDesign, tube: Tube) -> float:
     return tube_compliance(inner, outer, modulus, material.poisson_ratio).real
 
 
-def beside_air(
-    design: ArrayDesign, membrane: NDArray[np.complex128], frequency: NDArray[np.float64], medium: Medium
-) -> NDArray[np.complex128]:
+def beside_air(design: ArrayDesign, membrane: ComplexArray, frequency: Array, medium: Medium) -> ComplexArray:
     """Admittance of all that yields around the air of a cavity: membrane, floor and leak.
 
     Args:

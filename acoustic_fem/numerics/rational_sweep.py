@@ -21,10 +21,11 @@ from numpy.typing import NDArray
 
 from acoustic_fem.numerics.linear_solver import SymmetricSolver
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
 
 #: Frequency (n_freq,) in Hz -> coefficients (n_freq, n_term) complex. They are analytic functions of s = j 2 pi f,
 #: real where s is real and positive, and are asked for there as well, at f = -j s / (2 pi).
-Coefficients = Callable[[NDArray], NDArray[np.complex128]]
+Coefficients = Callable[[NDArray], ComplexArray]
 
 #: Solution and derivatives taken at the first shift, more there where they do not do, then at each of others; and the
 #: most shifts. A derivative costs a twentieth of a factorisation of a large system.
@@ -56,11 +57,11 @@ class RationalFitError(Refusal):
 class ReducedModel:
     """Projected matrices of one system; valid from ``lowest`` to ``highest`` (Hz)."""
 
-    matrices: NDArray[np.float64]
+    matrices: Array
     """Projected terms of the system, (n_term, r, r) float64, in their units."""
-    excitations: NDArray[np.float64]
+    excitations: Array
     """Projected terms of the excitation, (n_excitation_term, r, m) float64."""
-    basis: NDArray[np.float64] | None
+    basis: Array | None
     """Basis of the projection, without a unit, (n, r) float64, where the field itself is wanted; else None."""
     sampled: tuple[float, ...]
     """Shifts s / (2 pi) of the full solves, Hz; of the one frequency, where there is but one."""
@@ -89,7 +90,7 @@ class ReducedModel:
             basis=None if self.basis is None else self.basis[:, :size],
         )
 
-    def response(self, theta: NDArray, phi: NDArray) -> NDArray[np.complex128]:
+    def response(self, theta: NDArray, phi: NDArray) -> ComplexArray:
         """Response R^T K^-1 R, symmetric.
 
         Args:
@@ -107,7 +108,7 @@ class ReducedModel:
 def reduce_system(
     matrices: Sequence[sp.csr_array],
     theta: Coefficients,
-    excitations: Sequence[NDArray[np.float64]],
+    excitations: Sequence[Array],
     phi: Coefficients,
     band: tuple[float, float],
     tolerance: float = 1e-6,
@@ -148,7 +149,7 @@ def reduce_system(
     taken = [round(_FIRST_SHIFT * (_CANDIDATES - 1))]
     with SymmetricSolver(size) as solver:
 
-        def moments_at(candidate: int) -> Iterator[NDArray[np.float64]]:
+        def moments_at(candidate: int) -> Iterator[Array]:
             return _moments(float(candidates[candidate]), matrices, parts, theta, terms, phi, solver)
 
         first = moments_at(taken[0])
@@ -168,12 +169,12 @@ def reduce_system(
             response = model.response(system_at, excitation_at)
             change = _change(model.leading(shorter).response(system_at, excitation_at), response)
             error = _LEFT * float(change.max())
-            # Derivatives that are combinations of earlier ones, but for rounding, say nothing of what is left.
-            told = model.matrices.shape[1] > shorter or len(taken) > len(_ENDS)
+            # Derivatives that are combinations of earlier ones, but for rounding, say nothing about the residual.
+            reliable = model.matrices.shape[1] > shorter or len(taken) > len(_ENDS)
             if progress is not None:
                 done = np.log(max(error, tolerance)) / np.log(tolerance) if np.isfinite(error) else 0.0
                 progress(float(np.clip(max(done, len(taken) / 6), 0, 0.95)))
-            if error <= tolerance and told:
+            if error <= tolerance and reliable:
                 return replace(model, error=error)
             if len(taken) >= _MOST_SHIFTS:
                 raise RationalFitError(
@@ -181,11 +182,11 @@ def reduce_system(
                     f"above the tolerance {tolerance:g}",
                     kind=Kind.NO_RESULT,
                 )
-            if told and len(taken) == 1 and len(solutions[0]) == _MOMENTS:
+            if reliable and len(taken) == 1 and len(solutions[0]) == _MOMENTS:
                 solutions[0] += islice(first, _MORE_MOMENTS)
                 continue
             change[taken] = 0.0
-            taken.append(int(np.argmax(change)) if told else _ENDS[len(taken) - 1])
+            taken.append(int(np.argmax(change)) if reliable else _ENDS[len(taken) - 1])
             solutions.append(list(islice(moments_at(taken[-1]), _OTHER_MOMENTS)))
 
 
@@ -196,7 +197,7 @@ class _Part:
     place: slice
     """Rows and columns that it has."""
     matrix: sp.csr_array
-    """What it has there."""
+    """Its entries there."""
 
     @classmethod
     def of(cls, matrix: sp.csr_array) -> _Part:
@@ -210,10 +211,10 @@ def _moments(
     matrices: Sequence[sp.csr_array],
     parts: Sequence[_Part],
     theta: Coefficients,
-    excitations: NDArray[np.float64],
+    excitations: Array,
     phi: Coefficients,
     solver: SymmetricSolver,
-) -> Iterator[NDArray[np.float64]]:
+) -> Iterator[Array]:
     """Solution at s = 2 pi frequency, then its scaled derivatives there one by one, (n, m) each.
 
     With K = sum K_j z^j and R = sum R_j z^j around the shift,
@@ -221,7 +222,7 @@ def _moments(
     """
     system, excitation = (_taylor(function, frequency) for function in (theta, phi))
     shifted = _combined(system[0], matrices)
-    moments: list[NDArray[np.float64]] = []
+    moments: list[Array] = []
     for order in range(len(system)):
         load = np.einsum("k,knm->nm", excitation[order], excitations)
         for earlier, moment in enumerate(moments):
@@ -232,7 +233,7 @@ def _moments(
         yield moments[-1]
 
 
-def _taylor(function: Coefficients, frequency: float) -> NDArray[np.float64]:
+def _taylor(function: Coefficients, frequency: float) -> Array:
     """Real Taylor coefficients around a shift in units of the circle's radius, (``_ON_CIRCLE`` / 2, n_term); Cauchy."""
     around = 1 + _CIRCLE * np.exp(2j * np.pi * np.arange(_ON_CIRCLE) / _ON_CIRCLE)
     values = function(-1j * frequency * around)
@@ -241,16 +242,14 @@ def _taylor(function: Coefficients, frequency: float) -> NDArray[np.float64]:
     return np.asarray(coefficients)
 
 
-def _change(shorter: NDArray[np.complex128], longer: NDArray[np.complex128]) -> NDArray[np.float64]:
+def _change(shorter: ComplexArray, longer: ComplexArray) -> Array:
     """Largest difference of two responses per frequency, each entry against its row and column."""
     scale = np.sqrt(np.abs(np.einsum("fmm->fm", longer)))
-    change: NDArray[np.float64] = np.max(
-        np.abs(longer - shorter) / (scale[:, :, None] * scale[:, None, :]), axis=(1, 2)
-    )
+    change: Array = np.max(np.abs(longer - shorter) / (scale[:, :, None] * scale[:, None, :]), axis=(1, 2))
     return change
 
 
-def passivity_margin(admittance: NDArray[np.complex128]) -> NDArray[np.float64]:
+def passivity_margin(admittance: ComplexArray) -> Array:
     """How far a network of ports is from giving energy, per frequency.
 
     The power it takes at port pressures p is p^H (Y + Y^H) p / 4 (peak values), so the least eigenvalue of
@@ -276,7 +275,7 @@ def passivity_margin(admittance: NDArray[np.complex128]) -> NDArray[np.float64]:
     return margin
 
 
-def require_passive(admittance: NDArray[np.complex128], frequency: NDArray[np.float64]) -> float:
+def require_passive(admittance: ComplexArray, frequency: Array) -> float:
     """Refuse an admittance that gives energy at any of the frequencies.
 
     Args:
@@ -311,7 +310,7 @@ def _combined(coefficients: NDArray, matrices: Sequence[sp.csr_array]) -> sp.csr
     return sp.csr_array(total)
 
 
-def _extended(basis: NDArray[np.float64], new: NDArray[np.float64]) -> NDArray[np.float64]:
+def _extended(basis: Array, new: Array) -> Array:
     """Orthonormal basis with the columns added, where they are new."""
     norms = np.linalg.norm(new, axis=0)
     new = new[:, norms > 0] / norms[norms > 0]
@@ -323,8 +322,8 @@ def _extended(basis: NDArray[np.float64], new: NDArray[np.float64]) -> NDArray[n
 
 def _model(
     parts: Iterable[_Part],
-    excitations: NDArray[np.float64],
-    basis: NDArray[np.float64],
+    excitations: Array,
+    basis: Array,
     keep_basis: bool,
     sampled: tuple[float, ...],
     error: float,

@@ -43,7 +43,7 @@ class Refinement:
     """One mesh of a body and how much its answer differs from that of the next coarser one."""
 
     field: str
-    """What was solved: ``"heat"`` or ``"flow"``."""
+    """The field that was solved: ``"heat"`` or ``"flow"``."""
     scale: float
     """Scale of the element sizes, a ratio, see :func:`acoustic_fem.fields.element_sizes.mesh_sizes`."""
     elements: int

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
+from geometry.ground.argument_checks import out_of_range, wrong_type
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 
@@ -28,9 +29,7 @@ def numbers(name: str, values: ArrayLike) -> Array:
         if array.dtype.kind in "biuf":
             return np.asarray(array, dtype=np.float64)
         kind = {"c": "complex", "U": "text", "S": "text"}.get(array.dtype.kind, f"{array.dtype}")
-    raise Refusal(
-        f"must be a real number or an array of them, not {kind}", kind=Kind.WRONG_TYPE, field=name, value=values
-    )
+    raise wrong_type(name, f"must be a real number or an array of them, not {kind}", value=values)
 
 
 MOST_PORTS = 50
@@ -78,8 +77,7 @@ def in_range(name: str, value: float, low: float, high: float, unit: str = "") -
     if numbers(name, value).ndim:
         raise Refusal(kind=Kind.WRONG_TYPE, field=name, value=value, allowed="one number")
     if not low <= float(value) <= high:
-        allowed = f"between {low:g} and {high:g} {unit}".rstrip()
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=float(value), unit=unit, allowed=allowed)
+        raise out_of_range(name, float(value), f"between {low:g} and {high:g} {unit}".rstrip(), unit)
     return float(value)
 
 
@@ -92,8 +90,7 @@ def positive(name: str, values: ArrayLike, unit: str) -> Array:
     array = numbers(name, values)
     bad = ~(np.isfinite(array) & (array > 0))
     if bad.any():
-        allowed = f"finite and above 0 {unit}".rstrip()
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=float(array[bad].flat[0]), unit=unit, allowed=allowed)
+        raise out_of_range(name, float(array[bad].flat[0]), f"finite and above 0 {unit}".rstrip(), unit)
     return array
 
 
@@ -124,22 +121,14 @@ def frequency_grid(frequency: ArrayLike | str) -> Array:
     """
     grid = _evenly_spaced(frequency) if isinstance(frequency, str) else numbers("frequency", frequency)
     if grid.ndim != 1 or grid.size == 0:
-        raise Refusal(
-            f"has shape {grid.shape}; it must be a 1-D array of at least one value in Hz",
-            kind=Kind.WRONG_TYPE,
-            field="frequency",
-        )
+        raise wrong_type("frequency", f"has shape {grid.shape}; it must be a 1-D array of at least one value in Hz")
     low, high = _BAND
     for value in grid[~((grid >= low) & (grid <= high))]:
         in_range("frequency", float(value), low, high, "Hz")
     falling = np.flatnonzero(np.diff(grid) <= 0)
     if falling.size:
-        first = falling[0]
-        raise Refusal(
-            f"must ascend: {grid[first + 1]:g} Hz follows {grid[first]:g} Hz",
-            kind=Kind.OUT_OF_RANGE,
-            field="frequency",
-        )
+        problem = f"must ascend: {grid[falling[0] + 1]:g} Hz follows {grid[falling[0]]:g} Hz"
+        raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="frequency")
     return grid
 
 

@@ -89,8 +89,8 @@ TOLERANCES = (
 
 
 _WIDE = "assumed: between a careful workshop and a first sensor of one's own"
-#: Tolerances assumed of a sensor that nobody measured. The more is assumed, the less are neighbours in a long line told
-#: apart: of line-2 as designed it costs 0.3 % of the frames that 10 % for the batch would name.
+#: Tolerances assumed of a sensor that nobody measured. The more is assumed, the less are neighbours in a long line
+#: distinguished: of line-2 as designed it costs 0.3 % of the frames that 10 % for the batch would name.
 UNCALIBRATED = (
     Tolerance("bore", 0.05, "relative", _WIDE),
     Tolerance("cavity_height", 0.05, "relative", _WIDE),
@@ -166,10 +166,7 @@ class ScatteredDesign:
     """
 
     def __init__(
-        self,
-        design: DesignLike,
-        tolerances: Sequence[Tolerance] = TOLERANCES,
-        known: KnownDiscs | None = None,
+        self, design: DesignLike, tolerances: Sequence[Tolerance] = TOLERANCES, known: KnownDiscs | None = None
     ) -> None:
         design = resolve_design(design)
         names = [tolerance.quantity for tolerance in tolerances]
@@ -185,12 +182,9 @@ class ScatteredDesign:
                 value=design.membrane.stretch,
             )
         if design.resonator.shape != "cylinder":
-            raise UnknownScatterError(
-                "must be 'cylinder' for manufacturing scatter, which is computed with closed forms only",
-                kind=Kind.NO_RESULT,
-                field="resonator.shape",
-                value=design.resonator.shape,
-            )
+            problem = "must be 'cylinder' for manufacturing scatter, which is computed with closed forms only"
+            shape = design.resonator.shape
+            raise UnknownScatterError(problem, kind=Kind.NO_RESULT, field="resonator.shape", value=shape)
         self.design = design
         self.tolerances = tuple(tolerances)
         shared = Topology.of(design)

@@ -19,13 +19,12 @@ from typing import Literal, get_args
 
 import numpy as np
 import scipy.signal
-from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import one_of
+from geometry.ground.argument_checks import mismatch, out_of_range
 from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.typed import Array
+from geometry.ground.typed import Array, ComplexArray
 
-Complex = NDArray[np.complex128]
 #: Estimator of a transfer function: noise in the output, in the input, or in both.
 Estimator = Literal["H1", "H2", "Hv"]
 
@@ -50,7 +49,7 @@ RADIUS_95 = math.sqrt(-2 * math.log(0.05))
 class TransferEstimate:
     """Transfer functions from one reference to several outputs."""
 
-    transfer_function: Complex
+    transfer_function: ComplexArray
     """Output per reference, (n_output, n_freq) complex128, in the unit of the outputs per that of the reference."""
     deviation: Array
     """One standard deviation of the real part, and of the imaginary part, (n_output, n_freq) float64, in its unit;
@@ -92,16 +91,10 @@ def transfer_estimate(
     """
     one_of("estimator", estimator, get_args(Estimator))
     if outputs.ndim != 2 or outputs.shape[1:] != reference.shape:
-        raise Refusal(
-            f"has shape {outputs.shape}; it must be (n_output, {len(reference)})", kind=Kind.MISMATCH, field="outputs"
-        )
+        raise mismatch("outputs", f"has shape {outputs.shape}; it must be (n_output, {len(reference)})")
     if not (frequency.min() >= 1.0 and 2.5 * frequency.max() <= rate):
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="frequency",
-            value=(float(frequency.min()), float(frequency.max())),
-            allowed=f"between 1 and {rate / 2.5:g} Hz, the sample rate over 2.5",
-        )
+        allowed = f"between 1 and {rate / 2.5:g} Hz, the sample rate over 2.5"
+        raise out_of_range("frequency", (float(frequency.min()), float(frequency.max())), allowed)
     amplitude = amplitudes(np.concatenate([reference[None], outputs]), rate, frequency)
     count = amplitude.shape[1]
     if count < LEAST_SEGMENTS:
@@ -133,8 +126,8 @@ def transfer_estimate(
     return TransferEstimate(first * scale, deviation * scale, coherence, count)
 
 
-def amplitudes(signals: Array, rate: float, frequency: Array, segment: float = SEGMENT) -> Complex:
-    """Complex amplitudes of signals in segments, their phases counted from the beginning of the record.
+def amplitudes(signals: Array, rate: float, frequency: Array, segment: float = SEGMENT) -> ComplexArray:
+    """ComplexArray amplitudes of signals in segments, their phases counted from the beginning of the record.
 
     Args:
         signals: (n_signal, n_sample) float64.

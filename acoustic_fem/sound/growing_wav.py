@@ -16,9 +16,10 @@ from types import TracebackType
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.argument_checks import check_range, check_shape
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 from geometry.ground.whole_files import writing
 
 LARGEST = 2**31
@@ -43,9 +44,7 @@ class GrowingWav:
 
     def __init__(self, path: str | os.PathLike[str], rate: int, channels: int) -> None:
         for name, value, most in (("rate", rate, 2**31), ("channels", channels, 1024)):
-            if not 1 <= value <= most:
-                allowed = f"between 1 and {most}"
-                raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=allowed)
+            check_range(name, value, 1, most)
         self.path, self.rate, self.channels = Path(path), rate, channels
         self.samples = 0
         """Written per channel."""
@@ -64,19 +63,14 @@ class GrowingWav:
         """True if another second might not fit."""
         return 4 * self.channels * (self.samples + self.rate) > LARGEST
 
-    def write(self, samples: NDArray[np.float64]) -> None:
+    def write(self, samples: Array) -> None:
         """Append samples, (n_channel, n) float64, of full scale.
 
         Raises:
             Refusal: another number of channels, or more than the file can hold.
             OSError: it cannot be written: the disk is full.
         """
-        if samples.ndim != 2 or len(samples) != self.channels:
-            raise Refusal(
-                f"has shape {samples.shape}; it must be (n_channel, n) = ({self.channels}, n)",
-                kind=Kind.WRONG_TYPE,
-                field="samples",
-            )
+        check_shape("samples", samples, (self.channels, "n"), "a row for each channel")
         if 4 * self.channels * (self.samples + samples.shape[1]) > 2 * LARGEST - _HEAD_BYTES:
             raise Refusal(
                 f"cannot hold {self.samples + samples.shape[1]} samples: a WAV file has at most {2 * LARGEST} bytes",

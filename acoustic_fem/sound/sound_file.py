@@ -15,6 +15,7 @@ import numpy as np
 import scipy.io.wavfile
 from numpy.typing import NDArray
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.array_files import read_mat, read_npz
 from geometry.ground.csv_files import read_csv
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
@@ -34,6 +35,10 @@ MATRIX = "signals"
 
 class SoundFileError(Refusal):
     """A recording that cannot be read: one line that names the file and the reason."""
+
+
+def _fault(path: Path | str, problem: str, kind: Kind = Kind.UNREADABLE, **facts: Any) -> SoundFileError:
+    return SoundFileError(problem, kind=kind, file=path, **facts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,15 +86,8 @@ def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) 
         sound = _of_arrays(path, read_npz(path, "an NPZ file of numbers", SoundFileError), default_rate)
     else:
         sound = _of_arrays(path, read_mat(path, "a MAT file up to version 7", SoundFileError), default_rate)
-    if not (np.isfinite(sound.rate) and sound.rate > 0):
-        raise SoundFileError(
-            kind=Kind.OUT_OF_RANGE,
-            file=path,
-            field="sample rate",
-            value=float(sound.rate),
-            unit="Hz",
-            allowed="finite and above 0",
-        )
+    allowed, rate = "finite and above 0", float(sound.rate)
+    check_range("sample rate", rate, 0, unit="Hz", excluded="both", allowed=allowed, error=SoundFileError, file=path)
     return sound
 
 
@@ -109,11 +107,7 @@ def check_sound_there(path: str | os.PathLike[str]) -> None:
 def _format_of(path: Path) -> str:
     suffix = path.suffix.lower()
     if suffix not in FORMATS:
-        raise SoundFileError(
-            f"must have a name that ends with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}",
-            kind=Kind.UNREADABLE,
-            file=path,
-        )
+        raise _fault(path, f"must have a name that ends with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
     return suffix
 
 
@@ -175,10 +169,8 @@ def read_wav(path: Path) -> Sound:
         warnings.filterwarnings("ignore", category=scipy.io.wavfile.WavFileWarning)
         rate, samples = scipy.io.wavfile.read(path)
     if len(samples) > MOST_NUMBERS:
-        raise SoundFileError(
-            f"has {len(samples)} samples per channel; it must have at most {MOST_NUMBERS}",
-            kind=Kind.OUT_OF_RANGE,
-            file=path,
+        raise _fault(
+            path, f"has {len(samples)} samples per channel; it must have at most {MOST_NUMBERS}", kind=Kind.OUT_OF_RANGE
         )
     if samples.ndim == 1:
         samples = samples[:, None]
@@ -199,12 +191,12 @@ def _check_chunks(path: Path) -> None:
     with path.open("rb") as file:
         head = file.read(36)
         if len(head) < 12 or head[:4] not in (b"RIFF", b"RIFX", b"RF64"):
-            raise SoundFileError("is cut short or not a WAV file", kind=Kind.UNREADABLE, file=path)
+            raise _fault(path, "is cut short or not a WAV file")
         order: Literal["big", "little"] = "big" if head[:4] == b"RIFX" else "little"
         large = head[:4] == b"RF64"  # it states its length, and that of its samples, in 64 bits of another place
         end = int.from_bytes(head[20:28] if large else head[4:8], order) + 8
         if end > size:
-            raise SoundFileError(f"is cut short: it has {size} of {end} bytes", kind=Kind.UNREADABLE, file=path)
+            raise _fault(path, f"is cut short: it has {size} of {end} bytes")
         kinds: list[bytes] = []
         place = 12
         while place + 8 <= end and len(kinds) < _MOST_CHUNKS:
@@ -213,54 +205,43 @@ def _check_chunks(path: Path) -> None:
             length = head[28:36] if large and kinds[-1] == b"data" else file.read(4)
             place += 8 + int.from_bytes(length, order)
             if place > size:
-                raise SoundFileError(f"is cut short: it has {size} of {place} bytes", kind=Kind.UNREADABLE, file=path)
+                raise _fault(path, f"is cut short: it has {size} of {place} bytes")
             place += place % 2
     if len(kinds) == _MOST_CHUNKS or b"fmt " not in kinds or b"data" not in kinds:
-        raise SoundFileError("is cut short or not a WAV file: it has no samples", kind=Kind.UNREADABLE, file=path)
+        raise _fault(path, "is cut short or not a WAV file: it has no samples")
 
 
 def _read_csv(path: Path, default_rate: float | None) -> Sound:
     table = read_csv(path, "a CSV file", SoundFileError)
     if table.remarks or not table.head:
-        raise SoundFileError("is empty or not a CSV file", kind=Kind.UNREADABLE, file=path)
+        raise _fault(path, "is empty or not a CSV file")
     if len(table.head) == 1 and ";" in table.head[0]:
-        raise SoundFileError(
-            "is separated by semicolons; it must be by commas, with points for decimals",
-            kind=Kind.UNREADABLE,
-            file=path,
-        )
+        raise _fault(path, "is separated by semicolons; it must be by commas, with points for decimals")
     names = [name.strip() for name in table.head]
     channels = [name for name in names if name != TIME]
     if len(set(names)) < len(names) or not channels or (default_rate is None and TIME not in names):
         rule = f"{TIME} and one per channel" if default_rate is None else f"one per channel and, if any, {TIME}"
-        raise SoundFileError(
+        raise _fault(
+            path,
             f"has the columns {', '.join(names)}; they must be {rule}, each once",
             kind=Kind.MISSING if default_rate is None and TIME not in names else Kind.UNREADABLE,
-            file=path,
         )
     values = array("d")
     for number, row in enumerate(table.rows, 2):
         if len(row) != len(names):
-            raise SoundFileError(
-                f"has {counted(len(row), 'value')}; it must have {len(names)}",
-                kind=Kind.UNREADABLE,
-                file=path,
-                field=f"line {number}",
-            )
+            raise _fault(path, f"has {counted(len(row), 'value')}; it must have {len(names)}", field=f"line {number}")
         try:
             values.extend(map(float, row))
         except ValueError as error:
             problem = f"does not hold numbers only: {error}"
-            raise SoundFileError(problem, kind=Kind.WRONG_TYPE, file=path, field=f"line {number}") from None
+            raise _fault(path, problem, kind=Kind.WRONG_TYPE, field=f"line {number}") from None
         if len(values) > MOST_NUMBERS:
-            raise SoundFileError(
-                f"holds more than {MOST_NUMBERS} numbers, the most that are read", kind=Kind.OUT_OF_RANGE, file=path
+            raise _fault(
+                path, f"holds more than {MOST_NUMBERS} numbers, the most that are read", kind=Kind.OUT_OF_RANGE
             )
     columns = np.frombuffer(values).reshape(-1, len(names))
     if len(columns) < 2:
-        raise SoundFileError(
-            f"has {counted(len(columns), 'sample')}; it must have at least 2", kind=Kind.UNSUITABLE, file=path
-        )
+        raise _fault(path, f"has {counted(len(columns), 'sample')}; it must have at least 2", kind=Kind.UNSUITABLE)
     if default_rate is not None and TIME not in names:
         rate = default_rate
     else:
@@ -274,39 +255,29 @@ def _rate_of(path: Path, time: Array) -> float:
     uneven = np.flatnonzero(~(np.abs(np.diff(time) - step) <= 0.1 * abs(step)))
     if len(uneven) or not step > 0:
         line = int(uneven[0]) + 3 if len(uneven) else 3
-        raise SoundFileError(
-            f"must rise in even steps; it does not at line {line}", kind=Kind.UNSUITABLE, file=path, field=TIME
-        )
+        raise _fault(path, f"must rise in even steps; it does not at line {line}", kind=Kind.UNSUITABLE, field=TIME)
     return 1 / step
 
 
 def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], default_rate: float | None) -> Sound:
     for name, values in arrays.items() if RATE not in arrays else ():
         if values.size == 1 and re.sub(r"[^a-z]", "", name.lower()) in _OTHER_RATES:
-            raise SoundFileError(
-                f"must be called {RATE}, if it is the sample rate in Hz", kind=Kind.UNKNOWN, file=path, field=name
-            )
+            raise _fault(path, f"must be called {RATE}, if it is the sample rate in Hz", kind=Kind.UNKNOWN, field=name)
     # A column alone is one channel: MAT files know no vectors.
     numbered = MATRIX in arrays and arrays[MATRIX].ndim == 2 and arrays[MATRIX].shape[1] > 1
     if numbered:
         arrays = {name: values for name, values in arrays.items() if name in (MATRIX, RATE)}
     bad = [name for name, values in arrays.items() if values.dtype.kind not in "biuf"]
     if bad:
-        raise SoundFileError(
-            f"holds {arrays[bad[0]].dtype}, not real numbers", kind=Kind.WRONG_TYPE, file=path, field=bad[0]
-        )
+        raise _fault(path, f"holds {arrays[bad[0]].dtype}, not real numbers", kind=Kind.WRONG_TYPE, field=bad[0])
     if RATE in arrays:
         rates = arrays[RATE]
     elif default_rate is not None:
         rates = np.array(default_rate)
     else:
-        raise SoundFileError(
-            f"is missing; the file has {', '.join(arrays) or 'nothing'}", kind=Kind.MISSING, file=path, field=RATE
-        )
+        raise _fault(path, f"is missing; the file has {', '.join(arrays) or 'nothing'}", kind=Kind.MISSING, field=RATE)
     if rates.size != 1:
-        raise SoundFileError(
-            f"has {rates.size} values; it must be one number, Hz", kind=Kind.WRONG_TYPE, file=path, field=RATE
-        )
+        raise _fault(path, f"has {rates.size} values; it must be one number, Hz", kind=Kind.WRONG_TYPE, field=RATE)
     rate = float(rates.ravel()[0])
     if numbered:
         rows = {str(number): row.astype(np.float64) for number, row in enumerate(arrays[MATRIX], 1)}
@@ -315,10 +286,10 @@ def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], default_rate: flo
     wide = [name for name, values in channels.items() if values.ndim != 1]
     if wide or not channels:
         held = f"has shape {arrays[wide[0]].shape}" if wide else "has no channel"
-        raise SoundFileError(
+        raise _fault(
+            path,
             f"{held}; the file must hold one row of samples per channel, or all of them as {MATRIX} (channel, sample)",
             kind=Kind.WRONG_TYPE if wide else Kind.MISSING,
-            file=path,
             field=wide[0] if wide else "",
         )
     check_equal_lengths(path, channels)
@@ -333,4 +304,4 @@ def check_equal_lengths(path: Path | str, channels: Mapping[str, Sequence[float]
     """
     if len({len(values) for values in channels.values()}) > 1:
         lengths = ", ".join(f"{name} {len(values)}" for name, values in channels.items())
-        raise SoundFileError(f"has channels of different numbers of samples: {lengths}", kind=Kind.MISMATCH, file=path)
+        raise _fault(path, f"has channels of different numbers of samples: {lengths}", kind=Kind.MISMATCH)

@@ -8,14 +8,16 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
+
 _CORNERS = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
 #: Corners at both ends of the edges whose middles are the nodes 4 to 9 of a tetrahedron.
 EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
 
 
 def split_wall_corners(
-    nodes: NDArray[np.float64], tetrahedra: NDArray[np.int64], triangles: Mapping[str, NDArray[np.int64]]
-) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    nodes: Array, tetrahedra: NDArray[np.int64], triangles: Mapping[str, NDArray[np.int64]]
+) -> tuple[Array, NDArray[np.int64]]:
     """Split tetrahedra with three or more faces on the boundary at their centre.
 
     The pressure at their common corner belongs to no free velocity and would be locked: the element's
@@ -61,7 +63,7 @@ def split_wall_corners(
     return np.concatenate(new_nodes), np.concatenate([kept, np.array(new_elements, dtype=np.int64)])
 
 
-def _shape_functions(points: NDArray[np.float64]) -> NDArray[np.float64]:
+def _shape_functions(points: Array) -> Array:
     """Quadratic shape functions at reference points (n, 3): (n, 10)."""
     corner = np.column_stack([1 - points.sum(axis=1), points])
     at_corners = corner * (2 * corner - 1)
@@ -69,7 +71,7 @@ def _shape_functions(points: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.column_stack([at_corners, at_edges])
 
 
-def _shape_gradients(point: NDArray[np.float64]) -> NDArray[np.float64]:
+def _shape_gradients(point: Array) -> Array:
     """Gradients of the quadratic shape functions at one reference point: (3, 10)."""
     corner = np.array([1 - point.sum(), *point])
     slopes = np.vstack([-np.ones(3), np.eye(3)])
@@ -78,9 +80,7 @@ def _shape_gradients(point: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.vstack([at_corners, at_edges]).T
 
 
-def jacobians(
-    nodes: NDArray[np.float64], tetrahedra: NDArray[np.int64], points: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def jacobians(nodes: Array, tetrahedra: NDArray[np.int64], points: Array) -> Array:
     """Jacobian determinants of curved elements.
 
     Args:
@@ -96,7 +96,7 @@ def jacobians(
     return np.stack([np.einsum("en,en->e", np.cross(x, y), z) for x, y, z in columns])
 
 
-def _barycentric(*rows: tuple[float, float, float, float]) -> NDArray[np.float64]:
+def _barycentric(*rows: tuple[float, float, float, float]) -> Array:
     """Reference points (n, 3) of all permutations of barycentric coordinates."""
     return np.array(sorted({order for row in rows for order in itertools.permutations(row)}))[:, 1:]
 
@@ -110,7 +110,7 @@ SOLVER_RULE = _barycentric(
 )
 
 
-def curved_volume(nodes: NDArray[np.float64], tetrahedra: NDArray[np.int64]) -> float:
+def curved_volume(nodes: Array, tetrahedra: NDArray[np.int64]) -> float:
     """Volume of all elements, in the cube of the nodes' unit.
 
     Args:

@@ -19,6 +19,7 @@ from geometry.air.solid_checks import estimated_elements
 from geometry.ground.forked import in_a_copy
 from geometry.ground.process_messages import ChildError, Limits
 from geometry.ground.refusal import Kind, Refusal, counted, said_by
+from geometry.ground.typed import Array
 
 if TYPE_CHECKING:
     import cadquery
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 #: Place in space, mm.
 Point: TypeAlias = tuple[float, float, float]
 #: Nodes, tetrahedra, and triangles of every face by its name.
-_Elements: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int64], dict[str, NDArray[np.int64]]]
+_Elements: TypeAlias = tuple[Array, NDArray[np.int64], dict[str, NDArray[np.int64]]]
 
 #: Most elements of a mesh, as estimated: of more gmsh makes none in minutes.
 MOST_ELEMENTS = 1e6
@@ -70,7 +71,7 @@ class MeshSizes:
 class SolidMesh:
     """Second-order tetrahedra of one solid; lengths in mm."""
 
-    nodes: NDArray[np.float64]
+    nodes: Array
     """Places of the nodes, (n_node, 3) float64, mm."""
     tetrahedra: NDArray[np.int64]
     """Nodes of every element, (n_tetrahedron, 10) int64, in the order of scikit-fem."""
@@ -78,7 +79,7 @@ class SolidMesh:
     """Corner nodes of the triangles of every face by name, (n_triangle, 3) int64 each; unnamed faces are listed under
     ``wall``.
     """
-    normals: dict[str, NDArray[np.float64]]
+    normals: dict[str, Array]
     """Unit normal, of length one, out of the solid of every named flat face, (3,) float64 each."""
     volume: float
     """Volume of the CAD solid, mm^3."""
@@ -143,7 +144,7 @@ def mesh_solid(
 
 
 def _in_a_copy(work: Callable[[], _Elements], beat: Callable[[], None]) -> _Elements:
-    """What gmsh makes; always in a copy, because one of a process where gmsh has worked would wait for its threads."""
+    """The elements that gmsh makes, always in a copy: one of a process where gmsh has worked waits for its threads."""
     try:
         return in_a_copy(work, "gmsh", GMSH_LIMITS, beat)
     except ChildError as error:
@@ -173,10 +174,10 @@ def refuse_large_mesh(solid: cadquery.Solid, sizes: MeshSizes, most: float = MOS
 
 
 def checked_mesh(
-    nodes: NDArray[np.float64],
+    nodes: Array,
     tetrahedra: NDArray[np.int64],
     triangles: dict[str, NDArray[np.int64]],
-    normals: dict[str, NDArray[np.float64]],
+    normals: dict[str, Array],
     volume: float,
 ) -> SolidMesh:
     """A mesh fit for the solvers: elements that would lock a pressure split, Jacobians and volume checked.
@@ -393,9 +394,7 @@ def _size_around(kind: str, tags: list[int], near: float, reach: float, sizes: M
     return int(threshold)
 
 
-def _read_mesh(
-    surfaces: Mapping[str, int],
-) -> _Elements:
+def _read_mesh(surfaces: Mapping[str, int]) -> _Elements:
     import gmsh
 
     tags, coordinates, _ = gmsh.model.mesh.getNodes()

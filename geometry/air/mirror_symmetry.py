@@ -7,11 +7,9 @@ from dataclasses import dataclass
 
 import cadquery as cq
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.air.mesh import Point, face_at
-
-Vector = NDArray[np.float64]
+from geometry.ground.typed import Array
 
 #: Places that agree within this part of the solid's size are the same; the CAD kernel is a few times better.
 _SAME = 1e-5
@@ -28,7 +26,7 @@ class Half:
     solid: cq.Solid
     """The half, mm."""
     ports: dict[str, Point]
-    """A point on what is left of each port, mm."""
+    """A point on the remaining part of each port, mm."""
     mirror: Point
     """A point on the mirror plane's face, mm."""
 
@@ -67,12 +65,12 @@ def mirror_half(solid: cq.Solid, ports: Mapping[str, Point]) -> Half | None:
     return None
 
 
-def _candidates(solid: cq.Solid, centre: Vector, axes: list[tuple[Vector, Vector]]) -> Iterator[Vector]:
+def _candidates(solid: cq.Solid, centre: Array, axes: list[tuple[Array, Array]]) -> Iterator[Array]:
     _, principal = np.linalg.eigh(np.array(cq.Shape.matrixOfInertia(solid)))
     basis = [*np.eye(3), *principal.T]
     crossed = [np.cross(direction, other) for _, direction in axes for other in basis]
     crossed += [np.cross(direction, place - centre) for place, direction in axes]
-    tried: list[Vector] = []
+    tried: list[Array] = []
     for normal in [*basis, *crossed]:
         length = np.linalg.norm(normal)
         if length < _SAME or any(abs(normal @ other) > (1 - 1e-9) * length for other in tried):
@@ -81,7 +79,7 @@ def _candidates(solid: cq.Solid, centre: Vector, axes: list[tuple[Vector, Vector
         yield normal / length
 
 
-def _mirrors(solid: cq.Solid, centre: Vector, normal: Vector, size: float) -> bool:
+def _mirrors(solid: cq.Solid, centre: Array, normal: Array, size: float) -> bool:
     """True where each face of the solid is the mirror image of one of its faces.
 
     A twisted face has the area and the centre of its image without being it: points all over each face must
@@ -111,18 +109,18 @@ def _mirrors(solid: cq.Solid, centre: Vector, normal: Vector, size: float) -> bo
     return True
 
 
-def _mirrored(points: Vector, centre: Vector, normal: Vector) -> Vector:
+def _mirrored(points: Array, centre: Array, normal: Array) -> Array:
     return points - 2 * np.outer((points - centre) @ normal, normal)
 
 
-def _cut(solid: cq.Solid, faces: Mapping[str, cq.Face], centre: Vector, normal: Vector, size: float) -> Half | None:
+def _cut(solid: cq.Solid, faces: Mapping[str, cq.Face], centre: Array, normal: Array, size: float) -> Half | None:
     plane = cq.Plane(origin=tuple(centre), normal=tuple(normal))
     space = cq.Workplane(plane).box(4 * size, 4 * size, 2 * size, centered=(True, True, False)).val()
     halves = solid.intersect(space).Solids()
     if len(halves) != 1 or not halves[0].isValid() or abs(2 * halves[0].Volume() / solid.Volume() - 1) > _SAME_CONTENT:
         return None
 
-    def left_of(place: Vector, direction: Vector) -> list[cq.Face]:
+    def left_of(place: Array, direction: Array) -> list[cq.Face]:
         """Flat faces of the half in a plane."""
         return [
             face
@@ -156,5 +154,5 @@ def _inner_point(face: cq.Face) -> Point:
     return (x, y, z)
 
 
-def _vector(value: cq.Vector) -> Vector:
+def _vector(value: cq.Array) -> Array:
     return np.array(value.toTuple())

@@ -8,15 +8,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.air.mesh import Point, face_at
+from geometry.ground.typed import Array
 
 if TYPE_CHECKING:
     import cadquery
     from OCP.gp import gp_Dir, gp_Pnt
 
-Vector = NDArray[np.float64]
 
 #: Length of a bore that stays between its end and its mouth, in radii. What is not plane at the mouth falls by 6 per
 #: radius at least, and its energy by the square of that.
@@ -132,7 +131,7 @@ def _round_bore(
     return radius, min(depths, default=0.0)
 
 
-def _lies_along(edge: cadquery.Edge, normal: Vector) -> bool:
+def _lies_along(edge: cadquery.Edge, normal: Array) -> bool:
     """True where an edge is a straight line along the bore: a seam, or a line where a mirror plane cuts the wall."""
     across = np.cross(_vector(edge.tangentAt(0)), normal)
     return edge.geomType() == "LINE" and float(np.linalg.norm(across)) < _SAME
@@ -153,19 +152,19 @@ def _cut(solid: cadquery.Solid, end: cadquery.Face, radius: float, length: float
     return left[0] if abs(gone[0].Volume() / (end.Area() * length) - 1) < _SAME else None
 
 
-def _axis_point(end: cadquery.Face, radius: float) -> Vector:
+def _axis_point(end: cadquery.Face, radius: float) -> Array:
     """Point at which the axis of a bore meets its end: the centre of the arc that bounds it."""
     arcs = [edge for edge in end.Edges() if edge.geomType() == "CIRCLE" and abs(edge.radius() - radius) < 1e-3 * radius]
     return _vector(arcs[0].arcCenter())
 
 
-def _normal(face: cadquery.Face) -> Vector:
+def _normal(face: cadquery.Face) -> Array:
     return _vector(face.normalAt())
 
 
-def _vector(value: cadquery.Vector) -> Vector:
+def _vector(value: cadquery.Array) -> Array:
     return np.array(value.toTuple())
 
 
-def _point(value: gp_Pnt | gp_Dir) -> Vector:
+def _point(value: gp_Pnt | gp_Dir) -> Array:
     return np.array([value.X(), value.Y(), value.Z()])

@@ -27,7 +27,7 @@ class AirVolume:
     """Air of a cell, mm. The cavity's floor lies at z = 0, its axis is z."""
 
     solid: cadquery.Solid
-    """The air, or what is left of it on one side of each mirror plane, mm."""
+    """The air, or its part on one side of each mirror plane, mm."""
     ports: dict[str, Point]
     """A point on the flat end of the stub of each tube port, mm, in the order of ``Cell.ports``."""
     opening: Point

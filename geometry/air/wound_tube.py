@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from geometry.air.curved_tetrahedra import EDGES
 from geometry.air.mesh import WALL, SolidMesh, checked_mesh
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import out_of_range
+from geometry.ground.typed import Array
 
 #: Names of the ends of a swept mesh.
 FIRST, LAST = "first", "last"
@@ -54,7 +55,7 @@ class Winding:
     def _per_radian(self) -> float:
         return math.hypot(self.diameter / 2, self.pitch / (2 * math.pi))
 
-    def at(self, along: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def at(self, along: Array) -> tuple[Array, Array]:
         """Points of the centre line and frames across it.
 
         Args:
@@ -86,14 +87,11 @@ def closest_pitch(diameter: float, outside: float) -> float:
     """
     fraction = outside / (math.pi * diameter)
     if not fraction < 1:
-        allowed = f"below the circumference {math.pi * diameter:g} mm"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="outside", value=outside, unit="mm", allowed=allowed)
+        raise out_of_range("outside", outside, f"below the circumference {math.pi * diameter:g} mm", "mm")
     return outside / math.sqrt((1 - fraction) * (1 + fraction))
 
 
-def swept_mesh(
-    section: NDArray[np.float64], triangles: NDArray[np.int64], winding: Winding | None, along: NDArray[np.float64]
-) -> SolidMesh:
+def swept_mesh(section: Array, triangles: NDArray[np.int64], winding: Winding | None, along: Array) -> SolidMesh:
     """Curved second-order tetrahedra of a disc swept along a centre line; its ends are ``FIRST`` and ``LAST``.
 
     Every layer of prisms is cut into tetrahedra in the same way; corners and the middles of edges lie exactly
@@ -149,7 +147,7 @@ def swept_mesh(
     return checked_mesh(nodes, tetrahedra, {**ends, WALL: wall}, normals, volume)
 
 
-def _right_handed(nodes: NDArray[np.float64], tetrahedra: NDArray[np.int64]) -> NDArray[np.int64]:
+def _right_handed(nodes: Array, tetrahedra: NDArray[np.int64]) -> NDArray[np.int64]:
     """Tetrahedra with positive volume: two corners exchanged where it is negative."""
     origin, *others = (nodes[tetrahedra[:, k]] for k in range(4))
     left = np.linalg.det(np.stack([other - origin for other in others], 1)) < 0

@@ -170,10 +170,7 @@ class Bill:
 
 
 def bill_of_materials(
-    design: DesignLike,
-    parts: PartSet | None = None,
-    prices: Prices | None = None,
-    layout: ArrayLayout | None = None,
+    design: DesignLike, parts: PartSet | None = None, prices: Prices | None = None, layout: ArrayLayout | None = None
 ) -> Bill:
     """Resin, silicone, spring, sheath, microphones, gaskets and glue that one array takes.
 
@@ -249,30 +246,23 @@ def _made(name: str, use: Use, volume: float, count: int, design: ArrayDesign, p
 
 
 def _springs(cuts: Sequence[Cut], prices: Prices) -> list[BillItem]:
-    return [
-        BillItem(
-            f"spring {cut.tube.spring_outer_diameter:g} mm, wire {cut.tube.wire_diameter:g} mm",
-            "bought",
-            cut.count,
-            cut.count * (cut.spring_length + prices.cutting_loss) / 1000,
-            "m",
-            prices.spring,
-            f"cut to {cut.spring_length:g} mm, {cut.turns:.0f} turns, {cut.place}",
-        )
-        for cut in cuts
-    ]
+    items = []
+    for cut in cuts:
+        title = f"spring {cut.tube.spring_outer_diameter:g} mm, wire {cut.tube.wire_diameter:g} mm"
+        words = f"cut to {cut.spring_length:g} mm, {cut.turns:.0f} turns, {cut.place}"
+        items.append(_of_length(title, cut.count, cut.spring_length + prices.cutting_loss, prices.spring, words))
+    return items
 
 
 def _sheaths(cuts: Sequence[Cut], prices: Prices) -> list[BillItem]:
-    return [
-        BillItem(
-            f"sheath {cut.tube.outer_diameter:g} mm outside over the spring",
-            "bought",
-            cut.count,
-            cut.count * (cut.cut_length + prices.cutting_loss) / 1000,
-            "m",
-            prices.sheath,
-            f"cut to {cut.cut_length:g} mm, {cut.place}",
-        )
-        for cut in cuts
-    ]
+    items = []
+    for cut in cuts:
+        title = f"sheath {cut.tube.outer_diameter:g} mm outside over the spring"
+        words = f"cut to {cut.cut_length:g} mm, {cut.place}"
+        items.append(_of_length(title, cut.count, cut.cut_length + prices.cutting_loss, prices.sheath, words))
+    return items
+
+
+def _of_length(title: str, count: int, length: float, price: float, words: str) -> BillItem:
+    """Pieces of a length in mm, bought by the metre."""
+    return BillItem(title, "bought", count, count * length / 1000, "m", price, words)

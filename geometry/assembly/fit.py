@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.assembly.model import ArrayModel, plane_of
-from geometry.assembly.part_list import PartKind, PlacedPart
+from geometry.assembly.part_list import PlacedPart
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 from geometry.schema.ports import ANGLE_STEP
 
 if TYPE_CHECKING:
@@ -24,8 +24,6 @@ CONTACT_VOLUME = 1e-4
 _SAME_DIRECTION, _SAME_AXIS = 0.01, 0.1
 #: Misfits below this are rounding, mm: directions of ports are rounded to 0.1 degrees.
 _ROUNDING = 0.01
-#: Kinds that stand apart from each other unless they belong to one point, tube or microphone.
-_BODIES: tuple[PartKind, ...] = ("shell", "housing", "sheath")
 
 
 @dataclass(frozen=True)
@@ -38,18 +36,6 @@ class Interference:
     """Label of the other."""
     volume: float
     """Volume that both share, mm^3."""
-
-
-@dataclass(frozen=True)
-class Clearance:
-    """The smallest distance of two placed parts that do not belong together, by their labels."""
-
-    first: str
-    """Label of one part."""
-    second: str
-    """Label of the other."""
-    distance: float
-    """Smallest distance of the two, mm."""
 
 
 @dataclass(frozen=True)
@@ -96,30 +82,6 @@ def interferences(model: ArrayModel) -> tuple[Interference, ...]:
         if shared[key] > CONTACT_VOLUME + (wedge if ends_in else 0.0):
             found.append(Interference(model.placed[i].label, model.placed[j].label, shared[key]))
     return tuple(found)
-
-
-def clearances(model: ArrayModel, within: float = 1.0) -> tuple[Clearance, ...]:
-    """Distances of shells, housings and tubes that are not joined, the closest first.
-
-    Args:
-        model: the array.
-        within: pairs further apart are left out, mm.
-    """
-    joined = _joined(model)
-    found = []
-    known: dict[object, float] = {}
-    for i, j in _near(model, within):
-        first, second = model.placed[i], model.placed[j]
-        if not {first.kind, second.kind} <= set(_BODIES):
-            continue
-        if frozenset((first.group, second.group)) in joined:
-            continue
-        key, other = _relative(model, i, j)
-        if key not in known:
-            known[key] = model.shapes[first.part].distance(other())
-        if known[key] <= within:
-            found.append(Clearance(first.label, second.label, known[key]))
-    return tuple(sorted(found, key=lambda c: c.distance))
 
 
 def port_fits(model: ArrayModel) -> tuple[PortFit, ...]:
@@ -181,7 +143,7 @@ def _near(model: ArrayModel, within: float) -> Iterator[tuple[int, int]]:
 def _relative(model: ArrayModel, i: int, j: int) -> tuple[object, _Placed]:
     """Key that is the same for pairs that are alike, and part j as seen from part i."""
     first, second = model.placed[i], model.placed[j]
-    matrix: NDArray[np.float64] = np.linalg.solve(first.matrix, second.matrix).astype(np.float64)
+    matrix: Array = np.linalg.solve(first.matrix, second.matrix).astype(np.float64)
     key = (first.part, second.part, tuple((np.round(matrix[:3], 5) + 0.0).ravel().tolist()))
     return key, _Placed(model.shapes[second.part], matrix)
 
@@ -197,7 +159,7 @@ class _Placed:
     """A shape to be moved where it is needed."""
 
     shape: cq.Shape
-    matrix: NDArray[np.float64]
+    matrix: Array
 
     def __call__(self) -> cq.Shape:
         import cadquery as cq
@@ -223,10 +185,10 @@ def _joined(model: ArrayModel) -> set[frozenset[str]]:
 class _Cylinder:
     """A cylindrical face: a point on its axis, the direction, radius and both ends along the axis, mm."""
 
-    point: NDArray[np.float64]
-    direction: NDArray[np.float64]
+    point: Array
+    direction: Array
     radius: float
-    ends: NDArray[np.float64]
+    ends: Array
     """(2, 3) float64."""
 
 
@@ -296,14 +258,14 @@ def _port_fit(
     )
 
 
-def _offset(point: NDArray[np.float64], cylinder: _Cylinder) -> float:
+def _offset(point: Array, cylinder: _Cylinder) -> float:
     """Distance of a point from the axis of a cylinder, mm."""
     return float(np.linalg.norm(np.cross(point - cylinder.point, cylinder.direction)))
 
 
-def _distance(point: NDArray[np.float64], cylinder: _Cylinder) -> float:
+def _distance(point: Array, cylinder: _Cylinder) -> float:
     return float(np.linalg.norm(cylinder.ends - point, axis=1).min())
 
 
-def _nearest_end(point: NDArray[np.float64], cylinder: _Cylinder) -> NDArray[np.float64]:
+def _nearest_end(point: Array, cylinder: _Cylinder) -> Array:
     return np.asarray(cylinder.ends[np.linalg.norm(cylinder.ends - point, axis=1).argmin()])

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.assembly.part_list import PartKind, PartSet, PlacedPart, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
 from geometry.solids.membrane import build_membrane, membranes_of
@@ -121,7 +121,7 @@ def component_name(model: ArrayModel, part: PlacedPart) -> str:
     return part.label if part.label != part.group else f"{part.label} {part.kind}"
 
 
-def plane_of(matrix: NDArray[np.float64]) -> cq.Plane:
+def plane_of(matrix: Array) -> cq.Plane:
     """The CadQuery plane of a (4, 4) float64 matrix that turns and moves, mm."""
     import cadquery as cq
 

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 import geometry
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
+from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import (
     ArrayLayout,
@@ -116,7 +116,7 @@ class PlacedPart:
     """Owner of the part: ``point 3``, ``microphone A``, ``tube 2 of line 1``."""
 
     @property
-    def matrix(self) -> NDArray[np.float64]:
+    def matrix(self) -> Array:
         """The (4, 4) float64 matrix that moves the part into place, mm."""
         cos, sin = math.cos(math.radians(self.rotation)), math.sin(math.radians(self.rotation))
         matrix = np.eye(4)

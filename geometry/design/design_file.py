@@ -89,7 +89,7 @@ def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
     """Write a design file: written beside, then renamed, so that it is whole or not there.
 
     Raises:
-        DesignError: the file cannot be written, or is there and is none in TOML.
+        DesignError: the file cannot be written, or exists and is not TOML.
     """
     check_own_kind(path, ".toml", DesignError)
     try:

@@ -16,6 +16,7 @@ import numpy as np
 import geometry
 from geometry.assembly.part_list import part_set
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.whole_files import whole_file
 
@@ -107,8 +108,7 @@ def export(
     """
     formats = tuple(dict.fromkeys(formats))
     for format_ in formats:
-        if format_ not in FORMATS:
-            raise Refusal(kind=Kind.UNKNOWN, field="formats", value=format_, allowed=FORMATS)
+        check_choice("formats", format_, FORMATS, kind=Kind.UNKNOWN)
     if not parts or not formats:
         raise Refusal("is empty", kind=Kind.MISSING, field="formats" if parts else "parts")
     for name in parts:

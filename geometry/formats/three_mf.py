@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 
 if TYPE_CHECKING:
     import trimesh
@@ -31,7 +31,7 @@ class Body:
     """Facets in the part's own coordinates, mm."""
     parameters: Mapping[str, Any] = field(default_factory=dict)
     """Parameters that the part was generated from."""
-    places: tuple[NDArray[np.float64], ...] = (np.eye(4),)
+    places: tuple[Array, ...] = (np.eye(4),)
     """How each copy is turned and moved, (4, 4) float64 matrices, mm."""
 
 

@@ -53,7 +53,7 @@ class Message(NamedTuple):
     kind: bytes
     """Kind of the message."""
     content: bytes
-    """What it carries."""
+    """Its content, as bytes."""
 
     @property
     def is_report(self) -> bool:
@@ -61,7 +61,7 @@ class Message(NamedTuple):
         return self.kind == REPORT
 
     def value(self) -> Any:
-        """What the work reports or returns.
+        """The value that the work reports or returns.
 
         Raises:
             Exception: the error that the work raised, with its traceback as the cause.
@@ -151,7 +151,7 @@ class Child:
         beat: Callable[[], None] = lambda: None,
         seconds: float = math.inf,
     ) -> Result:
-        """What a function returns, called in the process, which is ended if this wait is interrupted.
+        """The result of a function that is called in the process, which is ended if this wait is interrupted.
 
         Args:
             function: a function of a module; with ``report`` it takes a further argument, to send values to that.

@@ -22,7 +22,7 @@ def in_a_copy(
     beat: Callable[[], None] = lambda: None,
     asleep: float = 30.0,
 ) -> Result:
-    """What some work returns, done in a copy of this process.
+    """The result of some work that is done in a copy of this process.
 
     Args:
         work: what it returns, or the error that it raises, is sent back.

@@ -19,7 +19,8 @@ from geometry.ground.system_libraries import missing_libraries, what_is_missing
 
 #: The CAD kernel, the mesher and the renderer, by what is loaded of them.
 PACKAGES = frozenset({"OCP", "cadquery", "gmsh", "pyvista", "vtkmodules"})
-#: Packages whose imports are told what to type; others may try whether one is there, and do without it.
+#: Packages whose missing imports are reported with the command to type; others may try whether one is there, and do
+#: without it.
 _OURS = frozenset({"geometry", "acoustic_fem", "localize", "studies"})
 #: Modules of the import system, between an import and its finders.
 _BETWEEN = frozenset({"_frozen_importlib", "_frozen_importlib_external", "importlib._bootstrap"})

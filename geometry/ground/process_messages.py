@@ -14,7 +14,7 @@ from geometry.ground.refusal import Kind, Refusal
 
 #: Seconds between two looks at a process that works, and those that a process gets to end when it is asked to.
 BEAT, PATIENCE = 0.2, 2.0
-#: Kinds of messages about work: something told on the way, a result, one that is bytes, an error, a stop, the end.
+#: Kinds of messages about work: something reported on the way, a result, one that is bytes, an error, a stop, the end.
 REPORT, RESULT, BYTES, ERROR, STOPPED, ENDED = b"t", b"r", b"b", b"e", b"s", b""
 #: Kind and length of a message; its content follows.
 _HEAD = struct.Struct("<cQ")
@@ -97,7 +97,7 @@ def packed(work: Callable[[], object]) -> tuple[bytes, bytes]:
 
 
 def unpacked(kind: bytes, content: bytes) -> Any:
-    """What a message carries.
+    """The value that a message carries.
 
     Raises:
         Exception: the error that it carries, with its traceback as the cause.

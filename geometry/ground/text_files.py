@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -54,13 +55,7 @@ def parse_toml(text: str, source: str, refusal: type[Refusal]) -> dict[str, Any]
     Raises:
         Refusal: of that class: it is not TOML.
     """
-    try:
-        table = tomllib.loads(text)
-    except RecursionError:
-        raise _too_deep(source, refusal) from None
-    except ValueError as error:  # TOMLDecodeError, and numbers with more digits than Python reads
-        raise refusal(f"is not TOML: {error}", kind=Kind.UNREADABLE, file=source) from None
-    _check_plain(table, source, refusal)
+    table: dict[str, Any] = _parsed(tomllib.loads, text, "TOML", source, refusal)
     return table
 
 
@@ -70,12 +65,16 @@ def parse_json(text: str | bytes, source: str, refusal: type[Refusal]) -> Any:
     Raises:
         Refusal: of that class: it is not JSON.
     """
+    return _parsed(json.loads, text, "JSON", source, refusal)
+
+
+def _parsed(parse: Callable[[Any], Any], text: object, what: str, source: str, refusal: type[Refusal]) -> Any:
     try:
-        value = json.loads(text)
+        value = parse(text)
     except RecursionError:
         raise _too_deep(source, refusal) from None
-    except ValueError as error:  # JSONDecodeError, numbers with too many digits, and bytes that are no UTF-8
-        raise refusal(f"is not JSON: {error}", kind=Kind.UNREADABLE, file=source) from None
+    except ValueError as error:  # errors of the parser, numbers with too many digits, and bytes that are no UTF-8
+        raise refusal(f"is not {what}: {error}", kind=Kind.UNREADABLE, file=source) from None
     _check_plain(value, source, refusal)
     return value
 

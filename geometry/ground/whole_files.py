@@ -31,7 +31,7 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
     """
     path = Path(path)
     with suppress(FileNotFoundError):
-        path.lstat()  # a name that is too long is told of the file itself, before anything is written
+        path.lstat()  # a name that is too long is reported for the file itself, before anything is written
     # Only a part of the name: nothing could be added to a name that is as long as can be.
     beside = path.with_name(f".{path.stem[:40]}.{os.getpid()}{path.suffix}")
     try:

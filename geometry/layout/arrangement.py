@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import Array
 from geometry.layout.lines_in_plan import End, Run, area_runs, hand_runs, ring_runs, serpentine_runs
 from geometry.layout.placement import (
     ArrayLayout,
@@ -56,7 +56,7 @@ def place_housings(design: ArrayDesign) -> Housings:
     return _housed(design)[0]
 
 
-def point_axes(design: ArrayDesign) -> NDArray[np.float64]:
+def point_axes(design: ArrayDesign) -> Array:
     """Axes of all points in plan, those of :func:`lay_out`; (n_point, 2) float64, mm."""
     return np.vstack([run.positions for run in _runs(design, surface_of(design))])
 
@@ -86,7 +86,7 @@ def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]
 
 
 # -- microphones --------------------------------------------------------------------------------------
-def _microphones(design: ArrayDesign, ends: list[End], points: NDArray[np.float64]) -> list[MicrophonePlacement]:
+def _microphones(design: ArrayDesign, ends: list[End], points: Array) -> list[MicrophonePlacement]:
     """Microphones, each where straight tubes of all its line ends meet, else beside the array."""
     housing = design.microphone.chamber_diameter / 2 + design.microphone.wall_thickness
     joined = {name: [end for end in ends if end.microphone == name] for name in design.microphones}
@@ -239,11 +239,11 @@ def _microphone_tube(
 
 def _course(
     surface: Plane | Cylinder,
-    path: NDArray[np.float64],
-    axes: tuple[NDArray[np.float64], NDArray[np.float64]],
+    path: Array,
+    axes: tuple[Array, Array],
     inner: tuple[float, float],
     outer: tuple[float, float],
-) -> NDArray[np.float64]:
+) -> Array:
     """The way of a tube in space between two housings (axes in plan, inner and outer radii, mm)."""
     if isinstance(surface, Plane) or abs(axes[0][0] - axes[1][0]) < _SAME_PLACE:
         return surface.mapped(path)
@@ -251,11 +251,11 @@ def _course(
     return surface.wound((x0, y0), (x1, y1), inner, outer)
 
 
-def _at_port_height(design: ArrayDesign, plan: NDArray[np.float64]) -> NDArray[np.float64]:
+def _at_port_height(design: ArrayDesign, plan: Array) -> Array:
     path = np.empty((len(plan), 3))
     path[:, :2], path[:, 2] = plan, design.resonator.port_axis_height
     return path
 
 
-def _pair(position: Sequence[float] | NDArray[np.float64]) -> tuple[float, float]:
+def _pair(position: Sequence[float] | Array) -> tuple[float, float]:
     return (round(float(position[0]), 9) + 0.0, round(float(position[1]), 9) + 0.0)

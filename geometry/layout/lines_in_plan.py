@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import Array
 from geometry.plan import ring
 from geometry.plan.area import area_positions, outside_at
 from geometry.plan.cylinder import Cylinder, Plane, wound_turn
@@ -26,7 +27,7 @@ class End:
     """End of the line: 0 at its first microphone, 1 at its second."""
     microphone: str
     """Name of the microphone."""
-    point: NDArray[np.float64]
+    point: Array
     """Axis of the last point in plan, (2,) float64, mm."""
     direction: float
     """Direction from the point to the microphone, degrees."""
@@ -34,7 +35,7 @@ class End:
     """Distance of the axes of point and chamber if the tube lies straight, mm."""
 
     @property
-    def target(self) -> NDArray[np.float64]:
+    def target(self) -> Array:
         """Axis of the chamber at the end of a straight tube, (2,) float64, mm."""
         return self.point + self.distance * unit(self.direction)
 
@@ -43,7 +44,7 @@ class End:
 class Run:
     """The points of one line in plan, the sides to which its tubes bow, and its ends."""
 
-    positions: NDArray[np.float64]
+    positions: Array
     """Axes of the points in plan, (n_point, 2) float64, mm."""
     sides: tuple[int, ...]
     """Side to which each tube between two points bows: +1 left, -1 right."""
@@ -54,7 +55,7 @@ class Run:
 def run_of(
     design: ArrayDesign,
     line: int,
-    positions: NDArray[np.float64],
+    positions: Array,
     sides: tuple[int, ...],
     out: tuple[float, float],
     surface: Plane | Cylinder,
@@ -110,7 +111,7 @@ def serpentine_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]
     return runs
 
 
-def _walked(steps: tuple[float, ...], row: NDArray[np.int_]) -> NDArray[np.float64]:
+def _walked(steps: tuple[float, ...], row: NDArray[np.int_]) -> Array:
     """Axes of points at these distances from each other, (n_point, 2) float64, mm: along the rows and up between them.
 
     Rows of tubes of different lengths do not lie point above point: each begins above the end of the one before.

@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import Array
 from geometry.plan.cylinder import Cylinder, Frame, Plane
 from geometry.schema.part_fields import Tube
 from geometry.schema.ports import Port
@@ -72,9 +70,9 @@ class TubePlacement:
     """Number of points of its line before it: 0 and n_points are the microphone tubes."""
     tube: Tube
     """The tube as the design states it."""
-    path: NDArray[np.float64]
+    path: Array
     """Axis of the bore in plan, (n, 3) float64, mm: x, y and the height above the cavities' floors."""
-    course: NDArray[np.float64]
+    course: Array
     """Axis of the bore in space, (n, 3) float64, mm: the path, but for arrays on a cylinder."""
     schematic: bool = False
     """True where the path is drawn to show what it joins; its length is then not the tube's."""

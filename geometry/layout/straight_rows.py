@@ -1,4 +1,4 @@
-"""Serpentines of straight tubes, told from lengths alone: whether nothing can overlap, and how large they are."""
+"""Serpentines of straight tubes, known from lengths alone: whether nothing can overlap, and how large they are."""
 
 from __future__ import annotations
 

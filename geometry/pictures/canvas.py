@@ -8,9 +8,9 @@ from pathlib import Path
 import cadquery as cq
 import numpy as np
 import pyvista as pv
-from numpy.typing import NDArray
 
 from geometry.ground.missing_packages import load_before_renderer
+from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_file
 from geometry.solids.measure import tessellate
 
@@ -73,9 +73,7 @@ def pixel_size(
     return _MARGIN * max(tall / height, wide / (width * (1 - left - right)))
 
 
-def picture_axes(
-    seen_from: Direction, upwards: Direction = (0.0, 0.0, 1.0)
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def picture_axes(seen_from: Direction, upwards: Direction = (0.0, 0.0, 1.0)) -> tuple[Array, Array, Array]:
     """Unit vectors to the right and upwards in a picture, and towards its viewer; (3,) float64 each."""
     towards = np.array(seen_from) / np.linalg.norm(seen_from)
     across = np.cross(upwards, towards)
@@ -101,13 +99,7 @@ def polydata(solid: cq.Shape) -> pv.PolyData:
     return pv.PolyData.from_regular_faces(facets.vertices, facets.triangles)
 
 
-def draw_dimension(
-    plotter: pv.Plotter,
-    ends: tuple[NDArray[np.float64], NDArray[np.float64]],
-    aside: Direction,
-    words: str,
-    pixel: float,
-) -> None:
+def draw_dimension(plotter: pv.Plotter, ends: tuple[Array, Array], aside: Direction, words: str, pixel: float) -> None:
     """Draw a dimension as in an engineering drawing: a line with a tick at each end, and words beyond its middle.
 
     Args:

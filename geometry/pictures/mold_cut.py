@@ -18,9 +18,7 @@ _COLOURS = {"mold-base": "#d9c27a", "mold-lid": "#8fa7b8", "mold-scraper": "#8fa
 
 
 def mold_section(
-    array: ArrayDesign | ArrayModel,
-    path: str | os.PathLike[str],
-    size: tuple[int, int] = (1600, 800),
+    array: ArrayDesign | ArrayModel, path: str | os.PathLike[str], size: tuple[int, int] = (1600, 800)
 ) -> Path:
     """Render the mold as it lies closed with silicone in it, cut through the axes of its first row of cavities.
 

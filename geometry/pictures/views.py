@@ -13,10 +13,10 @@ from pathlib import Path
 import cadquery as cq
 import numpy as np
 import pyvista as pv
-from numpy.typing import NDArray
 
 from geometry.assembly.model import LOOKS, ArrayModel, PartKind, array_model
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import Array
 from geometry.pictures.canvas import (
     aim,
     draw_dimension,
@@ -64,9 +64,7 @@ _LEADS_AWAY = 0.1
 
 
 def draw_array(
-    array: ArrayDesign | ArrayModel,
-    path: str | os.PathLike[str],
-    size: tuple[int, int] = (1600, 1000),
+    array: ArrayDesign | ArrayModel, path: str | os.PathLike[str], size: tuple[int, int] = (1600, 1000)
 ) -> Path:
     """Render the whole array with translucent shells, numbered points and named microphones.
 
@@ -90,9 +88,7 @@ def draw_array(
 
 
 def top_view(
-    array: ArrayDesign | ArrayModel,
-    path: str | os.PathLike[str],
-    size: tuple[int, int] = (1600, 1000),
+    array: ArrayDesign | ArrayModel, path: str | os.PathLike[str], size: tuple[int, int] = (1600, 1000)
 ) -> Path:
     """Render the whole array from straight above, with its width, depth and pitch in mm and the names of its parts.
 
@@ -144,14 +140,12 @@ def _add_legend(plotter: pv.Plotter, model: ArrayModel, at: tuple[float, float, 
 
 
 def exploded_view(
-    array: ArrayDesign | ArrayModel,
-    path: str | os.PathLike[str],
-    size: tuple[int, int] = (1600, 1000),
+    array: ArrayDesign | ArrayModel, path: str | os.PathLike[str], size: tuple[int, int] = (1600, 1000)
 ) -> Path:
     """Render the array pulled apart, away from what it stands on, one layer per kind, each named with its count.
 
-    From below: shells and housings, springs, sheaths, membranes, boards, microphones. Of an array of many points
-    the first microphone and the points next to it are shown. Tubes that are drawn schematically are left out.
+    From below: shells and housings, springs, sheaths, membranes, boards, microphones. An array of many points is shown
+    by its first microphone and the points next to it. Tubes that are drawn schematically are left out.
     Arguments as for :func:`draw_array`.
     """
     model = array_model(array)
@@ -184,7 +178,7 @@ def exploded_view(
     return save_picture(plotter, path)
 
 
-def _bounds(model: ArrayModel, kind: PartKind) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _bounds(model: ArrayModel, kind: PartKind) -> tuple[Array, Array]:
     """Lowest and highest x, y and z of all parts of a kind, mm."""
     corners = []
     for part in model.placed:
@@ -219,9 +213,7 @@ def _exploded(width: float, depth: float, thick: float, layers: int, size: tuple
 
 
 def draw_point(
-    array: ArrayDesign | ArrayModel,
-    path: str | os.PathLike[str],
-    size: tuple[int, int] = (1600, 1000),
+    array: ArrayDesign | ArrayModel, path: str | os.PathLike[str], size: tuple[int, int] = (1600, 1000)
 ) -> Path:
     """Render the parts of one point pulled apart: shell and membrane, beside them the open mold.
 
@@ -291,7 +283,7 @@ def _first_of(model: ArrayModel, count: int) -> ArrayModel:
 
 def _add_parts(plotter: pv.Plotter, model: ArrayModel, lifted: Mapping[PartKind, float] | None = None) -> None:
     """All placed parts, each kind raised away from what the array stands on (mm)."""
-    copies: dict[str, list[NDArray[np.float64]]] = {}
+    copies: dict[str, list[Array]] = {}
     kinds = {placed.part: placed.kind for placed in model.placed}
     for placed in model.placed:
         matrix = placed.matrix
@@ -304,7 +296,7 @@ def _add_parts(plotter: pv.Plotter, model: ArrayModel, lifted: Mapping[PartKind,
         plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
 
 
-def _copies(mesh: pv.PolyData, matrices: list[NDArray[np.float64]]) -> pv.PolyData:
+def _copies(mesh: pv.PolyData, matrices: list[Array]) -> pv.PolyData:
     """One mesh of all copies, each moved by a (4, 4) matrix."""
     points = [mesh.points @ matrix[:3, :3].T + matrix[:3, 3] for matrix in matrices]
     triangles = [mesh.regular_faces + count * mesh.n_points for count in range(len(matrices))]

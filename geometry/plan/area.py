@@ -10,8 +10,8 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from geometry.plan.meeting import angle_between, meetings
 from geometry.schema.array_fields import StatedArray
 
@@ -72,7 +72,7 @@ def tube_lengths(design: StatedArray) -> tuple[set[float], set[float]]:
     return found
 
 
-def area_positions(design: StatedArray) -> list[NDArray[np.float64]]:
+def area_positions(design: StatedArray) -> list[Array]:
     """Axes of the points of each line in plan, (n_point, 2) float64, mm; the first column and row at 0."""
     along, across = tube_lengths(design)
     fallback = along | across or {design.tube.length}
@@ -80,9 +80,7 @@ def area_positions(design: StatedArray) -> list[NDArray[np.float64]]:
     return [np.array(cells, np.float64) * pitch for cells in cells_of(design)]
 
 
-def outside_at(
-    design: StatedArray, positions: list[NDArray[np.float64]], microphone: str
-) -> NDArray[np.float64] | None:
+def outside_at(design: StatedArray, positions: list[Array], microphone: str) -> Array | None:
     """Place outside the area where the two straight tubes that end at a microphone meet.
 
     Args:
@@ -127,9 +125,7 @@ def shortest_reach(design: StatedArray) -> tuple[float, str]:
     return max(lacking)
 
 
-def _ends(
-    design: StatedArray, positions: list[NDArray[np.float64]], microphone: str
-) -> list[tuple[NDArray[np.float64], float]]:
+def _ends(design: StatedArray, positions: list[Array], microphone: str) -> list[tuple[Array, float]]:
     """Last points of the lines that end at a microphone, and how far its tubes reach from them, mm."""
     return [
         (points[-line.between.index(microphone)], design.microphone_reach_of(line))

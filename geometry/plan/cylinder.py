@@ -10,9 +10,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_range
+from geometry.ground.refusal import Kind
+from geometry.ground.typed import Array
 from geometry.plan.crossing import zero_crossing
 from geometry.schema.array_fields import StatedArray
 
@@ -34,11 +35,11 @@ class Frame:
     axes: Axes = FLAT
     """Unit vectors of its x, y and z."""
 
-    def at(self, x: float, y: float, z: float) -> NDArray[np.float64]:
+    def at(self, x: float, y: float, z: float) -> Array:
         """The point with the coordinates x, y, z in the frame, all mm: (3,) float64."""
         return np.asarray(self.origin) + np.array([x, y, z]) @ np.asarray(self.axes)
 
-    def seen(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def seen(self, points: Array) -> Array:
         """Coordinates in the frame, (n, 3) float64, mm, of points (n, 3) float64 in space, mm."""
         return np.asarray((points - np.asarray(self.origin)) @ np.asarray(self.axes).T)
 
@@ -51,11 +52,11 @@ class Plane:
         """The place of a part whose axis meets the floors of the cavities at (x, y) of the plan, mm."""
         return Frame((x, y, 0.0))
 
-    def mapped(self, path: NDArray[np.float64]) -> NDArray[np.float64]:
+    def mapped(self, path: Array) -> Array:
         """Points in space, (n, 3) mm, of a path (n, 3), mm, in plan: x, y and height above the cavities' floors."""
         return path
 
-    def outwards(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
+    def outwards(self, point: Array) -> Array:
         """Unit vector away from the surface at a point (3,) in space, mm: (3,) float64."""
         return np.array([0.0, 0.0, 1.0])
 
@@ -76,11 +77,11 @@ class Cylinder:
         origin = (self.floor_radius * sin, y, self.floor_radius * (cos - 1))
         return Frame(origin, ((cos, 0.0, -sin), (0.0, 1.0, 0.0), (sin, 0.0, cos)))
 
-    def mapped(self, path: NDArray[np.float64]) -> NDArray[np.float64]:
+    def mapped(self, path: Array) -> Array:
         """Points in space, (n, 3) mm, of a path (n, 3), mm, in plan: x, y and height above the cavities' floors."""
         return np.array([self.frame(x, y).at(0.0, 0.0, z) for x, y, z in path])
 
-    def outwards(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
+    def outwards(self, point: Array) -> Array:
         """Unit vector away from the surface at a point (3,) in space, mm: (3,) float64."""
         away = np.array([point[0], 0.0, point[2] + self.floor_radius])
         return np.asarray(away / np.linalg.norm(away))
@@ -91,7 +92,7 @@ class Cylinder:
         second: tuple[float, float],
         inner: tuple[float, float],
         outer: tuple[float, float],
-    ) -> NDArray[np.float64]:
+    ) -> Array:
         """The path in space of a tube straight around the cylinder.
 
         Args:
@@ -150,7 +151,6 @@ def wound_turn(length: float, inner: tuple[float, float], outer: tuple[float, fl
     """
     low, high = 2 * math.atan(max(outer) / radius), math.pi
     shortest, longest = (wound_length(turn, inner, outer, radius) for turn in (low, high))
-    if not shortest <= length <= longest:
-        allowed = f"between {shortest:.4g} and {longest:.4g} mm"
-        raise Refusal(kind=Kind.CONFLICT, field="length", value=length, unit="mm", allowed=allowed)
+    allowed = f"between {shortest:.4g} and {longest:.4g} mm"
+    check_range("length", length, shortest, longest, "mm", kind=Kind.CONFLICT, allowed=allowed)
     return zero_crossing(lambda turn: wound_length(turn, inner, outer, radius) - length, low, high)

@@ -10,8 +10,8 @@ import math
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from geometry.plan.meeting import angle_between, meetings
 from geometry.plan.routing import unit
 from geometry.schema.array_fields import StatedArray
@@ -27,7 +27,7 @@ def fingers_of(design: StatedArray) -> list[int]:
     return [math.ceil(line.points / design.layout.columns) for line in design.lines]
 
 
-def finger_positions(design: StatedArray) -> list[NDArray[np.float64]]:
+def finger_positions(design: StatedArray) -> list[Array]:
     """Axes of the points of each line in plan, (n_point, 2) float64, mm; the wrist at (0, 0), fingers towards +y."""
     fingers, columns = fingers_of(design), design.layout.columns
     palm, spread = design.layout.palm or PALM, design.layout.spread or SPREAD
@@ -66,9 +66,7 @@ def meeting_angle(design: StatedArray, microphone: str) -> float | None:
     return angle_between(meeting, first, second)
 
 
-def meeting_at(
-    design: StatedArray, positions: list[NDArray[np.float64]], microphone: str
-) -> NDArray[np.float64] | None:
+def meeting_at(design: StatedArray, positions: list[Array], microphone: str) -> Array | None:
     """Place where the two straight tubes that end at a microphone meet.
 
     Args:

@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from geometry.plan.routing import bearing
 
 
-def meetings(
-    first: NDArray[np.float64], second: NDArray[np.float64], first_reach: float, second_reach: float
-) -> list[NDArray[np.float64]]:
+def meetings(first: Array, second: Array, first_reach: float, second_reach: float) -> list[Array]:
     """The two places at given distances from two points: left and right of the way from the first to the second.
 
     Args:
@@ -34,6 +32,6 @@ def meetings(
     return [first + foot * along + side * height * across for side in (1, -1)]
 
 
-def angle_between(place: NDArray[np.float64], first: NDArray[np.float64], second: NDArray[np.float64]) -> float:
+def angle_between(place: Array, first: Array, second: Array) -> float:
     """Angle between the directions from a place to two points, all (2,) float64, mm: 0 to 180 degrees."""
     return abs((bearing(place, first) - bearing(place, second) + 180) % 360 - 180)

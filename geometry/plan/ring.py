@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from geometry.plan.crossing import zero_crossing
 from geometry.schema.array_fields import StatedArray
 
@@ -27,7 +27,7 @@ def side_lengths(design: StatedArray) -> tuple[float | None, ...]:
     return tuple(sides)
 
 
-def corners(sides: Sequence[float | None]) -> NDArray[np.float64]:
+def corners(sides: Sequence[float | None]) -> Array:
     """Corners of the convex polygon with these sides in this order whose corners lie on one circle.
 
     There is exactly one: three sides make their triangle, four with equal opposite sides a rectangle, equal
@@ -52,14 +52,14 @@ def corners(sides: Sequence[float | None]) -> NDArray[np.float64]:
     return np.asarray(points @ np.array([[x, -y], [y, x]]))
 
 
-def corner_angles(points: NDArray[np.float64]) -> NDArray[np.float64]:
+def corner_angles(points: Array) -> Array:
     """Angles between the two sides at each corner (n, 2) of a convex polygon, (n,) float64, degrees."""
     after, before = np.roll(points, -1, axis=0) - points, np.roll(points, 1, axis=0) - points
     cross = after[:, 0] * before[:, 1] - after[:, 1] * before[:, 0]
     return np.degrees(np.arctan2(cross, np.sum(after * before, axis=1)))
 
 
-def _circle_diameter(others: NDArray[np.float64], longest: float) -> float:
+def _circle_diameter(others: Array, longest: float) -> float:
     """Diameter of the circle around a polygon: a side s takes the arc 2 asin(s / diameter).
 
     With the centre inside, all arcs make a full turn; outside, the arc of the longest side is that of the

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 from geometry.plan.crossing import zero_crossing
 
 #: Chords per arc; the polyline of a half circle is then shorter than the arc by 1e-4.
@@ -57,14 +57,7 @@ def bow_radius(angle: float, distance: float, outer_radius: float) -> float:
     return (distance - 2 * outer_radius * math.cos(turn)) / (2 * math.sin(turn))
 
 
-def bowed_path(
-    start: NDArray[np.float64],
-    end: NDArray[np.float64],
-    angle: float,
-    side: int,
-    cavity_radius: float,
-    outer_radius: float,
-) -> NDArray[np.float64]:
+def bowed_path(start: Array, end: Array, angle: float, side: int, cavity_radius: float, outer_radius: float) -> Array:
     """Axis of a tube from cavity wall to cavity wall.
 
     Args:
@@ -86,7 +79,7 @@ def bowed_path(
 
 
 @lru_cache(maxsize=256)
-def _bowed(angle: float, distance: float, cavity_radius: float, outer_radius: float) -> NDArray[np.float64]:
+def _bowed(angle: float, distance: float, cavity_radius: float, outer_radius: float) -> Array:
     """The path of :func:`bowed_path` along the line of the axes and beside it, from the first axis on."""
     if angle == 0:
         return np.array([[cavity_radius, 0.0], [distance - cavity_radius, 0.0]])
@@ -101,13 +94,13 @@ def _bowed(angle: float, distance: float, cavity_radius: float, outer_radius: fl
 
 
 def drawn_path(
-    start: NDArray[np.float64],
+    start: Array,
     start_angle: float,
     start_radii: tuple[float, float],
-    end: NDArray[np.float64],
+    end: Array,
     end_angle: float,
     end_radii: tuple[float, float],
-) -> NDArray[np.float64]:
+) -> Array:
     """A smooth curve (cubic Bezier) that leaves two housings radially: for the eye only, of no given length.
 
     Args:
@@ -134,12 +127,12 @@ def drawn_path(
     return np.vstack([start + start_radii[0] * out, curve, end + end_radii[0] * back])
 
 
-def unit(angle: float) -> NDArray[np.float64]:
+def unit(angle: float) -> Array:
     """Unit vector in plan, (2,) float64, of the angle of a direction, degrees."""
     return np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle))])
 
 
-def bearing(start: Sequence[float] | NDArray[np.float64], end: Sequence[float] | NDArray[np.float64]) -> float:
+def bearing(start: Sequence[float] | Array, end: Sequence[float] | Array) -> float:
     """Direction in plan from a start (2,) to an end (2,), both (x, y) in mm; degrees in [0, 360)."""
     return tidy(math.degrees(math.atan2(end[1] - start[1], end[0] - start[0])))
 
@@ -149,12 +142,12 @@ def tidy(angle: float) -> float:
     return round(round(angle, 6) % 360.0, 6)
 
 
-def path_length(path: NDArray[np.float64]) -> float:
+def path_length(path: Array) -> float:
     """Length of a path, mm: a polyline (n, 2) or (n, 3) float64, mm."""
     return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
 
 
-def tightest_bend(path: NDArray[np.float64]) -> float:
+def tightest_bend(path: Array) -> float:
     """Smallest radius of a path, mm: of the circles through three points in a row of a polyline (n, 2) or (n, 3), mm.
 
     Exact where the points lie on an arc; infinite where the path is straight.
@@ -166,7 +159,7 @@ def tightest_bend(path: NDArray[np.float64]) -> float:
     return float((product[bent] / (2 * area[bent])).min()) if bent.any() else math.inf
 
 
-def turning(path: NDArray[np.float64]) -> float:
+def turning(path: Array) -> float:
     """Angle by which the direction of a path, (n, 2) or (n, 3) float64 in mm, turns along its length, radians."""
     steps = np.diff(path, axis=0)
     along = steps / np.linalg.norm(steps, axis=1, keepdims=True)
@@ -174,7 +167,7 @@ def turning(path: NDArray[np.float64]) -> float:
     return float(2 * np.arcsin(np.minimum(np.linalg.norm(np.diff(along, axis=0), axis=1) / 2, 1.0)).sum())
 
 
-def trimmed(path: NDArray[np.float64], length: float) -> NDArray[np.float64]:
+def trimmed(path: Array, length: float) -> Array:
     """A polyline without the ends of its first and of its last segment.
 
     Args:
@@ -191,7 +184,7 @@ def trimmed(path: NDArray[np.float64], length: float) -> NDArray[np.float64]:
     return ends
 
 
-def resampled(path: NDArray[np.float64], step: float, trim: tuple[float, float] = (0.0, 0.0)) -> NDArray[np.float64]:
+def resampled(path: Array, step: float, trim: tuple[float, float] = (0.0, 0.0)) -> Array:
     """Points of a polyline no further apart than a step.
 
     Args:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from geometry.ground.argument_checks import out_of_range
 from geometry.ground.refusal import Kind, Refusal, counted
 
 
@@ -96,8 +97,7 @@ def wiring_counts(microphones: int, points_per_line: Sequence[int]) -> WiringCou
         allowed = f"M-1 = {microphones - 1} to M(M-1)/2 = {most} lines for {counted(microphones, 'microphone')}"
         raise Refusal(kind=Kind.CONFLICT, field="points_per_line", value=list(points_per_line), allowed=allowed)
     if min(points_per_line) < 1:
-        given = list(points_per_line)
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="points_per_line", value=given, allowed="at least 1 each")
+        raise out_of_range("points_per_line", list(points_per_line), "at least 1 each")
     points = sum(points_per_line)
     per_line = points / len(points_per_line)
     per_microphone = points / microphones

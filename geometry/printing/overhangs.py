@@ -13,11 +13,12 @@ from scipy import ndimage
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from geometry.ground.typed import Array
+
 if TYPE_CHECKING:
     from geometry.solids.measure import Tessellation
 
 Place = tuple[float, float, float]
-Floats = NDArray[np.float64]
 
 #: Where an overhang is probed for its middle: this many places per patch.
 _SAMPLES = 1000
@@ -62,7 +63,7 @@ class Skin:
         self.areas, self.normals = lengths[keep] / 2, normals[keep] / lengths[keep, None]
 
 
-def inside(corners: Floats, random: np.random.Generator) -> Floats:
+def inside(corners: Array, random: np.random.Generator) -> Array:
     """A random place in each triangle, uniform in its area, from barycentric coordinates.
 
     Args:
@@ -127,7 +128,7 @@ def _hanging(skin: Skin, angle: float, upside_down: bool) -> NDArray[np.bool_]:
     return np.asarray(hangs & (heights.max(axis=1) > heights.min() + 1e-6))
 
 
-def _distances(points: Floats, segments: Floats) -> Floats:
+def _distances(points: Array, segments: Array) -> Array:
     """Distance of (n, 2) points from the nearest of (m, 2, 2) segments, in blocks of segments."""
     nearest = np.full(len(points), np.inf)
     for start in range(0, len(segments), 1000):
@@ -214,7 +215,7 @@ class _Groups:
         return max(((self._cells[root], root) for root in roots), default=(0, 0))
 
 
-def _grid(skin: Skin, low: Floats, size: Floats, step: float) -> NDArray[np.bool_]:
+def _grid(skin: Skin, low: Array, size: Array, step: float) -> NDArray[np.bool_]:
     """Mask of the cells of a grid around a part that are solid at their centres, with one empty cell at its sides."""
     counts = np.maximum(np.ceil(size / step).astype(int), 1)
     change = np.zeros((counts[0] + 2, counts[1] + 2, counts[2] + 1), dtype=np.int32)
@@ -225,8 +226,8 @@ def _grid(skin: Skin, low: Floats, size: Floats, step: float) -> NDArray[np.bool
 
 
 def _crossings(
-    skin: Skin, low: Floats, step: float, counts: NDArray[np.int_]
-) -> Iterator[tuple[NDArray[np.int_], NDArray[np.int_], Floats, NDArray[np.bool_]]]:
+    skin: Skin, low: Array, step: float, counts: NDArray[np.int_]
+) -> Iterator[tuple[NDArray[np.int_], NDArray[np.int_], Array, NDArray[np.bool_]]]:
     """Crossings of facets by vertical lines through the cells' centres: column, row, height, True into the solid."""
     upright = np.abs(skin.normals[:, 2]) > 1e-9
     corners, enters = skin.corners[upright], skin.normals[upright, 2] < 0
@@ -252,6 +253,6 @@ def _crossings(
         yield i[hit], j[hit], height, enters[which][hit]
 
 
-def _turn(a: Floats, b: Floats, c: Floats) -> Floats:
+def _turn(a: Array, b: Array, c: Array) -> Array:
     """Twice the signed area of (n, 2) triangles."""
     return np.asarray((b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0]))

@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.assembly.part_list import part_set
 from geometry.formats.part_files import SharedShape, tessellate_distinct
 from geometry.formats.three_mf import Body, write_3mf
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_file
 from geometry.printing.pose import Pose, find_pose
 from geometry.schema.print_processes import PrintProcess
@@ -100,7 +100,7 @@ def export_plates(
     return Plates(tuple(plates), tuple(too_large))
 
 
-Placed = list[tuple[SharedShape, NDArray[np.float64]]]
+Placed = list[tuple[SharedShape, Array]]
 
 
 def _packed(copies: list[tuple[SharedShape, Pose]], process: PrintProcess) -> list[Placed]:

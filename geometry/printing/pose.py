@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from geometry.printing.overhangs import hanging_area
 from geometry.schema.print_processes import PrintProcess
 
@@ -33,7 +33,7 @@ class Pose:
     """True where it lies within the build volume."""
 
     @property
-    def rotation(self) -> NDArray[np.float64]:
+    def rotation(self) -> Array:
         """The (3, 3) float64 matrix from the part's own directions to those of the plate."""
         return _rotation(self.upside_down, self.turn)
 
@@ -66,7 +66,7 @@ def _laid(facets: Tessellation, upside_down: bool, turn: float, process: PrintPr
     return Pose(upside_down, turn, (x, y, z), bool((np.array([x, y, z]) <= room + 1e-6).all()))
 
 
-def _rotation(upside_down: bool, turn: float) -> NDArray[np.float64]:
+def _rotation(upside_down: bool, turn: float) -> Array:
     cos, sin = math.cos(math.radians(turn)), math.sin(math.radians(turn))
     about_z = np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
     return about_z @ np.diag([1.0, -1.0, -1.0]) if upside_down else about_z

@@ -12,7 +12,7 @@ from geometry.assembly.part_list import PartKind, part_set
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import SharedShape, tessellation_tolerance
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_given
 from geometry.printing.print_rules import Finding, judge_cast, judge_printed, judge_shims
 from geometry.printing.tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects
 from geometry.schema.print_processes import PrintProcess, Verdict, find_process, process_of
@@ -58,7 +58,7 @@ def print_report(
 
     Walls and gaps are found by rays between the facets that are exported and measured between the faces of the
     solid, holes and pins as its cylinders and cones, overhangs and cups on the facets, as the part is laid on the
-    plate, see :func:`geometry.printing.pose.find_pose`. Of cast parts only the thickness of the disc is judged.
+    plate, see :func:`geometry.printing.pose.find_pose`. Only the thickness of the disc is judged on cast parts.
     Gaps to what is put into a part are not in the solids: the design states them.
 
     Args:
@@ -78,8 +78,7 @@ def print_report(
         rules = process_of(design.printing) if design is not None else find_process(DEFAULT_PROCESS)
     else:
         rules = find_process(process)
-    if not parts:
-        raise Refusal("is empty", kind=Kind.MISSING, field="parts", remedy="give at least one part")
+    check_given("parts", parts, remedy="give at least one part")
     tolerance = tessellation_tolerance(parts)
     facets_of = {name: shape.facets for shape in shapes or () for name in shape.names}
     known = part_set(parts)

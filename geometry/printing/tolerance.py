@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_range
 
 #: Usual tolerance of small printed lengths, mm: reported for every process, so that designs compare.
 USUAL_TOLERANCE = 0.05
@@ -51,8 +51,7 @@ def acoustic_effects(design: ArrayDesign, tolerance: float) -> tuple[AcousticEff
     Raises:
         Refusal: a tolerance that is not above 0.
     """
-    if not tolerance > 0:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="tolerance", value=tolerance, unit="mm", allowed="above 0")
+    check_range("tolerance", tolerance, 0, unit="mm", excluded="low")
     lip = design.printing.port_lip
     effects = []
     for bore, length in dict.fromkeys((tube.inner_diameter, tube.length) for tube in design.tubes):

@@ -56,7 +56,7 @@ def thinnest_wall(faces: Faces) -> Spot:
     """Smallest distance through the material between faces that face each other.
 
     Rays go inwards from 40 places of every face. A first hit counts where its facet faces the start within 15
-    degrees. Of faces that share no corner and might be closer than that, the smallest distance is measured on the
+    degrees. If faces share no corner and might be closer than that, their smallest distance is measured on the
     solid; it counts where both faces look along it within 40 degrees. Infinite when nothing is opposed.
     """
     return _narrowest(faces, -1.0)

@@ -9,7 +9,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field
 
-from geometry.schema.field_errors import Count, Millimetre, Number, Section
+from geometry.schema.field_errors import Count, Degree, Millimetre, Number, Section
 from geometry.schema.kinds import PLAIN, Pattern, PointKind
 from geometry.schema.manufacture import Molding, Printing
 from geometry.schema.materials import MATERIALS, Material
@@ -47,12 +47,8 @@ class Layout(Section):
     palm: Millimetre | None = Field(
         default=None, ge=5, le=300, description="wrist to the first point of each finger; for kind = 'hand' only"
     )
-    spread: Number | None = Field(
-        default=None,
-        ge=1,
-        le=60,
-        description="angle between neighbouring fingers; for kind = 'hand' only",
-        json_schema_extra={"unit": "degrees"},
+    spread: Degree | None = Field(
+        default=None, ge=1, le=60, description="angle between neighbouring fingers; for kind = 'hand' only"
     )
 
 

@@ -66,6 +66,9 @@ Number = Annotated[float, Field(strict=True)]
 Count = Annotated[int, Field(strict=True)]
 Flag = Annotated[bool, Field(strict=True)]
 Millimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm"})]
+CubicMillimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm^3"})]
+Degree = Annotated[Number, Field(json_schema_extra={"unit": "degrees"})]
+Hertz = Annotated[Number, Field(json_schema_extra={"unit": "Hz"})]
 
 
 class Section(BaseModel):

@@ -6,10 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from geometry.schema.field_errors import Count, Millimetre, Number, Section
-
-CubicMillimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm^3"})]
-
+from geometry.schema.field_errors import Count, CubicMillimetre, Degree, Millimetre, Number, Section
 
 Ratio = Annotated[Number, Field(gt=0)]
 
@@ -27,12 +24,8 @@ class PrintRules(Section):
     clearance_advised: Millimetre | None = Field(default=None, description="the same without risk")
     pin_aspect: Ratio | None = Field(default=None, description="largest height of a pin per its diameter")
     pin_aspect_advised: Ratio | None = Field(default=None, description="the same without risk")
-    overhang_angle: Number | None = Field(
-        default=None,
-        gt=0,
-        lt=90,
-        description="faces that look down and are flatter than this hang",
-        json_schema_extra={"unit": "degrees"},
+    overhang_angle: Degree | None = Field(
+        default=None, gt=0, lt=90, description="faces that look down and are flatter than this hang"
     )
     overhang_span: Millimetre | None = Field(default=None, description="widest overhang")
     overhang_span_advised: Millimetre | None = Field(default=None, description="widest overhang without support")
@@ -73,13 +66,7 @@ class Molding(Section):
     )
     rows: Count = Field(default=1, ge=1, le=20, description="rows of cavities")
     columns: Count = Field(default=1, ge=1, le=20, description="cavities per row")
-    draft: Number = Field(
-        default=1.0,
-        ge=0,
-        le=10,
-        description="slope of the walls, membranes included; assumed",
-        json_schema_extra={"unit": "degrees"},
-    )
+    draft: Degree = Field(default=1.0, ge=0, le=10, description="slope of the walls, membranes included; assumed")
     land_width: Millimetre = Field(default=0.6, ge=0.2, le=5, description="width of the land around a cavity; assumed")
     land_height: Millimetre = Field(
         default=0.5, ge=0.2, le=5, description="height of the lands, the gap between the halves elsewhere; assumed"

@@ -7,8 +7,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
-from geometry.schema.field_errors import Number, Section
+from geometry.schema.field_errors import Hertz, Number, Section
 
 #: Frequency of a modulus that comes from a hardness or from another static test, Hz. A rubber's hardness is read one
 #: to three seconds after it is loaded (ASTM D2240, ISO 48-4), and a spring-pot has relaxed after t seconds to its
@@ -39,12 +40,11 @@ class Material(Section):
         description="modulus over frequency: spring-pot: E (1 + j eta) (f / modulus_frequency)^(2/pi atan eta); "
         "constant: E (1 + j eta), not causal; prony: a table of relaxations",
     )
-    modulus_frequency: Number = Field(
+    modulus_frequency: Hertz = Field(
         default=STATIC_FREQUENCY,
         ge=1e-6,
         le=1e6,
         description="frequency at which youngs_modulus holds; about 0.1 for Shore hardness and static tests",
-        json_schema_extra={"unit": "Hz"},
     )
     relaxation_times: tuple[RelaxationTime, ...] | None = Field(
         default=None, min_length=1, max_length=40, description="relaxation times in s, for law = 'prony' only"
@@ -115,8 +115,7 @@ def youngs_modulus_from_shore_a(shore_a: float) -> float:
     Raises:
         Refusal: hardness outside 0 to 90.
     """
-    if not 0 <= shore_a <= 90:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="shore_a", value=shore_a, allowed="between 0 and 90")
+    check_range("shore_a", shore_a, 0, 90)
     return 0.0981 * (56 + 7.62336 * shore_a) / (0.137505 * (254 - 2.54 * shore_a))
 
 
@@ -128,10 +127,7 @@ def blend_modulus(first: float, second: float, fraction_of_first: float) -> floa
         second: modulus of the second part, MPa.
         fraction_of_first: volume fraction of the first part, 0 to 1.
     """
-    if not 0 <= fraction_of_first <= 1:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="fraction_of_first", value=fraction_of_first, allowed="between 0 and 1"
-        )
+    check_range("fraction_of_first", fraction_of_first, 0, 1)
     return first**fraction_of_first * second ** (1 - fraction_of_first)
 
 

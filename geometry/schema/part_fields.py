@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.cavity_shapes import USUAL_BOX, Box, Dome
-from geometry.schema.field_errors import Count, Millimetre, Number, Section, conflict
+from geometry.schema.field_errors import Count, CubicMillimetre, Hertz, Millimetre, Number, Section, conflict
 
 #: Ducts are cut this many bore radii away from a cavity: the stub belongs to the 3-D cell, so that the
 #: entrance flow has decayed to a plane wave where the port is (its slowest mode decays as exp(-5 z/a)).
@@ -298,26 +298,14 @@ class Microphone(Section):
     wall_thickness: Millimetre = Field(default=1.0, ge=0.3, le=20, description="thickness of the housing")
     sound_hole_diameter: Millimetre = Field(default=0.5, ge=0.1, le=5, description="acoustic port of the package")
     sound_hole_length: Millimetre = Field(default=0.3, ge=0.05, le=5, description="depth of the acoustic port")
-    diaphragm_equivalent_volume: Number = Field(
-        default=0.05,
-        gt=0,
-        le=1000,
-        description="air volume as compliant (adiabatic) as the diaphragm",
-        json_schema_extra={"unit": "mm^3"},
+    diaphragm_equivalent_volume: CubicMillimetre = Field(
+        default=0.05, le=1000, description="air volume as compliant (adiabatic) as the diaphragm"
     )
-    back_volume: Number = Field(
-        default=2.0,
-        gt=0,
-        le=1000,
-        description="air behind the diaphragm, closed but for the vent",
-        json_schema_extra={"unit": "mm^3"},
+    back_volume: CubicMillimetre = Field(
+        default=2.0, le=1000, description="air behind the diaphragm, closed but for the vent"
     )
-    vent_corner: Number = Field(
-        default=20.0,
-        gt=0,
-        le=1000,
-        description="high-pass corner made by the vent in the diaphragm",
-        json_schema_extra={"unit": "Hz"},
+    vent_corner: Hertz = Field(
+        default=20.0, gt=0, le=1000, description="high-pass corner made by the vent in the diaphragm"
     )
     sensitivity: Number = Field(
         default=-38.0,
@@ -333,13 +321,7 @@ class Microphone(Section):
         description="white equivalent input noise",
         json_schema_extra={"unit": "Pa/sqrt(Hz)"},
     )
-    noise_corner: Number = Field(
-        default=100.0,
-        ge=0,
-        le=1e4,
-        description="below it the noise power rises as 1/f",
-        json_schema_extra={"unit": "Hz"},
-    )
+    noise_corner: Hertz = Field(default=100.0, ge=0, le=1e4, description="below it the noise power rises as 1/f")
     package_length: Millimetre = Field(default=3.5, ge=0.5, le=20, description="length of the package; assumed")
     package_width: Millimetre = Field(default=2.65, ge=0.5, le=20, description="width of the package; assumed")
     package_height: Millimetre = Field(default=0.98, ge=0.2, le=10, description="height of the package; assumed")

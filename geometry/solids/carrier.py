@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import cadquery as cq
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_given
 from geometry.schema.field_errors import conflict
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import Resonator
@@ -90,8 +90,7 @@ def build_carrier(resonator: Resonator, printing: Printing, shells: Sequence[cq.
     kind, gap, neck = printing.carrier, printing.carrier_gap, printing.carrier_neck
     if kind == "none":
         raise conflict("printing.carrier", "none", "'row' or 'sheet' for shells to be joined", unit="")
-    if not shells:
-        raise Refusal("is empty", kind=Kind.MISSING, field="shells", remedy="give the shells that a carrier joins")
+    check_given("shells", shells, remedy="give the shells that a carrier joins")
     if neck > resonator.floor_thickness:
         allowed = f"at most resonator.floor_thickness ({resonator.floor_thickness:g} mm)"
         raise conflict("printing.carrier_neck", neck, allowed)

@@ -8,7 +8,7 @@ from itertools import combinations
 import cadquery as cq
 
 from geometry.design.shell_rules import seat_underside
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_given
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import BOARD_SEAL, SEAT_SLOT, Microphone
 from geometry.schema.ports import Port
@@ -26,10 +26,7 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
     Raises:
         Refusal: no port, two that leave no wall between them, or the drawn housing is not one valid solid.
     """
-    if not ports:
-        raise Refusal(
-            "is empty", kind=Kind.MISSING, field="ports", remedy="give a microphone housing at least one port"
-        )
+    check_given("ports", ports, remedy="give a microphone housing at least one port")
     radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
     for pair in combinations(ports, 2):
         refuse_thin_web("microphone housing", pair, (radius, radius), radius + printing.port_lip, printing.glue_gap)

@@ -20,6 +20,7 @@ from OCP.TopLoc import TopLoc_Location
 from OCP.TopTools import TopTools_IndexedDataMapOfShapeListOfShape
 
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
 
 #: Largest angle between neighbouring facets, rad: a round body of such facets lacks angle^2 / 6 = 0.05 % of volume.
 FACET_ANGLE = 0.055
@@ -31,7 +32,7 @@ _ROUND = 1.5 * math.pi
 class Tessellation:
     """Facets of a solid, outwards."""
 
-    vertices: NDArray[np.float64]
+    vertices: Array
     """Corners of the facets, (n, 3) float64, mm; facets share them."""
     triangles: NDArray[np.int64]
     """Corners of each facet, (m, 3) int64, anticlockwise from outside."""
@@ -91,9 +92,7 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
     return Tessellation(joined, joined_triangles[real], np.concatenate(faces)[real], deviation)
 
 
-def _deviation(
-    face: cq.Face, mesh: Poly_Triangulation, points: NDArray[np.float64], corners: NDArray[np.int64]
-) -> float:
+def _deviation(face: cq.Face, mesh: Poly_Triangulation, points: Array, corners: NDArray[np.int64]) -> float:
     """Distance of the middles of facets and of their edges from the surface, along the facets' normals.
 
     The surface is taken at the middle parameters, which on a spline lie elsewhere along the surface.
@@ -114,7 +113,7 @@ def _deviation(
     return float(np.abs(np.einsum("ij,ij->i", middles - surface_points(surface, at), across)).max())
 
 
-def surface_points(surface: BRepAdaptor_Surface, at: NDArray[np.float64]) -> NDArray[np.float64]:
+def surface_points(surface: BRepAdaptor_Surface, at: Array) -> Array:
     """Points of a surface at its parameters, (n, 3) float64, mm; those of round ones all at once.
 
     Args:
@@ -200,12 +199,12 @@ def rounds(solid: cq.Shape) -> list[Round]:
     return sorted(result, key=lambda one: one.diameter)
 
 
-def _distance(point: gp_Pnt, offset: NDArray[np.float64], unit: NDArray[np.float64]) -> float:
+def _distance(point: gp_Pnt, offset: Array, unit: Array) -> float:
     to = np.array([point.X(), point.Y(), point.Z()]) - offset
     return float(np.linalg.norm(to - (to @ unit) * unit))
 
 
-def _on_axis(point: gp_Pnt, at: gp_Pnt, along: gp_Dir) -> NDArray[np.float64]:
+def _on_axis(point: gp_Pnt, at: gp_Pnt, along: gp_Dir) -> Array:
     offset, unit = np.array([at.X(), at.Y(), at.Z()]), np.array([along.X(), along.Y(), along.Z()])
     return np.asarray(offset + ((np.array([point.X(), point.Y(), point.Z()]) - offset) @ unit) * unit)
 

@@ -133,12 +133,7 @@ def port_height(port: Port, resonator: Resonator) -> float:
 
 
 def cut_ports(
-    solid: cq.Shape,
-    ports: Sequence[Port],
-    printing: Printing,
-    inner_radius: float,
-    outer_radius: float,
-    height: float,
+    solid: cq.Shape, ports: Sequence[Port], printing: Printing, inner_radius: float, outer_radius: float, height: float
 ) -> cq.Shape:
     """Cut bores and sockets through the wall of a hollow housing whose axis is z (mm).
 

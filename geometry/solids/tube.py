@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 import geometry
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import unsuitable
+from geometry.ground.typed import Array
 from geometry.plan.routing import path_length, tightest_bend, trimmed
 from geometry.schema.part_fields import Tube
 
@@ -42,7 +42,7 @@ class TubePiece:
         return f"{self.tube.inner_diameter:g}x{self.tube.outer_diameter:g}-{path_length(points):.3g}{bent}"
 
 
-def piece_of(tube: Tube, course: NDArray[np.float64], lip: float) -> tuple[TubePiece, NDArray[np.float64]]:
+def piece_of(tube: Tube, course: Array, lip: float) -> tuple[TubePiece, Array]:
     """The piece of tube to cut for a routed path, and where it lies.
 
     Args:
@@ -83,14 +83,13 @@ def build_tube(piece: TubePiece) -> tuple[cq.Workplane, cq.Workplane]:
     )
 
 
-def _sleeve(points: NDArray[np.float64], inner: float, outer: float, name: str) -> cq.Workplane:
+def _sleeve(points: Array, inner: float, outer: float, name: str) -> cq.Workplane:
     """A round sleeve along an axis that begins at the origin along +x, radii in mm."""
     import cadquery as cq
     from OCP.BRepOffsetAPI import BRepOffsetAPI_MakePipe
 
     if tightest_bend(points) <= outer:
-        problem = f"bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm"
-        raise Refusal(problem, kind=Kind.UNSUITABLE, field=name)
+        raise unsuitable(name, f"bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm")
     start, along = cq.Vector(*points[0]), cq.Vector(*(points[1] - points[0]))
     circles = [cq.Wire.makeCircle(radius, start, along) for radius in (outer, inner)]
     section = cq.Face.makeFromWires(circles[0], circles[1:])
@@ -98,7 +97,7 @@ def _sleeve(points: NDArray[np.float64], inner: float, outer: float, name: str) 
     return geometry.solids.one_solid(cq.Shape.cast(pipe.Shape()), name)
 
 
-def _wire(points: NDArray[np.float64]) -> cq.Wire:
+def _wire(points: Array) -> cq.Wire:
     """Straight, or a line, an arc through the points between and a line; a spline where they lie on no arc."""
     import cadquery as cq
 
@@ -117,5 +116,5 @@ def _wire(points: NDArray[np.float64]) -> cq.Wire:
     return cq.Wire.assembleEdges([cq.Edge.makeLine(cq.Vector(*points[0]), first), arc, cq.Edge.makeLine(last, end)])
 
 
-def _normalised(vector: NDArray[np.float64]) -> NDArray[np.float64]:
+def _normalised(vector: Array) -> Array:
     return np.asarray(vector / np.linalg.norm(vector))

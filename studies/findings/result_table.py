@@ -1,4 +1,4 @@
-"""What a sweep or a search found, as plain columns: for the report and for the table of best designs."""
+"""Results of a sweep or a search as plain columns: for the report and for the table of best designs."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Column:
 
     @property
     def words(self) -> dict[str, Any]:
-        """What a page says of the column beside its values: name, title, unit, labels and the better direction."""
+        """The column's description on a page: name, title, unit, labels and the better direction."""
         return {
             "name": self.name,
             "title": self.title,

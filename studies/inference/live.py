@@ -29,7 +29,7 @@ from studies.output.folders import check_new_file
 
 @dataclass(frozen=True)
 class LiveInput:
-    """Where live samples come from."""
+    """Source of live samples."""
 
     device: int | str | None = None
     """Sound card: its number, or a part of its name; by default that of the system."""
@@ -198,7 +198,7 @@ def _nothing_freed() -> Iterator[None]:
 
 
 class _Counts:
-    """What was heard so far."""
+    """Counts of the events so far."""
 
     def __init__(self) -> None:
         self._states: Counter[str] = Counter()

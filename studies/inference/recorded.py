@@ -106,7 +106,7 @@ def draw_touches(found: LocatedTouches, signals: Array, path: str | os.PathLike[
                 panel.axvline(fault.time, color="#b00020", linestyle=":", linewidth=1.0)
         named.set(ylim=(0, len(found.array.line) + 1), xlim=(0, found.seconds))
         named.yaxis.get_major_locator().set_params(integer=True)
-        named.set_ylabel("named point")
+        named.set_ylabel("located point")
         named.set_xlabel("time  (s): shaded, touches; dots, single frames of 250 ms at their ends")
         return save_figure(figure, path)
 

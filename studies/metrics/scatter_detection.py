@@ -258,7 +258,7 @@ def _logarithm_of(values: Any) -> Any:
 
 
 def _of_gains(first: NDArray[np.intp], second: NDArray[np.intp]) -> Array:
-    """What the gain of each microphone changes of the logarithms of ratios, (n_microphone, n_pair, 2 n_freq)."""
+    """Derivatives of the logarithms of ratios by the gain of each microphone, (n_microphone, n_pair, 2 n_freq)."""
     moved = np.zeros((int(second.max()) + 1, len(first), 2 * len(FREQUENCIES)))
     pairs, count = np.arange(len(first)), len(FREQUENCIES)
     moved[first, pairs, :count] = _DEVIATIONS["microphone_gain"]

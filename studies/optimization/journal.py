@@ -33,7 +33,7 @@ Directions = Sequence[Literal["minimize", "maximize"]]
 
 @dataclass(frozen=True)
 class Seal:
-    """What a journal held when a batch was complete, and which of its designs turned out not to be printable."""
+    """Contents of a journal when a batch was complete, and which of its designs turned out not to be printable."""
 
     bytes: int = 0
     """Length of the journal then."""

@@ -1,6 +1,6 @@
 """Results on disk: a file is whole or not there, and nobody else's files are touched.
 
-Where a result may go is decided here for every call that takes an ``out``: a file that is read, was measured or is of
+The place of a result is checked here for every call that takes an ``out``: a file that is read, was measured or is of
 another kind is never written over, and a folder that holds anything is written into only by what made it.
 """
 
@@ -240,7 +240,7 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
 def replaced_files(folder: Path) -> Iterator[Path]:
     """Empty folder whose files move into ``folder`` when all went well, and are removed when not.
 
-    What an earlier call put there goes, so that no folder holds files of two designs; files of others stay. Both are
+    Files of an earlier call are removed, so that no folder holds files of two designs; files of others stay. Both are
     told apart by the list ``files.txt``: whenever a call is stopped, it names all that calls have put there.
 
     Raises:

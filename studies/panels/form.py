@@ -19,7 +19,7 @@ _MATERIAL = "material"
 
 
 def stated_values(design: ArrayDesign) -> dict[str, Any]:
-    """What a design states, as tables and lists that JSON can hold; a design is made from it again by ``validated``.
+    """Fields of a design, as tables and lists that JSON can hold; a design is made from it again by ``validated``.
 
     Tables that follow others are left out, so that they go on to follow.
     """

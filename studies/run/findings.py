@@ -1,4 +1,4 @@
-"""What a run found in numbers and sentences: for the report, and for programs as ``results.json``."""
+"""Findings of a run in numbers and sentences: for the report, and for programs as ``results.json``."""
 
 from __future__ import annotations
 

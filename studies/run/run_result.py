@@ -1,4 +1,4 @@
-"""What a run of one design made: data only."""
+"""Result of a run of one design: data only."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def write_perturbed_library(
     built beside and renamed at the end: it is whole or not there.
 
     Args:
-        path: of the new store, such as ``mis-made.zarr``.
+        path: of the new store, such as ``as-built.zarr``.
         design: the nominal array.
         count: sensors, 1 to a million.
         frequency: (n_freq,), Hz, ascending.

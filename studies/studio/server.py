@@ -216,7 +216,7 @@ async def _text(socket: WebSocket) -> str:
 
 
 def _words() -> dict[str, Any]:
-    """What the page names and explains, and no design changes."""
+    """Names and explanations of the page that no design changes."""
     return {
         "prototypes": prototype_names(),
         "curves": CURVES,

@@ -1,4 +1,4 @@
-"""What all sessions share: threads, the process for CAD, and what was computed already."""
+"""Resources that all sessions share: threads, the process for CAD, and what was computed already."""
 
 from __future__ import annotations
 
@@ -295,7 +295,7 @@ class Workplace:
 
 
 def _import_decoder() -> None:
-    """What the first prediction of confusion needs."""
+    """Imports for the first prediction of confusion."""
     import localize.learned.features
     import localize.signals.stimulus
 

@@ -1,4 +1,4 @@
-"""What a worker of a sweep computes: the metrics of consecutive cases, and single 3-D cells.
+"""Work of a sweep's worker: the metrics of consecutive cases, and single 3-D cells.
 
 Cases of one topology whose cells are closed forms are computed in one vectorised call; what a batch cannot hold, and
 every 3-D fidelity, case by case with the admittances of the cells given. A case that fails keeps its reason and stops

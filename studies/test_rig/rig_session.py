@@ -100,7 +100,7 @@ def record_rig(
 
 
 def hidden_values(rig: Rig) -> dict[str, Any]:
-    """What is hidden of a made sensor, as JSON can hold it: parts, microphones, and the air of the place.
+    """Hidden truth of an as-built sensor, as JSON can hold it: parts, microphones, and the air of the place.
 
     Args:
         rig: the made sensor.

@@ -135,12 +135,19 @@ def test_the_gallery_says_what_check_says() -> None:
         assert f"| [{name}](#{name}) |" in page
     quality = design_quality(geometry.load_design(examples / "wristband-16.toml"))
     row = next(line for line in page.splitlines() if line.startswith("| [wristband-16]"))
-    named, made = (cell.strip() for cell in row.split("|")[4:6])
+    named, made = (cell.strip() for cell in row.split("|")[5:7])
     assert named == f"{100 * quality.named:.1f}", "python docs/make_gallery.py"
     assert made == f"{100 * quality.mis_made:.1f} ({100 * quality.worst:.1f})"
 
 
-#: What a designer does -> the guide to it.
+def test_no_group_of_the_side_bar_is_longer_than_a_glance() -> None:
+    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    groups = re.findall(r"^:caption: \w+\n:hidden:\n\n(.*?)^```", index, re.MULTILINE | re.DOTALL)
+    assert len(groups) == 8
+    assert max(len(group.split()) for group in groups) <= 9
+
+
+#: Job of a designer -> the guide to it.
 JOBS = {
     "design a sensor": "tutorial",
     "choose its wiring": "studies/topology/README",
@@ -162,8 +169,9 @@ JOBS = {
 def test_every_job_has_a_guide_that_is_found_and_shows_a_picture(job: str) -> None:
     page = JOBS[job]
     index, text = ((ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("index", page))
-    start, guides = re.findall(r"^:caption: (?:Start|Guides)\n:hidden:\n\n(.*?)^```", index, re.MULTILINE | re.DOTALL)
-    assert page in (start + guides).splitlines()
+    groups = re.findall(r"^:caption: (?:Start|Design|Make|Use)\n:hidden:\n\n(.*?)^```", index, re.MULTILINE | re.DOTALL)
+    assert len(groups) == 4
+    assert page in "".join(groups).splitlines()
     assert f"]({page}.md)" in index
     assert re.search(r"^!\[[^\]]+\]\(\S+\.png\)$", text, re.MULTILINE), "no picture"
 

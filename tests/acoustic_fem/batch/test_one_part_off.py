@@ -66,11 +66,11 @@ def each_alone(topology: Topology, parts: PartsOff) -> np.ndarray:
         ))  # fmt: skip
         which = [-1 if together else point[1] if k == point[0] else 0 for k in range(len(points))]
         loads = Points(np.stack([parts.shunts[w][:, column] for w, column in zip(which, points, strict=True)], 1))
-        heard = Chambers(*(
+        chambers = Chambers(*(
             np.stack([values[k == chamber][:, column] for k, column in enumerate(topology.microphones)], 1)
             for values in zip(*parts.chambers, strict=True)
         ))  # fmt: skip
-        return join_parts(topology.individual(), own, loads, heard, DESIGNS).transfer_function
+        return join_parts(topology.individual(), own, loads, chambers, DESIGNS).transfer_function
 
     sensors, tube, point = [response()], 0, 0
     for line in topology.lines:

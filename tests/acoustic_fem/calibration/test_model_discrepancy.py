@@ -1,4 +1,4 @@
-"""What a model is trusted to: residuals in its units are independent, by the dense covariance."""
+"""Trust in a model: residuals in its units are independent, by the dense covariance."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def about() -> np.ndarray:
 
 
 def covariance(about: np.ndarray, noise: np.ndarray) -> np.ndarray:
-    """Of the real part, and of the imaginary part, of relative residuals: entry by entry, as it is described."""
+    """Covariance of the real and of the imaginary part of relative residuals: entry by entry, as it is described."""
     smooth = np.exp(-(np.subtract.outer(np.log(FREQUENCY), np.log(FREQUENCY)) ** 2) / (2 * SMOOTH**2))
     points, microphones, _ = SHAPE
     same_point = np.kron(np.eye(points), np.ones((microphones, microphones)))

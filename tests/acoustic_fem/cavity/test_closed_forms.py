@@ -118,8 +118,8 @@ def shaped_cell(shape, angles=(0.0, 180.0), size=(1.6, 1.3, 0.18)):
 
 
 def differences(cell, fidelity="navier-stokes"):
-    """Of the lumped from the 3-D cell: largest of its admittances, relative to rows and columns, beyond the error that
-    the 3-D cell states of itself; compliance.
+    """Deviation of the lumped from the 3-D cell: largest of its admittances, relative to rows and columns, beyond the
+    error that the 3-D cell states of itself; compliance.
     """
     frequency = np.geomspace(1, 100, 5)
     solution = solve_cells([cell], frequency, AIR, fidelity)[cell]

@@ -270,9 +270,9 @@ def test_cells_are_reused_from_the_cache_and_damaged_files_made_again(tmp_path, 
     content[len(content) // 2] ^= 1
     file.write_bytes(content)
     with pytest.warns(UserWarning, match=r"is damaged: .*; the cell is solved again"):
-        mended = solve(10.0)
-    assert not mended.cached
-    np.testing.assert_allclose(mended.admittance, first.admittance, rtol=1e-9)
+        restored = solve(10.0)
+    assert not restored.cached
+    np.testing.assert_allclose(restored.admittance, first.admittance, rtol=1e-9)
 
 
 @pytest.mark.parametrize("place", ["a-file", "below-a-file/cells", "read-only/cells"])

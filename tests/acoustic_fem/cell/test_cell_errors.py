@@ -1,4 +1,4 @@
-"""What a cell states of its own error, against a far finer mesh."""
+"""A cell's estimate of its own error, against a far finer mesh."""
 
 import numpy as np
 import pytest

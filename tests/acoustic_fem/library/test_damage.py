@@ -28,7 +28,7 @@ def library() -> Library:
 
 
 def assert_refused_or_the_same(path: Path, library: Library, done: str) -> bool:
-    """Whether it was refused."""
+    """True if it was refused."""
     refused = ""
     try:
         found = load(path)

@@ -1,4 +1,4 @@
-"""What no physics makes is refused by the variable and the place; no library of a sensor is."""
+"""Unphysical values are refused with the variable and the place; no library of a sensor is."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What it takes to read a library: its file and its design, no layout and no finite elements."""
+"""Imports that reading a library takes: its file and its design, no layout and no finite elements."""
 
 from __future__ import annotations
 
@@ -53,5 +53,5 @@ def test_reading_a_library_loads_neither_finite_elements_nor_torch(tmp_path: Pat
         "assert library.transfer_function.shape == (12, 2, 2)\n"
         "print(sorted({'skfem', 'torch', 'cadquery', 'gmsh', 'scipy.spatial', 'distributed'} & set(sys.modules)))"
     )
-    told = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert told.stdout.strip() == "[]"
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert ended.stdout.strip() == "[]"

@@ -1,4 +1,4 @@
-"""What is cut off the straight bores of a solid, and what is left alone."""
+"""Lengths that are cut off the straight bores of a solid, and bores that stay."""
 
 import cadquery as cq
 import numpy as np
@@ -26,7 +26,7 @@ def with_bore(bore):
 @pytest.mark.parametrize("height", [None, 1.0])
 @pytest.mark.parametrize("angles", [(0.0, 90.0), (0.0, 180.0), (0.0, 100.0, 240.0)], ids=str)
 def test_of_each_bore_of_a_cell_two_radii_are_left_before_its_mouth(angles, height):
-    """Of symmetric cells a half or a quarter is drawn: so it is of their bores."""
+    """Symmetric cells are drawn as a half or a quarter, and so are their bores."""
     air = air_volume(cell(*angles, height=height))
     points = air.faces
     short = shortened(air.solid, points, list(air.ports))
@@ -74,7 +74,7 @@ def test_a_tube_between_two_ports_has_no_mouth_and_stays():
 
 
 def test_a_bore_beside_which_another_wall_lies_close_stays():
-    """What would be cut away with it belongs to another part of the air."""
+    """The piece that would be cut away with it belongs to another part of the air."""
     bores = cq.Workplane("YZ").pushPoints([(0, 0), (0, 0.51)]).circle(RADIUS).extrude(4.0)
     solid, ports = with_bore(bores)
     assert shortened(solid, ports, ["a"]).bores[0].length == 0.0

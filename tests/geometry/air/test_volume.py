@@ -30,7 +30,7 @@ SHAPES = {
 }
 
 
-#: Of volumes; the kernel's usual rule misses those of bored walls by some 1e-6.
+#: Tolerance of volumes; the kernel's usual rule misses those of bored walls by some 1e-6.
 TOLERANCE = 1e-8
 
 
@@ -205,7 +205,7 @@ port_lists = st.lists(st.tuples(st.floats(0, 360), st.floats(0.1, 0.6), st.float
 
 
 def check_random_shell(size, ports, fraction):
-    """Whether a random shell, filled by its air and tubes, is built; otherwise it is refused by name."""
+    """True if a random shell, filled by its air and tubes, is built; otherwise it is refused by name."""
     diameter, height = size["cavity_diameter"], size["cavity_height"]
     own = {"dome": {"dome_depth": max(0.05, fraction * min(diameter / 2, height))}}.get(size["shape"], {})
     resonator = Resonator(**size, **own)

@@ -13,7 +13,7 @@ from refusals import refused
 
 import geometry
 from geometry import Kind
-from geometry.assembly.fit import CONTACT_VOLUME, clearances, interferences, misfits, port_fits
+from geometry.assembly.fit import CONTACT_VOLUME, interferences, misfits, port_fits
 from geometry.assembly.model import array_model, assembly_of, build_assembly
 from geometry.formats.step_assembly import write_step
 from geometry.layout.cutting import cutting_list
@@ -140,16 +140,6 @@ def test_a_sheath_that_is_too_wide_for_its_sockets_is_found():
     assert any(line.startswith("shell 1 and sheath of tube 2 of line 1 are in each other's way") for line in wide)
 
 
-def test_the_closest_parts_are_named_with_their_distance():
-    first, *_ = clearances(put_together("fingertip-3x4"), within=1.0)
-    assert (first.first, first.second) == ("sheath of tube 2 of line 1", "sheath of tube 3 of line 1")
-    model = put_together("fingertip-3x4")
-    a, b = (tube.course for tube in model.layout.tubes[1:3])
-    between = np.linalg.norm(a[:, None] - b[None], axis=2).min() - model.design.tube.outer_diameter
-    # Their ends inside the shell are cut by the lips and flat: nearer to the axes' points than to each other.
-    assert 0 < first.distance < between + 1.0
-
-
 # -- cylinder and hand ----------------------------------------------------------------------------------
 @pytest.mark.slow
 @pytest.mark.parametrize("design", [geometry.prototype("array-2x6").with_values(WOUND), hand()], ids=["wound", "hand"])
@@ -174,9 +164,9 @@ def test_shells_stand_on_the_cylinder_and_collide_where_it_is_too_narrow():
     shells = tuple(part for part in narrow.placed if part.kind == "shell")
     solids = {frozenset((f.first, f.second)) for f in interferences(dataclasses.replace(narrow, placed=shells))}
     notes = buildability_notes(narrow.design, narrow.layout)
-    told = [re.match(r"(shell \d+) overlaps (shell \d+) by", note) for note in notes]
+    overlaps = [re.match(r"(shell \d+) overlaps (shell \d+) by", note) for note in notes]
     assert solids
-    assert {frozenset(words.groups()) for words in told if words} == solids
+    assert {frozenset(words.groups()) for words in overlaps if words} == solids
 
 
 # -- assembly -------------------------------------------------------------------------------------------

@@ -125,7 +125,7 @@ def designs(draw: st.DrawFn) -> dict[str, Any]:
 
 
 def tried(make: Callable[[], Any]) -> tuple[Any, str]:
-    """What is made, or the words in which it is refused; a design is refused with a ValueError and nothing else."""
+    """The parts, or the words of the refusal; a design is refused with a ValueError and nothing else."""
     try:
         return make(), ""
     except ValueError as error:

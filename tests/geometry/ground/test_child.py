@@ -101,7 +101,7 @@ def until(condition: Callable[[], object], seconds: float = 60) -> None:
 
 
 def is_gone(process: int) -> bool:
-    """Whether a process has ended, and nobody has to wait for it."""
+    """True if a process has ended, and nobody has to wait for it."""
     return not Path(f"/proc/{process}").exists()
 
 
@@ -164,11 +164,11 @@ def test_whoever_stops_waiting_ends_the_process(child: Child) -> None:
 
 
 def test_a_call_that_is_stopped_ends_alone(child: Child) -> None:
-    number, heard = child.call(process), threading.Event()
-    stopper = threading.Thread(target=lambda: (heard.wait(60), child.stop()))
+    number, reported = child.call(process), threading.Event()
+    stopper = threading.Thread(target=lambda: (reported.wait(60), child.stop()))
     stopper.start()
     with pytest.raises(Stopped):
-        child.call(wait_for_ever, report=lambda _: heard.set())
+        child.call(wait_for_ever, report=lambda _: reported.set())
     stopper.join()
     assert child.call(process) == number
 

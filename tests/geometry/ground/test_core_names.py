@@ -27,7 +27,7 @@ NAMES = """
 import importlib, json, sys
 from geometry.ground import MissingExtra
 
-there, told = [], {}
+there, reported = [], {}
 for face in json.loads(sys.argv[1]):
     module = importlib.import_module(face)
     for name in module.__all__:
@@ -35,8 +35,8 @@ for face in json.loads(sys.argv[1]):
             getattr(module, name)
             there.append(f"{face}.{name}")
         except MissingExtra as missing:
-            told[f"{face}.{name}"] = str(missing)
-print(json.dumps([there, told]))
+            reported[f"{face}.{name}"] = str(missing)
+print(json.dumps([there, reported]))
 """
 #: Calls -> the extra that they ask for.
 CALLS = {
@@ -80,16 +80,16 @@ box = design.with_values({"resonator.shape": "box"})
 cell = geometry.air.cell_catalogue(design, geometry.layout.lay_out(design)).distinct[0]
 air = acoustic_fem.Medium.at(20, 0.5)
 library = acoustic_fem.load("library.nc")
-told = {}
+reported = {}
 for call in json.loads(sys.argv[1]):
     try:
         eval(call)
-        told[call] = "nothing was asked for"
+        reported[call] = "nothing was asked for"
     except MissingExtra as missing:
-        told[call] = str(missing)
+        reported[call] = str(missing)
     except Exception as error:
-        told[call] = repr(error)
-print(json.dumps(told))
+        reported[call] = repr(error)
+print(json.dumps(reported))
 """
 STUDY = """
 base = "array-2x6"
@@ -110,9 +110,9 @@ def core(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_name_is_there_or_says_what_to_type(core: Path, tmp_path: Path) -> None:
     done = python_of_core(core, "-c", NAMES, json.dumps(sorted(House(ROOT).handed_on)), folder=tmp_path)
     assert done.returncode == 0, done.stderr
-    there, told = json.loads(done.stdout)
+    there, reported = json.loads(done.stdout)
     assert set(there) >= THERE
-    assert {name: said for name, said in told.items() if not LINE.fullmatch(said)} == {}
+    assert {name: said for name, said in reported.items() if not LINE.fullmatch(said)} == {}
 
 
 def test_a_call_says_what_to_type(core: Path, tmp_path: Path) -> None:
@@ -125,6 +125,6 @@ def test_a_call_says_what_to_type(core: Path, tmp_path: Path) -> None:
     studies.run_sweep(studies.load_study(tmp_path / "study.toml"), tmp_path / "results.zarr", workers=1)
     done = python_of_core(core, "-c", CALLING, json.dumps(list(CALLS)), folder=tmp_path)
     assert done.returncode == 0, done.stderr
-    told = json.loads(done.stdout)
-    found = {call: match[2] if (match := LINE.fullmatch(told[call])) else told[call] for call in CALLS}
+    reported = json.loads(done.stdout)
+    found = {call: match[2] if (match := LINE.fullmatch(reported[call])) else reported[call] for call in CALLS}
     assert {call: said for call, said in found.items() if said != CALLS[call]} == {}

@@ -56,15 +56,15 @@ ways = {
     "parts, from Python": lambda: geometry.build_parts(design),
     "check": lambda: verb("check", "array-2x6"),
 }
-told = {}
+reported = {}
 for name in json.loads(sys.argv[1]):
     try:
         ways[name]()
     except geometry.Refusal as refusal:
-        told[name] = str(refusal)
+        reported[name] = str(refusal)
     except SystemExit as ended:
-        told[name] = f"exit code {ended.code}"
-print(json.dumps(told))
+        reported[name] = f"exit code {ended.code}"
+print(json.dumps(reported))
 """
 SOLVING = ["solve, from Python", "a solid", "sweep"]
 
@@ -99,9 +99,9 @@ def test_every_way_ends_in_one_line(
     assert done.returncode == 0, done.stderr
     assert "Traceback" not in done.stderr
     lines = [line for line in done.stderr.splitlines() if line.startswith("acoustic-fem: ")]
-    told = json.loads(done.stdout.splitlines()[-1])
+    reported = json.loads(done.stdout.splitlines()[-1])
     for name in ways:
-        line = lines.pop(0).removeprefix("acoustic-fem: ") if told[name] == "exit code 1" else told[name]
+        line = lines.pop(0).removeprefix("acoustic-fem: ") if reported[name] == "exit code 1" else reported[name]
         assert line.startswith(f"{library}: this library of the system is missing; on Debian and Ubuntu type: "), name
 
 

@@ -53,9 +53,9 @@ def test_a_full_disk_is_told_whatever_a_library_says_of_it(tmp_path: Path, said:
                 beside.write_bytes(bytes(10_000))
             raise said or AssertionError("written")
 
-    with no_room_beyond(5000), pytest.raises(OSError, match="File too large") as told:
+    with no_room_beyond(5000), pytest.raises(OSError, match="File too large") as caught:
         half()
-    assert (told.value.errno, told.value.filename) == (errno.EFBIG, str(path))
+    assert (caught.value.errno, caught.value.filename) == (errno.EFBIG, str(path))
     assert path.read_text() == "old"
     assert [entry.name for entry in tmp_path.iterdir()] == ["a.nc"]
 
@@ -66,9 +66,9 @@ def test_what_the_system_says_of_a_full_disk_gets_the_name_that_it_lacks(tmp_pat
         (errno.ENOSPC, "other", "other"),
         (errno.ECONNREFUSED, None, None),
     ):
-        with pytest.raises(OSError) as told, writing("store"):
+        with pytest.raises(OSError) as caught, writing("store"):
             raise OSError(number, "why", name)
-        assert told.value.filename == shown
+        assert caught.value.filename == shown
 
 
 def test_lines_between_marks_are_replaced_and_nothing_else(tmp_path: Path) -> None:
@@ -108,9 +108,9 @@ def test_a_line_for_which_there_is_no_room_is_not_begun(tmp_path: Path) -> None:
             write("twelve bytes")
             write("twelve bytes")
 
-    with pytest.raises(OSError, match="File too large") as told, no_room_beyond(20):
+    with pytest.raises(OSError, match="File too large") as caught, no_room_beyond(20):
         two_lines()
-    assert told.value.filename == str(path)
+    assert caught.value.filename == str(path)
     assert path.read_text() == "twelve bytes\n"
 
 

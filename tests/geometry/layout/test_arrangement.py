@@ -1,4 +1,4 @@
-"""Where parts lie: lengths of tubes, order of points, overlaps by name."""
+"""Positions of parts: lengths of tubes, order of points, overlaps by name."""
 
 import math
 import subprocess

@@ -1,4 +1,4 @@
-"""What cannot be built is refused with what would mend it; what is surely wide apart is not measured at all."""
+"""Designs that cannot be built are refused with a remedy; parts that are surely wide apart are not measured."""
 
 import re
 import sys

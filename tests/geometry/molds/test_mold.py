@@ -34,7 +34,7 @@ def overlap(first, second):
 
 
 def voids(*shapes):
-    """What shapes leave of the box around them."""
+    """Volume that shapes leave free in the box around them."""
     box = cq.Compound.makeCompound(list(shapes)).BoundingBox()
     block = cq.Solid.makeBox(box.xlen, box.ylen, box.zlen, cq.Vector(box.xmin, box.ymin, box.zmin))
     return block.cut(*shapes).Solids(), box
@@ -216,7 +216,7 @@ def test_a_shim_has_as_many_notches_as_steps(pin, molds):
 
 @pytest.mark.parametrize(("changes", "thicker"), [({}, 0.0), ({"mold.silicone_shrinkage": 0.01}, 0.01)])
 def test_shrinkage_of_silicone_and_resin_is_compensated(changes, thicker, molds):
-    """What is printed shrinks by the resin's share, what is cast in it by the silicone's: the design is left."""
+    """Prints shrink by the resin's fraction, casts in them by the silicone's: the design's size results."""
     design, mold, membrane = molds("array-2x6", **{"mold.resin_shrinkage": 0.02, **changes})
     cast = mold.cast(membrane)[0].val()
     left = cast.scale((1 - 0.02) * (1 - (thicker or 0.001)))
@@ -248,7 +248,7 @@ def test_the_scraper_rides_on_the_lands_of_an_open_mold(changes, molds):
 
 
 def engraved(base, plan):
-    """What is cut out of the lowest 0.3 mm."""
+    """The volume cut out of the lowest 0.3 mm."""
     x, y = plan.half
     return cq.Solid.makeBox(2 * x, 2 * y, 0.3, cq.Vector(-x, -y, plan.bottom)).cut(base)
 

@@ -1,4 +1,4 @@
-"""What is measured on solids, against the kernel."""
+"""Measures of solids, against the kernel."""
 
 import cadquery as cq
 import numpy as np

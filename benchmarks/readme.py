@@ -1,0 +1,90 @@
+"""Make the figures of README: accuracy of finger taps by the default decoder, and the picture of its ten lines.
+
+    python -m benchmarks.readme          # prints the table, writes docs/images/level-difference.png; two minutes
+
+Sensors are the nominal one and virtual rigs, see docs/calibration.md: as-built sensors with rubber, microphones and air
+that no decoder is given. Each rig is decoded once with the design's library and once with the library that calibrate
+makes from its recordings.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib import colormaps
+
+import acoustic_fem
+import localize
+import studies
+from localize.signals import response_of
+from localize.signals.finger_stimuli import STIMULI
+from studies.output.figure_style import WIDTH, figure_in_style, save_figure
+
+DESIGN = "array-2x6"
+#: Seeds of the rigs: on none of them was a constant of a decoder chosen.
+RIGS = (9101, 9102, 9103, 9104)
+#: Taps at every point of a sensor.
+TAPS = 100
+PICTURE = Path(__file__).parents[1] / "docs" / "images" / "level-difference.png"
+
+
+class TapAccuracy(NamedTuple):
+    """Top-1 accuracy of finger taps, fractions of one."""
+
+    nominal: float
+    as_built: tuple[float, ...]
+    """Accuracy of each rig, decoded with the library of the design."""
+    calibrated: tuple[float, ...]
+    """Accuracy of each rig, decoded with its own measured library."""
+
+
+def tap_accuracy(taps: int = TAPS, rigs: tuple[int, ...] = RIGS) -> TapAccuracy:
+    """Accuracy of the default decoder on simulated taps of 250 ms with the noise of the design's microphones."""
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder)
+        designed = studies.solve_library(DESIGN, place / "designed.nc")
+        as_built, calibrated = [], []
+        for seed in rigs:
+            rig = studies.record_rig(DESIGN, place / f"rig-{seed}", seed=seed)
+            studies.calibrate_sensor(rig.calibration, place / f"{seed}.nc")
+            truth = acoustic_fem.load(rig.library)
+            as_built.append(_accuracy(designed, truth, taps))
+            calibrated.append(_accuracy(acoustic_fem.load(place / f"{seed}.nc"), truth, taps))
+        return TapAccuracy(_accuracy(designed, designed, taps), tuple(as_built), tuple(calibrated))
+
+
+def _accuracy(known: acoustic_fem.Library, sensor: acoustic_fem.Library, taps: int) -> float:
+    """Top-1 accuracy on taps at a sensor, decoded with a library that may be another."""
+    decoder = localize.open_model(known).locator
+    found = localize.evaluate(decoder, response_of(sensor), taps, "design", stimuli=STIMULI["taps"], seed=77)
+    return found.top1
+
+
+def draw_level_difference() -> Path:
+    """Level at microphone A over microphone B from every point, against frequency."""
+    frequency = np.linspace(1, 100, 100)
+    h = acoustic_fem.solve(DESIGN, frequency, fidelity="lumped").transfer_function
+    level = 20 * np.log10(abs(h.sel(microphone="A") / h.sel(microphone="B")))
+    with figure_in_style((WIDTH, 2.8)) as figure:
+        axes = figure.subplots()
+        for point in h.point.values:
+            axes.plot(frequency, level.sel(point=point), label=f"{point}", color=colormaps["viridis"](point / 13))
+        axes.set(xlabel="frequency  (Hz)", ylabel="level at A over B  (dB)", xlim=(1, 100))
+        figure.legend(*axes.get_legend_handles_labels(), title="point", loc="outside right center", fontsize="small")
+        return save_figure(figure, PICTURE)
+
+
+def main() -> None:
+    """Print the table, and draw the picture."""
+    print(draw_level_difference())
+    found = tap_accuracy()
+    for name, values in zip(found._fields, (found.nominal, found.as_built, found.calibrated), strict=True):
+        each = 100 * np.atleast_1d(values)
+        print(f"{name}: {each.mean():.1f} % (worst sensor {each.min():.1f})")
+
+
+if __name__ == "__main__":
+    main()

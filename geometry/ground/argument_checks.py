@@ -1,0 +1,118 @@
+"""Checks of arguments: each returns in silence or raises a refusal that names the field, its value and what is allowed.
+
+All take more facts of a refusal by name, such as ``kind``, ``file`` and ``remedy``, and its class as ``error``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sized
+from typing import Any
+
+from geometry.ground.refusal import Kind, Refusal
+
+
+def check_range(
+    field: str,
+    value: float,
+    low: float = -math.inf,
+    high: float = math.inf,
+    unit: str = "",
+    *,
+    excluded: str = "",
+    whole: bool = False,
+    why: str = "",
+    error: type[Refusal] = Refusal,
+    **more: Any,
+) -> None:
+    """Reject a number outside a range; not-a-number is outside every range.
+
+    Args:
+        field: name of the argument.
+        value: the number.
+        low: smallest value.
+        high: largest value.
+        unit: unit of all three.
+        excluded: the bounds that the value must not reach: ``low``, ``high`` or ``both``.
+        whole: whether it must be an integer; True and False are none.
+        why: words after the range in the message, such as ``the number of points``.
+        error: class of the refusal.
+        more: more of its facts; ``allowed`` in place of the range in words.
+    """
+    if not whole or (isinstance(value, int) and not isinstance(value, bool)):
+        above = value > low if excluded in ("low", "both") else value >= low
+        if above and (value < high if excluded in ("high", "both") else value <= high):
+            return
+    words = _range_in_words(low, high, unit, excluded, whole)
+    facts = {"kind": Kind.OUT_OF_RANGE, "unit": unit, "allowed": f"{words}, {why}" if why else words, **more}
+    raise error(field=field, value=value, **facts)
+
+
+def _range_in_words(low: float, high: float, unit: str, excluded: str, whole: bool) -> str:
+    first, last = (str(bound) if isinstance(bound, int) else f"{bound:g}" for bound in (low, high))
+    least = f"above {first}" if excluded in ("low", "both") else f"at least {first}"
+    most = f"below {last}" if excluded in ("high", "both") else f"at most {last}"
+    if math.isinf(high):
+        words = least
+    elif math.isinf(low):
+        words = most
+    else:
+        words = f"{least} and {most}" if excluded else f"between {first} and {last}"
+    return f"{'a whole number ' if whole else ''}{words} {unit}".rstrip()
+
+
+def check_choice(
+    field: str, value: object, choices: Iterable[object], error: type[Refusal] = Refusal, **more: Any
+) -> None:
+    """Reject a value that is not one of the choices, which the refusal lists."""
+    allowed = tuple(choices)
+    if value not in allowed:
+        raise error(**{"kind": Kind.OUT_OF_RANGE, "field": field, "value": value, "allowed": allowed, **more})
+
+
+def check_shape(
+    field: str, values: Any, shape: tuple[int | str, ...], why: str = "", error: type[Refusal] = Refusal, **more: Any
+) -> None:
+    """Reject an array of another shape.
+
+    Args:
+        field: name of the argument.
+        values: the array.
+        shape: its sizes; a text such as ``n`` stands for any.
+        why: words that follow the shape in the message.
+        error: class of the refusal.
+        more: more of its facts.
+    """
+    found = tuple(values.shape)
+    if len(found) != len(shape) or any(
+        own != size for own, size in zip(found, shape, strict=True) if not isinstance(size, str)
+    ):
+        wanted = f"({', '.join(map(str, shape))}{',' if len(shape) == 1 else ''})"
+        problem = f"has shape {found}; it must be {wanted}{', ' if why else ''}{why}"
+        raise error(problem, **{"kind": Kind.WRONG_TYPE, "field": field, **more})
+
+
+def check_given(field: str, values: Sized, why: str = "", *, error: type[Refusal] = Refusal, **more: Any) -> None:
+    """Reject a list, mapping or text with nothing in it; ``why`` says what is needed, such as ``a batch needs one``."""
+    if not len(values):
+        raise error(f"is empty; {why}" if why else "is empty", kind=Kind.MISSING, field=field, **more)
+
+
+def out_of_range(field: str, value: object, allowed: str | Iterable[object], unit: str = "", **more: Any) -> Refusal:
+    """A refusal of a value outside its range; ``allowed`` has the words after "must be", or the choices."""
+    return Refusal(kind=Kind.OUT_OF_RANGE, field=field, value=value, unit=unit, allowed=allowed, **more)
+
+
+def wrong_type(field: str, problem: str, **more: Any) -> Refusal:
+    """A refusal of a value of another type or shape than the field has."""
+    return Refusal(problem, kind=Kind.WRONG_TYPE, field=field, **more)
+
+
+def mismatch(field: str, problem: str, **more: Any) -> Refusal:
+    """A refusal of two things that do not belong together."""
+    return Refusal(problem, kind=Kind.MISMATCH, field=field, **more)
+
+
+def unsuitable(field: str, problem: str, **more: Any) -> Refusal:
+    """A refusal of data that cannot answer the question."""
+    return Refusal(problem, kind=Kind.UNSUITABLE, field=field, **more)
