@@ -140,8 +140,8 @@ def _assumptions(result: RunResult) -> list[str]:
         noise_sentence(result),
         "One point is touched at a time. The nominal sensor is exactly as designed. As-built sensors have the "
         "tolerances of bores, lengths, cavities and membranes of a careful workshop. They are not calibrated: "
-        "calibration removes most of their loss. Virtual rigs are not calibrated either. Their rubber, microphones and air also "
-        "differ from the design in ways that no decoder is given.",
+        "calibration removes most of their loss. Virtual rigs are not calibrated either. Their rubber, microphones "
+        "and air also differ from the design in ways that no decoder is given.",
         f"Multi-sine touches have 1 to 100 components from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are "
         "pulses of 5 to 100 ms. A network recognizes only the touches that it was trained on, here multi-sine touches.",
     ]
