@@ -46,7 +46,7 @@ BOARDS = {
 
 @dataclass(frozen=True, eq=False)
 class OnBoard:
-    """What the decoder did on a board, decision by decision."""
+    """Results of the decoder on a board, decision by decision."""
 
     sample: NDArray[np.int64]
     """Samples up to the end of the frame."""

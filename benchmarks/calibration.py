@@ -74,7 +74,7 @@ class Kept:
     responses: list[float] = field(default_factory=list)
 
     def count(self, fit: Update, rig: Rig, truth: np.ndarray) -> None:
-        """What a fit states of the parameters and of the responses of all points."""
+        """Stated spread of a fit: of the parameters and of the responses of all points."""
         for part, is_inside in within_95(rig, fit):
             self.parameters[part].append(is_inside)
         inside = np.abs(fit.transfer_function - truth) < np.sqrt(-2 * np.log(0.05)) * fit.deviation

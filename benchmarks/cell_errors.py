@@ -1,4 +1,4 @@
-"""What cells of designs state of their own error, and what a far finer mesh finds of it.
+"""Stated errors of the cells of designs, and their errors against a far finer mesh.
 
 ``python -m benchmarks.cell_errors``, some twenty minutes. Cells are those of designs drawn at random, resonators and
 microphones in turn, at the accuracy of designs and at 1e-3.
@@ -31,7 +31,7 @@ ACCURACIES = (DESIGN_ACCURACY, 1e-3)
 def reference(cell: Cell, air: Medium, scales: tuple[float, float] = FINE) -> CondensedBody:
     """The cell on meshes of these scales, flow and heat, its tubes meshed as far as the ports.
 
-    Where tubes are narrow it is a mesh of half the size and less.
+    For narrow tubes it is a mesh of half the size and less.
     """
     solid, (flow, heat) = marked_solid(cell), scales
     sizes = mesh_sizes(flow, cell.smallest_extent, air, CHECKED_UP_TO)[0]

@@ -1,4 +1,4 @@
-"""What substructuring and the adaptive sweep save: cells against direct solves, arrays in one mesh against cells.
+"""Time saved by substructuring and the adaptive sweep: cells against direct solves, arrays in one mesh against cells.
 
     python -m benchmarks.cell_vs_direct [--quick]
 

@@ -1,4 +1,4 @@
-"""What no parameters of a fit explain.
+"""Discrepancies that no parameters of a fit explain.
 
 ``python benchmarks/discrepancy.py`` writes a table of docs/evidence/calibration.md anew.
 """

@@ -41,7 +41,7 @@ DRIFTS = {
 
 
 def transfer_function(name: str, seed: int, drift: str) -> np.ndarray:
-    """Of a sensor that has drifted, (n_point, n_microphone, n_freq)."""
+    """Transfer functions of a sensor that has drifted, (n_point, n_microphone, n_freq)."""
     return Rig(geometry.prototype(name), seed, DRIFTS[drift], "navier-stokes").transfer_function(GRID)
 
 

@@ -1,4 +1,4 @@
-"""What single effects change of H: ``python benchmarks/effects.py`` writes tables of docs/evidence/models.md."""
+"""Changes of H by single effects: ``python benchmarks/effects.py`` writes tables of docs/evidence/models.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the decoder as C takes on a microcontroller. ``python benchmarks/embed.py`` writes the tables of
+"""Time and memory of the decoder as C on a microcontroller. ``python benchmarks/embed.py`` writes the tables of
 docs/evidence/embed.md anew: what fits where for all prototypes in minutes, then differences from Python and counts on
 the emulated board.
 

@@ -42,7 +42,7 @@ class Decided:
 
 
 def decided_in_python(array: Library | ArrayResponse, samples: NDArray[np.float32]) -> Decided:
-    """What the stream with the decoder and the test of sound decides of them, in chunks of its own."""
+    """Decisions of the stream with the decoder and the sound test about them, in its own chunks."""
     response = response_of(array)
     stream = localize.TouchStream(
         localize.BayesDecoder(response, "design"),

@@ -1,4 +1,4 @@
-"""Whether the probabilities of touches are right: those of ``down`` and ``up``, stated while they happen, and those of
+"""Calibration of the probabilities of touches: those of ``down`` and ``up``, stated while they happen, and those of
 the touches that ``locate`` prints afterwards.
 
 ``python benchmarks/event_probabilities.py --write`` writes the table of docs/evidence/streams.md anew, without rows

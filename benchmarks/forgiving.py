@@ -1,4 +1,4 @@
-"""Whether the predicted error under scatter ranks designs as touches on made sensors do.
+"""Ranks of designs by the predicted error under scatter, against touches on as-built sensors.
 
 ``python benchmarks/forgiving.py --write`` writes the table of docs/evidence/designs.md anew. Made sensors and touches
 are those of benchmarks/tolerant.py with 5 % of bores and volumes and 10 % of membranes, of seeds of its own; some

@@ -93,7 +93,7 @@ class Judge:
         return cell(np.array(points)), cell(np.array(kinds))
 
     def fingers(self, sensors: tuple[ArrayResponse, ...]) -> NDArray[np.bool_]:
-        """Which taps, double taps and presses of fingers, of which no event was made, are told, their points known."""
+        """Taps, double taps and presses of fingers recognized at known points; no such event was in the training."""
         recorders = [ContactRecorder(each, microphone_noise="design", seed=SEED) for each in sensors]
         ear, nobody = FilterBank(self.response, self.recognizer), localize.BayesDecoder(self.response, 1e-3)
         right = []
@@ -178,7 +178,7 @@ def slid(response: ArrayResponse, kind: int, speed: float, random: np.random.Gen
 def told_slides(
     judge: Judge, sensors: tuple[ArrayResponse, ...], locator: Any, speeds: tuple[float, float], blunter: float
 ) -> tuple[list[bool], list[float]]:
-    """Which slides are told right by what is recorded of them alone, and errors of the speeds that are told."""
+    """Slides that are recognized from their recording alone, and errors of the reported speeds."""
     recorders = [ContactRecorder(each, microphone_noise="design", seed=SEED) for each in sensors]
     ear = FilterBank(judge.response, judge.recognizer)
     right, off = [], []

@@ -1,10 +1,10 @@
-"""What a sensor does on the table: made, recorded, calibrated and aged, each step by the verbs that a designer uses.
+"""Behaviour of a sensor on the table: made, recorded, calibrated and aged, each step by the verbs that a designer uses.
 
 ``python benchmarks/on_the_table.py --write`` writes a table of docs/evidence/calibration.md anew, in half an hour of
 one core; ``--designs array-2x6 --sensors 2`` for a look. Nothing is the library's own: sensors are virtual rigs at
 ``navier-stokes`` fidelity of seeds from ``FIRST`` on, of which no constant was chosen, each of a batch of rubber of its
 own; they record their calibration and touches of fingers whose spectrum, play and slow pressure no decoder knows, with
-hum and wander. What is judged are the decisions that ``locate`` makes with its defaults, recording by recording.
+hum and wander. Evaluated are the decisions that ``locate`` makes with its defaults, recording by recording.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ KINDS: tuple[Part, ...] = ("taps", "friction")
 
 @dataclass
 class Counts:
-    """What was decided of the touches of one sensor."""
+    """Decisions about the touches of one sensor."""
 
     right: dict[str, list[bool]] = field(default_factory=lambda: {kind: [] for kind in KINDS})
     stated: list[float] = field(default_factory=list)

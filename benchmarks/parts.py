@@ -15,7 +15,7 @@ PROTOTYPES = ("line-2", "array-2x6", "large-area-64")
 
 
 def seconds(name: str) -> float:
-    """Of the verb and its child processes, its imports included."""
+    """Total of the verb and its child processes, its imports included."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     with tempfile.TemporaryDirectory() as folder:
         program = (sys.executable, "-m", "studies.cli", "parts", name, "--out", str(Path(folder) / "parts"))

@@ -1,6 +1,6 @@
 """Decoders by their formulas alone: every table is scored in double precision, a frame at a time.
 
-What the decoders of the package spare themselves, they must not be seen to: tests compare their probabilities with
+Shortcuts of the package's decoders must not show: tests compare their probabilities with
 these, and ``decoder_time.py`` their time.
 """
 

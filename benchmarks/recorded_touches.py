@@ -1,4 +1,4 @@
-"""What recorded touches of an as-built sensor add. ``python benchmarks/recorded_touches.py [SEED ...]``.
+"""Gain from recorded touches of an as-built sensor. ``python benchmarks/recorded_touches.py [SEED ...]``.
 
 For each seed a sensor of the virtual rig, array-2x6 with a modulus 15 % below its design's, records touches of the
 paper's four parts; localizers are trained on simulated touches of the design, on both, and on recorded ones alone, and
@@ -40,7 +40,7 @@ def main(seeds: list[int]) -> None:
     nominal = response_of(library)
     console = Console(width=120)
     for seed in seeds:
-        table = Table(title=f"Frames of held-out recordings classified correctly, sensor {seed} (%)")
+        table = Table(title=f"Frames of held-out recordings named right, sensor {seed} (%)")
         table.add_column("localizer")
         for part in (*PARTS, "mean"):
             table.add_column(part, justify="right")
@@ -52,7 +52,7 @@ def main(seeds: list[int]) -> None:
             for name, locator in (
                 ("model-based, of the design", localize.BayesDecoder(nominal, NOISE)),
                 (
-                    "model-based, of the as-built sensor",
+                    "model-based, of the made sensor",
                     localize.BayesDecoder(replace(nominal, transfer_function=known), NOISE),
                 ),
                 ("network, simulated only", localize.train(library, PLAN)),

@@ -1,4 +1,4 @@
-"""What the law of the rubber changes: ``python benchmarks/rubber.py`` writes the tables of docs/evidence/models.md."""
+"""Changes by the law of the rubber: ``python benchmarks/rubber.py`` writes the tables of docs/evidence/models.md."""
 
 from __future__ import annotations
 

@@ -168,7 +168,7 @@ def finger_row(name: str, rigs: int | None = None) -> str:
 
 
 def figures(found: SelfCalibration) -> str:
-    """What speaks for and against a sensor, for a look."""
+    """Figures for and against a sensor, to look at."""
     return (
         f"gain {found.gain:.2f} +- {found.gain_error:.2f} rival {found.rival:.0f} {found.rival_held_out:.1f} explained "
         f"{found.explained:.2f} agreement {found.agreement:.2f} size {found.size:.0f}"

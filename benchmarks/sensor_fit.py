@@ -1,4 +1,4 @@
-"""Whether ``locate`` notices a library of another array, and a microphone that is far off its level.
+"""Test that ``locate`` notices a library of another array, and a microphone that is far off its level.
 
 ``python benchmarks/sensor_fit.py`` writes the table of docs/evidence/streams.md anew, in some minutes of one core.
 Signals are taps and friction that virtual rigs record, six points each, of seeds from ``FIRST`` on, of which no
@@ -33,7 +33,7 @@ SESSION = TouchSession(takes=1, seconds=4.0, parts=("taps", "friction"))
 
 
 def recorded(rig: Rig, points: int, folder: Path) -> list[NDArray[np.float64]]:
-    """What the microphones of a rig record of touches at some of its points, (n_microphone, n) Pa each."""
+    """Recordings by the microphones of a rig for touches at some of its points, (n_microphone, n) Pa each."""
     chosen = np.random.default_rng(rig.seed).choice(np.arange(1, points + 1), POINTS, replace=False)
     recorder = Recorder()
     record_touches(rig, folder, sorted(chosen.tolist()), SESSION, recorder)
@@ -42,7 +42,7 @@ def recorded(rig: Rig, points: int, folder: Path) -> list[NDArray[np.float64]]:
 
 
 def fitted(decoder: TolerantDecoder, recordings: list[NDArray[np.float64]], factor: NDArray[np.float64]) -> SensorFit:
-    """What is said of recordings whose microphones are off by a factor."""
+    """Warnings for recordings whose microphones are off by a factor."""
     loud = LoudFrames()
     for number, signals in enumerate(recordings):
         stream = TouchStream(_Anyhow(decoder), options=StreamOptions(frames=True))
@@ -63,7 +63,7 @@ class _Anyhow(Locator):
 
 
 def is_found(fit: SensorFit, microphone: str, level: float) -> bool:
-    """Whether a level was found to 2 dB, of two microphones as the difference of both."""
+    """True if a level was found to 2 dB; for two microphones, the difference of both."""
     if fit.off_level is None:
         return False
     name, found = fit.off_level

@@ -202,7 +202,7 @@ def commands() -> dict[str, float]:
 
 
 def by_points(name: str) -> dict[str, float]:
-    """What grows with the points, ms."""
+    """Times that grow with the points, ms."""
     design = geometry.prototype(name)
     library = acoustic_fem.solve(design, WIDE, "lumped")
     response, coarse = response_of(library), Responses.of_library(acoustic_fem.solve(design, FREQUENCY, "lumped"))
@@ -265,7 +265,7 @@ def peers(of_line_2: dict[str, float]) -> list[str]:
 
 
 def growth(found: Sequence[dict[str, float]]) -> list[str]:
-    """What the points cost, and the power of their number from 36 to 216 by which it grows."""
+    """Cost of the points, and the power of their number from 36 to 216 by which it grows."""
     counts = [geometry.prototype(name).point_count for name in NAMES]
     steps = np.log(counts[-1] / counts[1])
     rows = [

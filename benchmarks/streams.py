@@ -100,7 +100,7 @@ class Sensor:
 
     @cached_property
     def calibrated(self) -> ArrayResponse:
-        """What a calibration would find: the transfer functions, but of sound what the design says."""
+        """Result of a calibration: its transfer functions, with the sound responses of the design."""
         return replace(self._nominal, transfer_function=self._responses(self._nominal.frequency)[0])
 
     def heard(self, made: Iterable[tuple[Made, Array]]) -> Array:
@@ -183,7 +183,7 @@ def session(kind: str, points: int, random: np.random.Generator) -> list[tuple[M
 
 @dataclass(frozen=True)
 class Told:
-    """What a recording was told to hold."""
+    """Decisions and touches that a recording led to."""
 
     decisions: list[localize.Decision]
     touches: list[localize.Touch]
@@ -193,7 +193,7 @@ class Told:
 
 
 def told(known: Library | ArrayResponse, signals: Array) -> Told:
-    """What a stream tells of a recording, by the library of a design or the transfer functions of its sensor."""
+    """Decisions of a stream about a recording, by the library of a design or the transfer functions of its sensor."""
     response = response_of(known)
     decoder = decoder_of(known)
     stream = localize.TouchStream(decoder, sound_test=localize.SoundTest(response, "design"))

@@ -89,7 +89,7 @@ def measure(design: str, changes: int) -> None:
 
 
 def in_browser(design: str, port: int, changes: int) -> None:
-    """What is seen of the studio."""
+    """Measured figures of the studio."""
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
@@ -200,7 +200,7 @@ async def memory(port: int, process: int, changes: int) -> tuple[float, float]:
 
 
 def revision(message: str | bytes) -> int | None:
-    """Of which change some curves are; None of all other messages."""
+    """Number of the change that some curves show; None of all other messages."""
     if isinstance(message, str):
         return None
     found: int = json.loads(message[4 : 4 + int.from_bytes(message[:4], "little")])["revision"]

@@ -59,7 +59,7 @@ def study_of(cases: int, metrics: Sequence[str] = METRICS_OF_STUDY) -> Study:
 
 
 def one_by_one(design: ArrayDesign, frequency: np.ndarray) -> list[float]:
-    """What a script without the runner does for each design."""
+    """Work of a script without the runner for each design."""
     library = acoustic_fem.solve(design, frequency, "lumped")
     return [metric.of_library(library) for metric in metrics_named(METRICS_OF_STUDY)]
 
@@ -81,7 +81,7 @@ def clock() -> Iterator[Clock]:
 
 
 def _processor_time() -> float:
-    """Of this process, of its children that have ended, and of those that live."""
+    """Sum over this process, its ended children and those that live."""
     own, ended = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
     alive = [child.cpu_times() for child in psutil.Process().children(recursive=True)]
     return own.ru_utime + own.ru_stime + ended.ru_utime + ended.ru_stime + sum(t.user + t.system for t in alive)
@@ -197,7 +197,7 @@ def all_metrics(cases: int) -> list[str]:
 
 
 def overhead(tasks: int) -> list[str]:
-    """What the runner adds: the start of workers, and to a task that does nothing."""
+    """Overhead of the runner: the start of workers, and the time of a task that does nothing."""
     lines = ["| overhead | start and end (s) | per block of cases (ms) |", "|---|---|---|"]
     for workers in (1, 2):
         study = study_of(128)
@@ -222,7 +222,7 @@ def _nothing(number: int) -> int:
 
 
 def machine() -> str:
-    """What runs, and how busy it is."""
+    """Running processes, and how busy they are."""
     versions = f"Python {platform.python_version()}, numpy {np.__version__}, {platform.machine()}"
     return f"{versions}, {cores()} cores, load {psutil.getloadavg()[0]:.1f} at the start"
 

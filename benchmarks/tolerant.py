@@ -1,4 +1,4 @@
-"""What a sensor that nobody calibrated is decoded with: the nominal decoder and the one that knows the tolerances.
+"""Decoders for a sensor that nobody calibrated: the nominal decoder and the one that knows the tolerances.
 
 ``python benchmarks/tolerant.py --write`` writes docs/evidence/tolerant.csv and the table of docs/evidence/decoder.md
 anew. Signals are those of virtual rigs (:mod:`studies.test_rig.virtual_rig`), which have more than the decoder
@@ -84,7 +84,7 @@ class Truth:
 
     @property
     def is_one(self) -> bool:
-        """Whether there is one such sensor only: nothing is drawn."""
+        """True if there is one such sensor only: nothing is drawn."""
         return self.scatter.bore == 0.0
 
 

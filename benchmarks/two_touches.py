@@ -1,4 +1,4 @@
-"""What two touches at once resolve into, by distance along the line and by level.
+"""Resolution of two touches at once, by distance along the line and by level.
 
 ``python benchmarks/two_touches.py`` writes the table of docs/evidence/decoder.md anew: some minutes of one core, 2 GB
 of memory. Each pair has a level of its own, but no stimulus: signals are the exact steady states of two multi-sines of
@@ -62,7 +62,7 @@ def pairs_at(response: ArrayResponse, low: int, high: int) -> list[tuple[int, in
 
 
 def near(response: ArrayResponse, found: np.ndarray, true: np.ndarray) -> np.ndarray:
-    """Whether each found pair is the true one or has one or both points beside it on the line."""
+    """For each found pair, true if it is the true one or has one or both points beside it on the line."""
 
     def beside(a: np.ndarray, b: np.ndarray) -> np.ndarray:
         return (response.line[a] == response.line[b]) & (abs(response.place[a] - response.place[b]) <= 1)

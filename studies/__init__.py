@@ -1,4 +1,4 @@
-"""What the designer asks, one call each: whatever a verb of the command line does, with the same defaults and files.
+"""The calls of a designer: whatever a verb of the command line does, with the same defaults and files.
 
 Names are loaded when they are first used, so that ``import studies`` loads nothing heavy. No room may bear the name of
 one of them: importing it would hide the function.

@@ -74,7 +74,7 @@ class Solved:
 
     @cached_property
     def excess(self) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-        """What 3-D adds to the closed form: to the impedances beside the common one, and to the whole admittance."""
+        """3-D minus the closed form: to the impedances beside the common one, and to the whole admittance."""
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
             lumped = lumped_admittance(self.cell, FREQUENCY, MEDIUM)
@@ -171,7 +171,7 @@ def _value(port: _Port, powers: Any, count: int, fitted: tuple[Any, Any]) -> NDA
 
 
 def mesh_bias(house: str, samples: dict[str, Solved]) -> tuple[Bias, float]:
-    """What the meshes of the samples lack over s^2, and by how much of a stub's impedance it scatters."""
+    """Mesh error of the samples over s^2, and its scatter as a fraction of a stub's impedance."""
     pairs = []
     for name, fine in samples.items():
         if name.startswith(house) and name.endswith("-fine"):

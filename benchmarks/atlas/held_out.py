@@ -31,7 +31,7 @@ _BASES = tuple(geometry.prototype(name) for name in ("array-2x6", "line-3"))
 def random_design(seed: int) -> ArrayDesign:
     """A design of 2 to 12 points with sizes drawn from all of the bounds, membranes, air and wiring at random.
 
-    Of four designs one has two points and bores of two widths, one has ports out of the middle, one has points so close
+    One of four designs has two points and bores of two widths, one has ports out of the middle, one has points so close
     that tubes leave corners at other angles, also where they overlap. One of three has three microphones, whose
     chambers have two tubes each.
     """

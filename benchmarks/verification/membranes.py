@@ -25,7 +25,7 @@ def _disc(shape: DiscShape, refinement: int) -> ElasticDisc:
 
 
 def _plate_compliance(thickness: float) -> float:
-    """Of a clamped Kirchhoff plate, in a^3 / E."""
+    """Compliance of a clamped Kirchhoff plate, in a^3 / E."""
     return float(np.pi / 192 * 12 * (1 - _POISSON**2) / thickness**3)
 
 

@@ -21,7 +21,7 @@ _STORED = Path(openwind_ladder.__file__).parents[1] / "reference" / "openwind.js
 
 
 def available() -> bool:
-    """Whether OpenWind is installed."""
+    """True if OpenWind is installed."""
     return find_spec("openwind") is not None
 
 

@@ -1,4 +1,4 @@
-"""What a run of the verification leaves: convergence studies, checks and tables, as plain values."""
+"""Files of a run of the verification: convergence studies, checks and tables, as plain values."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class Study:
 
     @property
     def as_expected(self) -> bool:
-        """Whether the fitted order lies within the spread of the expected one."""
+        """True if the fitted order lies within the spread of the expected one."""
         return self.expected is None or abs(self.order - self.expected) <= self.spread
 
 
@@ -92,7 +92,7 @@ class Check:
 
     @property
     def met(self) -> bool:
-        """Whether the target is met; a number that is not finite meets none."""
+        """True if the target is met; a number that is not finite meets none."""
         return bool(self.measured <= self.target)
 
 

@@ -2,7 +2,7 @@
 
 A tube of given length is wound on a cylinder over several angles, the rest of it straight on both sides. The
 bent bore is a uniform line (:mod:`acoustic_fem.cell.bent_bore`), the straight rest an exact round duct; at the far end
-sits a microphone in its chamber, or a plug. What is compared is the pressure there over that at the near end.
+sits a microphone in its chamber, or a plug. The pressure there is compared as a fraction of that at the near end.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ PROTOTYPE = "array-2x6"
 
 @dataclass(frozen=True, eq=False)
 class Bending:
-    """What bending changes."""
+    """Changes by bending."""
 
     rig: BendingRig
     """Tube and cylinder."""

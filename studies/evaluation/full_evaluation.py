@@ -148,7 +148,7 @@ def rig_sensors(
 ) -> list[tuple[str, float | None, NDArray[np.complex128]]]:
     """Set of virtual rigs, uncalibrated: made sensors with what no decoder knows, :class:`studies.HiddenScatter`.
 
-    What the rigs change is computed with closed forms and taken over to a library of any fidelity; above 160 Hz it
+    The changes by the rigs are computed with closed forms and applied to a library of any fidelity; above 160 Hz it
     stays as it is there.
 
     Args:

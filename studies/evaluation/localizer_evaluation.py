@@ -1,4 +1,4 @@
-"""A localizer evaluated on touches that it has never heard, the model-based decoder beside it."""
+"""A localizer evaluated on touches that it was not trained on, the model-based decoder beside it."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def evaluate_localizer(
     seed: int = 0,
     display: Display | None = None,
 ) -> dict[str, Headline]:
-    """Evaluations of a localizer on touches that it has never heard, the Bayes decoder beside it.
+    """Evaluations of a localizer on touches that it was not trained on, the Bayes decoder beside it.
 
     The touches are multi-sine touches on the nominal sensor; beside them stand taps, and sensors that are made with a
     workshop's tolerances.

@@ -1,4 +1,4 @@
-"""What a training leaves beside the localizer: its curves and its confusions, as tables and pictures."""
+"""Files of a training beside the localizer: its curves and its confusions, as tables and pictures."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ TOUCHES = 50
 def write_training_files(folder: Path, localizer: Localizer, evaluation: Evaluation) -> None:
     """Write ``training.csv`` and ``.png`` (loss and accuracy by epoch) and ``confusion.csv`` and ``.png``.
 
-    Where there were recordings, the curves have a column for each part of those that were held out.
+    If there were recordings, the curves have a column for each part of those that were held out.
 
     Args:
         folder: must exist; files of these names are replaced.

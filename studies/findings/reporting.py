@@ -1,4 +1,4 @@
-"""What a sweep or a search found, read back: a page, the best designs, the design file of one."""
+"""Results of a sweep or a search, read back: a page, the best designs, the design file of one."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def sweep_report(
         display: shows what is being done.
 
     Returns:
-        What the page shows.
+        Contents of the page.
 
     Raises:
         Refusal: as :func:`read_results`, or a file that cannot be written.

@@ -1,4 +1,4 @@
-"""What a sweep or a search found, as plain columns: for the report and for the table of best designs."""
+"""Results of a sweep or a search as plain columns: for the report and for the table of best designs."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Column:
 
     @property
     def words(self) -> dict[str, Any]:
-        """What a page says of the column beside its values: name, title, unit, labels and the better direction."""
+        """The column's description on a page: name, title, unit, labels and the better direction."""
         return {
             "name": self.name,
             "title": self.title,
@@ -309,7 +309,7 @@ def _value(column: Column, row: int) -> float | int | str:
 
 
 def unit_of(name: str) -> str:
-    """Unit of a field of the design by dotted name, empty where it has none."""
+    """Unit of a field of the design by dotted name, empty if it is dimensionless."""
     field = _field(name)
     return "" if field is None else field.unit
 
@@ -330,7 +330,7 @@ def _parameter(name: str, values: NDArray[Any], unit: str) -> Column:
 def with_base_metrics(table: ResultTable) -> ResultTable:
     """The table with the figures of the base of a sweep in closed form, which is rarely one of its cases: solved.
 
-    A base outside the atlas has none at that fidelity, as a case has none.
+    At fidelity atlas a base outside the atlas has no figures, like a failed case.
     """
     if table.base_metrics or table.fidelity not in CLOSED_FORMS:
         return table

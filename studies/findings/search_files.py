@@ -1,4 +1,4 @@
-"""What a search leaves on disk: design files, a table of the front, and the report."""
+"""Files of a search: design files, a table of the front, and the report."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ class EmbeddedFiles:
     decoder: EmbeddedDecoder
     """Texts of the files, and what the decoder costs."""
     assumptions: str
-    """What the decoder assumes of the sensor, in words."""
+    """Assumptions of the decoder about the sensor, in words."""
 
 
 def embed_decoder(
@@ -45,7 +45,7 @@ def embed_decoder(
 
     Args:
         library: of the array, a path, a library or an open model; its sensor is decoded as it is.
-        out: a folder, made if it does not exist. What it holds of an earlier call is replaced, and nothing else.
+        out: a folder, made if it does not exist. Files of an earlier call are replaced, and no others.
         precision: of the large tables, ``float32`` or ``int16``.
         budget: what the microcontroller has for it, such as ``flash=512k,ram=16k,instructions=2.5M``; by default all
             that it takes.

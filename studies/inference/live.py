@@ -29,7 +29,7 @@ from studies.output.folders import check_new_file
 
 @dataclass(frozen=True)
 class LiveInput:
-    """Where live samples come from."""
+    """Source of live samples."""
 
     device: int | str | None = None
     """Sound card: its number, or a part of its name; by default that of the system."""
@@ -66,7 +66,7 @@ class LiveSession:
         self.array: ArrayFacts = model.locator.array
         """Array with the lines and places of its points, and the names of its microphones."""
         self.assumptions = model.assumptions
-        """What the model assumes of the sensor, in words."""
+        """Assumptions of the model about the sensor, in words."""
         self.latencies = Latencies()
         """Latencies of the decisions so far."""
 
@@ -109,7 +109,7 @@ class LiveSummary:
     recordings: tuple[Path, ...]
     """Files that were recorded."""
     assumptions: str
-    """What the model assumes of the sensor, in words."""
+    """Assumptions of the model about the sensor, in words."""
     warning: str | None = None
     """Reason to distrust the touches: the sensor does not fit the library; as of :class:`LocatedTouches`."""
     unrecorded: str = ""
@@ -198,7 +198,7 @@ def _nothing_freed() -> Iterator[None]:
 
 
 class _Counts:
-    """What was heard so far."""
+    """Counts of the events so far."""
 
     def __init__(self) -> None:
         self._states: Counter[str] = Counter()

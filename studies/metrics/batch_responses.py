@@ -1,4 +1,4 @@
-"""What metrics are computed from: the responses of a batch of designs of one topology, and the designs."""
+"""Input of the metrics: the responses of a batch of designs of one topology, and the designs."""
 
 from __future__ import annotations
 

@@ -84,11 +84,11 @@ def volumes_of(design: ArrayDesign) -> Volumes:
     sockets_of_shells = sockets_of_housings = 0.0
     for line in design.lines:
         outer = design.microphone_tube_of(line)
-        wall, radius = resonator.wall_thickness, resonator.cavity_diameter / 2
+        wall = resonator.wall_thickness
         for inner, count in design.segment_counts_of(line):
-            sockets_of_shells += 2 * count * _port(design, inner, radius, wall)
-        sockets_of_shells += 2 * _port(design, outer, radius, wall)
-        sockets_of_housings += 2 * _port(design, outer, microphone.chamber_diameter / 2, microphone.wall_thickness)
+            sockets_of_shells += 2 * count * _port(design, inner, wall)
+        sockets_of_shells += 2 * _port(design, outer, wall)
+        sockets_of_housings += 2 * _port(design, outer, microphone.wall_thickness)
     shells = discs = 0.0
     for kind, count in Counter(design.kind_of_point).items():
         alike = design.of_kind(design.kinds[kind])
@@ -147,7 +147,7 @@ def _segment(radius: float, distance: float) -> float:
     return radius**2 * math.acos(distance / radius) - distance * math.sqrt(radius**2 - distance**2)
 
 
-def _port(design: ArrayDesign, tube: Tube, radius: float, wall: float) -> float:
+def _port(design: ArrayDesign, tube: Tube, wall: float) -> float:
     """Volume that a bore and its socket take out of the wall of a round housing, mm^3."""
     lip = min(design.printing.port_lip, wall)
     socket = _disc(tube.outer_diameter + 2 * design.printing.glue_gap, wall - lip)

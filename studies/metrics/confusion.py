@@ -1,6 +1,6 @@
 """How often points will be taken for each other, predicted from transfer functions, touches and noise: no training.
 
-A localizer decides from a frame of 250 samples. What it makes of a frame is taken as a set of filters, each giving one
+A localizer decides from a frame of 250 samples. Its input from a frame is taken as a set of filters, each giving one
 complex vector x_k with an entry per microphone. Two listeners:
 
 - ``network``: the Morlet wavelets of :mod:`localize.learned.features` at the end of the frame, one standard deviation
@@ -11,7 +11,7 @@ complex vector x_k with an entry per microphone. Two listeners:
 If point j is touched, x_k is taken as a zero-mean Gaussian of covariance g C_jk + N_k, all k independent of each other
 (Whittle's approximation): C_jk is that of a source of flat spectrum from 1 to 100 Hz seen through the transfer
 functions of j and the filter, g the unknown power of the touch, N_k the noise. The point of the largest likelihood,
-maximised over g, is named. Where signals stand far out of the noise, this compares ratios of microphones.
+maximised over g, is named. If signals are far above the noise, this compares ratios of microphones.
 
 The touches are those of :mod:`localize.signals.stimulus`, from fixed seeds and the same for all designs, so that
 designs are compared by what differs in them. docs/metrics.md compares predictions with trained localizers.
@@ -167,7 +167,7 @@ class _Room:
         self._noise: dict[int, tuple[int, bytes, Array]] = {}
 
     def frames_of(self, h: ComplexArray) -> Array:
-        """Where the frames of transfer functions (n_design, n_point, n_microphone, n_freq) go, contiguous."""
+        """Contiguous storage for the frames of transfer functions (n_design, n_point, n_microphone, n_freq)."""
         shape = *h.shape[:2], *self._frames.shape[2:]
         return self._frames.reshape(-1)[: math.prod(shape)].reshape(shape)
 
@@ -186,7 +186,7 @@ class _Room:
         return known[2]
 
     def products(self, frames: Array, noise: Array) -> Array:
-        """What likelihoods are linear in: products of the microphones' signals, |x_a|^2 and parts of conj(x_a) x_b.
+        """Terms that likelihoods are linear in: products of signals, |x_a|^2 and parts of conj(x_a) x_b.
 
         Args:
             frames: (n_point, n_microphone, 2, n_filter, n_touch) of one design.

@@ -1,4 +1,4 @@
-"""Where on an array a contact is felt at all: the share of its area in which one reaches a membrane."""
+"""Covered area: the fraction of an array's area in which a contact reaches a membrane."""
 
 from __future__ import annotations
 

@@ -64,13 +64,13 @@ def noise_of_filters(noise: float | NoiseSpectrum | ArrayLike, designs: int, lis
 
 @lru_cache(maxsize=2)
 def _passed_noise(listener: Listener) -> Array:
-    """What the filters let through of noise at each of its lines, (NOISE_LINES, n_filter)."""
+    """Noise that the filters pass at each of its lines, (NOISE_LINES, n_filter)."""
     forth, back = filtered(np.arange(NOISE_LINES, dtype=np.float64), listener)
     return np.asarray((np.abs(forth) ** 2 + np.abs(back) ** 2) / 2)
 
 
 class Ear:
-    """What lies between transfer functions on one grid and the filtered frames of the simulated touches; linear."""
+    """Linear map from transfer functions on one grid to the filtered frames of the simulated touches."""
 
     def __init__(self, grid: Array, listener: Listener, touches: int, seed: int) -> None:
         lines = stimulus.lines_within(BAND)
@@ -186,7 +186,7 @@ def _wavelets() -> ComplexArray:
 
 
 def filtered(frequency: Array, listener: Listener) -> tuple[ComplexArray, ComplexArray]:
-    """What the filters make of exp(j w t) and of its conjugate: (n, n_filter) each."""
+    """Outputs of the filters for exp(j w t) and its conjugate: (n, n_filter) each."""
     wave = np.exp(2j * np.pi * frequency[:, None] * np.arange(FRAME) / SAMPLE_RATE)
     filters = filters_of(listener).T
     return wave @ filters, wave.conj() @ filters

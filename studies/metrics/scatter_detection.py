@@ -45,7 +45,7 @@ from localize.signals.noise_model import microphone_noise
 FREQUENCIES = np.geomspace(1.5, 90.0, 8)
 """Hz, at which responses are compared."""
 UNKNOWN = 0.02
-"""What is never known of a ratio, nepers and radians."""
+"""Uncertainty of a ratio that always remains, nepers and radians."""
 WORST = 0.2
 """Exponent of the worst pairs, by their mean fourth power, beside the mean of all."""
 TOUCH_LEVEL, BINS = 0.25, 25
@@ -74,7 +74,7 @@ def scatter_detection(
         of the worst pairs to the power 0.2 / 1.2.
 
     Raises:
-        Refusal: fewer than two points or microphones, a cavity that is no cylinder, or a pre-stretched membrane with
+        Refusal: fewer than two points or microphones, a cavity that is not a cylinder, or a pre-stretched membrane with
             loss.
     """
     alike: dict[tuple[Topology, Air], list[int]] = {}
@@ -258,7 +258,7 @@ def _logarithm_of(values: Any) -> Any:
 
 
 def _of_gains(first: NDArray[np.intp], second: NDArray[np.intp]) -> Array:
-    """What the gain of each microphone changes of the logarithms of ratios, (n_microphone, n_pair, 2 n_freq)."""
+    """Derivatives of the logarithms of ratios by the gain of each microphone, (n_microphone, n_pair, 2 n_freq)."""
     moved = np.zeros((int(second.max()) + 1, len(first), 2 * len(FREQUENCIES)))
     pairs, count = np.arange(len(first)), len(FREQUENCIES)
     moved[first, pairs, :count] = _DEVIATIONS["microphone_gain"]

@@ -1,4 +1,4 @@
-"""What a touch of given force or displacement does at the microphones, for many designs at once."""
+"""Pressures at the microphones for a touch of given force or displacement, for many designs at once."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ def bandwidth(responses: Responses, response: ComplexArray) -> Array:
 
 
 def in_vacuo(responses: Responses) -> DiscResponse:
-    """What the membranes of each design do in vacuo, arrays (n_design, n_point, n_freq) complex128."""
+    """Motion of the membranes of each design in vacuo, arrays (n_design, n_point, n_freq) complex128."""
     from acoustic_fem.library.touch_pressure import membranes_in_vacuo
     from acoustic_fem.membrane.disc import DiscResponse, design_disc, design_rubber
 

@@ -1,7 +1,7 @@
 """Steps downhill along the slopes of one objective (Adam; Kingma and Ba 2015), each step a design to compute.
 
 A place is a number for each parameter, without bounds: a logistic function of it is the share of the parameter's range
-in logarithms. What a step needs of the steps before stands beside it in the journal.
+in logarithms. A step's input from the steps before it is kept beside it in the journal.
 """
 
 from __future__ import annotations

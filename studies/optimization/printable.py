@@ -1,6 +1,6 @@
 """Test that a design can be printed and laid out, from its fields alone: microseconds for walls and holes.
 
-What a search may try is decided here; the parts of what it finds are then drawn and measured
+The designs that a search may try are decided here; the parts of what it finds are then drawn and measured
 (:func:`geometry.print_report`), which takes seconds.
 """
 

@@ -1,4 +1,4 @@
-"""The best designs of a study: many proposed at once, computed in one call, and told back (Optuna).
+"""The best designs of a study: many proposed at once, computed in one call, and reported back (Optuna).
 
 Every trial is kept in a journal beside the results, so that a search that was killed goes on where it was. A design
 that cannot be built, printed or laid out is refused before anything is computed and counts as failed.
@@ -182,7 +182,7 @@ def _directions(problem: Optimization) -> list[Literal["minimize", "maximize"]]:
 def _in_memory(journal: optuna.Study, problem: Optimization) -> optuna.Study:
     """A study to search with: the journal waits for the disk at every word, so that whole trials are added to it.
 
-    Of a batch that a kill cut short nothing is taken over: it is proposed and computed again, from the same seed.
+    A batch that a kill cut short is dropped: it is proposed and computed again, from the same seed.
     """
     import optuna
 
@@ -194,7 +194,7 @@ def _in_memory(journal: optuna.Study, problem: Optimization) -> optuna.Study:
 
 
 def _identity(problem: Optimization) -> dict[str, Any]:
-    """What must agree for trials to belong to one search, as JSON keeps it."""
+    """Settings that must agree for trials to belong to one search, as JSON keeps them."""
     return {
         "study": problem.study.digest(),
         "metrics": [metric.name for metric in problem.metrics],

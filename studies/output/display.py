@@ -1,4 +1,4 @@
-"""What the user sees: numbers, and while something runs a bar on a terminal, short lines elsewhere."""
+"""Display for the user: numbers, and while something runs a bar on a terminal, short lines elsewhere."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Results on disk: a file is whole or not there, and nobody else's files are touched.
 
-Where a result may go is decided here for every call that takes an ``out``: a file that is read, was measured or is of
+The place of a result is checked here for every call that takes an ``out``: a file that is read, was measured or is of
 another kind is never written over, and a folder that holds anything is written into only by what made it.
 """
 
@@ -83,7 +83,7 @@ def check_new_file(
 
     Args:
         path: of the file; none is nothing to write.
-        suffix: such as ``.jsonl``: an earlier file with another end of its name is none of ours, and is kept.
+        suffix: such as ``.jsonl``: an earlier file with another end of its name is not ours and is kept.
         reads: files that are read, whatever names they have there and here.
         kept: what it is, where such a file is never overwritten: a design that somebody may have changed, a library
             that nobody can compute again. By default an earlier file is replaced.
@@ -240,11 +240,11 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
 def replaced_files(folder: Path) -> Iterator[Path]:
     """Empty folder whose files move into ``folder`` when all went well, and are removed when not.
 
-    What an earlier call put there goes, so that no folder holds files of two designs; files of others stay. Both are
+    Files of an earlier call are removed, so that no folder holds files of two designs; files of others stay. Both are
     told apart by the list ``files.txt``: whenever a call is stopped, it names all that calls have put there.
 
     Raises:
-        Refusal: the list names what is no file of the folder.
+        Refusal: the list contains a file that is not in the folder.
     """
     fresh, listed = folder / ".files.new", folder / FILES
     earlier = set(read_text(listed, "a list of files", Refusal).splitlines()) if listed.exists() else set()

@@ -40,7 +40,7 @@ def hold(descriptor: int, path: Path, verb: str, refusal: type[Refusal]) -> None
 def sole_writer_of(folder: Path, verb: str, refusal: type[Refusal]) -> Iterator[None]:
     """Nobody else's folder while the block runs; it is made where it is missing. Arguments as for :func:`hold`.
 
-    Nothing is put into the folder. Where folders cannot be locked, as on some network drives, nobody watches.
+    Nothing is put into the folder. If folders cannot be locked, as on some network drives, nothing is checked.
 
     Raises:
         Refusal: of that class: another process holds it.

@@ -1,4 +1,4 @@
-"""What the panels of the studio show of a design: its form, its figures and its files, by the calls of Python.
+"""Contents of the studio's panels for a design: its form, its figures and its files, by the calls of Python.
 
 Stands on: findings, inference, metrics, optimization, output, run, scatter, study, sweep.
 """

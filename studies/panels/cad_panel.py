@@ -19,7 +19,7 @@ from studies.run.check import check_design
 
 
 def read_upload(text: str, name: str) -> dict[str, Any]:
-    """What a design file states that somebody handed in, by the reader of design files.
+    """Fields of a design file that somebody uploaded, by the reader of design files.
 
     Args:
         text: TOML.
@@ -61,7 +61,7 @@ def model_of_array(design: ArrayDesign) -> dict[str, Any]:
 
 
 def check_figures(design: ArrayDesign, notify: Callable[[str], None] = lambda line: None) -> dict[str, Any]:
-    """What ``acoustic-fem check`` finds: print findings, overlaps, assumptions of the models against their limits.
+    """Findings of ``acoustic-fem check``: print findings, overlaps, assumptions of the models against their limits.
 
     Args:
         design: the array.

@@ -1,4 +1,4 @@
-"""A design while it is changed: undo and redo, what is not saved, and refusals with the value that would mend them."""
+"""A design while it is changed: undo and redo, what is not saved, and refusals with the value that would fix them."""
 
 from __future__ import annotations
 

@@ -129,7 +129,7 @@ def write_study(design: ArrayDesign, text: str, path: Path) -> None:
 
 
 def study_folder(design: ArrayDesign, text: str) -> Path:
-    """Where the results of a study are kept, beside the solved cells, so that it goes on where it was.
+    """Folder of a study's results, beside the solved cells, so that it goes on where it was.
 
     By its hash and the digest of the atlas.
     """
@@ -190,7 +190,7 @@ def run_study(design: ArrayDesign, text: str, notify: Callable[[str], None] = la
 
 
 def study_so_far(design: ArrayDesign, text: str) -> FoundDesigns:
-    """What a study found as far as it was run.
+    """Results of a study as far as it was run.
 
     Raises:
         Refusal: nothing is there yet.
@@ -224,7 +224,7 @@ def _paced(notify: Callable[[str], None]) -> Report:
 
 
 def study_figures(found: FoundDesigns) -> dict[str, Any]:
-    """What the page shows of a study.
+    """Contents of the page for a study.
 
     Returns:
         ``title``, ``source`` ("sweep" or "search"), ``fidelity``; ``waiting``: designs not computed yet; ``failures``:

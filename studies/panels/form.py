@@ -19,7 +19,7 @@ _MATERIAL = "material"
 
 
 def stated_values(design: ArrayDesign) -> dict[str, Any]:
-    """What a design states, as tables and lists that JSON can hold; a design is made from it again by ``validated``.
+    """Fields of a design, as tables and lists that JSON can hold; a design is made from it again by ``validated``.
 
     Tables that follow others are left out, so that they go on to follow.
     """
@@ -46,7 +46,7 @@ def addable_tables(design: ArrayDesign) -> dict[str, dict[str, Any]]:
     """Tables that a design does not state and may: with them it has the same parts as without.
 
     Returns:
-        By dotted name what a table would state: a tube, or a pattern of kinds, for each line that has none of its own,
+        By dotted name what a table would state: a tube, or a pattern of kinds, for each line without one of its own,
         a further kind of points or of tubes, and a material of one's own.
     """
     found: dict[str, dict[str, Any]] = {}

@@ -115,7 +115,7 @@ def paths_of(decoder: DesignDecoder, signals: NDArray[np.float64]) -> list[dict[
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
 
     Returns:
-        Of each path ``places``: time (s), x, y and their standard deviation (mm), 16 ms apart; ``gesture``: its kind
+        Each path has ``places``: time (s), x, y and their standard deviation (mm), 16 ms apart; ``gesture``: its kind
         in words; ``length``, mm.
     """
     model = opened_as_designed(decoder.model)
@@ -196,7 +196,7 @@ def decode(decoder: DesignDecoder, signals: NDArray[np.float64]) -> dict[str, An
 
 
 def membranes(design: ArrayDesign) -> dict[str, Any]:
-    """Where the membranes lie in plan.
+    """Positions of the membranes in plan.
 
     Returns:
         ``points``: x, y and radius of the membrane of each, mm; ``fidelity`` of the library that decodes, in words.

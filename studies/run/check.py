@@ -1,4 +1,4 @@
-"""What can be said of a design before it is solved: counts, wiring, print findings, validity of the models."""
+"""Check of a design before it is solved: counts, wiring, print findings, validity of the models."""
 
 from __future__ import annotations
 
@@ -130,7 +130,7 @@ class DesignCheck:
     def problems(self) -> tuple[str, ...]:
         """Lines on why the array cannot be made; none where it can.
 
-        What cannot be built as it is laid out overlaps as it is drawn too: it counts once, by the layout.
+        A layout that cannot be built overlaps as it is drawn too: it counts once, by the layout.
         """
         return self.overlaps or self.misfits or self.failures
 

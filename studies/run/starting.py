@@ -25,7 +25,7 @@ from studies.output.folders import check_new_file
 
 @dataclass(frozen=True)
 class Place:
-    """Where a sensor goes, and what is usual there."""
+    """Place of a sensor, and the usual values there."""
 
     words: str
     """The place in words."""
@@ -80,7 +80,7 @@ _TRIES, _TRIED_POINTS = 6, 300
 
 @dataclass(frozen=True)
 class _Asked:
-    """What the design is to be; lengths in mm."""
+    """Requirements of the design; lengths in mm."""
 
     name: str
     place: Place
@@ -118,7 +118,7 @@ def new_design(
 ) -> ArrayDesign:
     """Write a design that can be built and has room where it goes, made from the parts of a prototype.
 
-    Tubes lie straight, as long as the pitch leaves between two cavities. Where shells of the prototype's size would be
+    Tubes lie straight, as long as the pitch leaves between two cavities. If shells of the prototype's size would be
     in each other's way they are made smaller; grids are tried from that of half as many rows as columns on. In a plane
     the last row may be short, where full ones would be over twice as long or short as that.
 

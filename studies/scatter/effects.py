@@ -1,4 +1,4 @@
-"""What manufacturing scatter does to a design: spread of its responses and of its accuracy, and what matters most.
+"""Effects of manufacturing scatter on a design: spread of its responses and of its accuracy, and what matters most.
 
 Three accuracies are predicted for each sensor with scatter (:mod:`studies.metrics.confusion`):
 
@@ -7,7 +7,7 @@ Three accuracies are predicted for each sensor with scatter (:mod:`studies.metri
 - ``trained``: one localizer for all, trained on a library of sensors with scatter
   (:mod:`studies.scatter.perturbed_library`); a lower bound, for the likelihoods of 32 of them are averaged.
 
-What matters most is said by Sobol indices of groups: all deviations of one quantity, part by part, are one factor.
+The largest effects are found by Sobol indices of groups: all deviations of one quantity, part by part, are one factor.
 The first-order index is the share of the variance that would go, on average, if that quantity were known; the total
 one the share that would be left if all others were known. Estimated by pick-freeze (first order: Saltelli et al.,
 Comput. Phys. Commun. 181 (2010) 259, table 2; total: Jansen, Comput. Phys. Commun. 117 (1999) 35).

@@ -63,7 +63,7 @@ def write_perturbed_library(
     built beside and renamed at the end: it is whole or not there.
 
     Args:
-        path: of the new store, such as ``mis-made.zarr``.
+        path: of the new store, such as ``as-built.zarr``.
         design: the nominal array.
         count: sensors, 1 to a million.
         frequency: (n_freq,), Hz, ascending.
@@ -140,7 +140,7 @@ class PerturbedLibrary:
     :class:`localize.signals.touch_generator.TransferFunctionSource`.
 
     Raises:
-        Refusal: the path is no such store, was written by another version, or is damaged; names the file.
+        Refusal: the path is not such a store, was written by another version, or is damaged; names the file.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:

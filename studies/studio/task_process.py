@@ -60,7 +60,7 @@ class TaskProcess:
         report: Callable[[str], None] | None = None,
         task: object = None,
     ) -> Any:
-        """What a function returns, called in the process; waits for its turn.
+        """Return value of a function called in the process; waits for its turn.
 
         Args:
             work: a function of a module; with ``report`` it takes a further argument ``report``.

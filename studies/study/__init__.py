@@ -1,4 +1,4 @@
-"""What a study asks: file, cases, constraints, metrics by name.
+"""Parts of a study: file, cases, constraints, metrics by name.
 
 Stands on: metrics, scatter.
 """

@@ -1,4 +1,4 @@
-"""What the cases of a study cost, and how many processes of this machine that is worth: a run and its plan agree."""
+"""Cost of the cases of a study, and how many processes of this machine that is worth: a run and its plan agree."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a study will cost, before it is run: cases, distinct cells, time and memory."""
+"""Cost of a study before it is run: cases, distinct cells, time and memory."""
 
 from __future__ import annotations
 

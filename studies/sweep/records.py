@@ -1,4 +1,4 @@
-"""What a sweep keeps: a record of its study and, for each block of cases, records of what was computed.
+"""Records of a sweep: one of its study and, for each block of cases, records of what was computed.
 
 They lie in the folder ``records`` of the store. The record of the study says what is computed, with the values of all
 parameters. A block has a record of its metrics and, where the study keeps them, one of its transfer functions, written

@@ -1,7 +1,7 @@
 """Run a study: blocks of cases over processes or machines, into a store that survives being killed.
 
 Blocks depend on the study alone, each is computed by one worker in one thread, and one process writes them as
-they come. What was killed and started again ends in the same store as what was not.
+they come. A sweep that was killed and started again ends in the same store as what was not.
 """
 
 from __future__ import annotations
@@ -71,8 +71,8 @@ class Summary:
 
     @property
     def objection(self) -> str | None:
-        """Why the sweep is no success, in one line; None where it is: a case that its design keeps from being computed
-        is a result, unless all are.
+        """Reason for which the sweep failed, in one line; None if it did not. A case that cannot be computed because of
+        its design is a result, unless all are.
         """
         if wrong := self.program_errors:
             return (
@@ -182,7 +182,7 @@ def _stopped(out: Path, why: str) -> SweepError:
 
 
 def _lack(error: OSError | MemoryError) -> str:
-    """What the machine lacks, in words."""
+    """The resource that the machine lacks, in words."""
     if isinstance(error, MemoryError):
         return f"the memory does not suffice ({said_by(error)})"
     where = "" if error.filename is None else f" ({error.filename})"
@@ -198,7 +198,7 @@ def _team(
     workers: int | None,
     scheduler: str | None,
 ) -> int | None:
-    """Workers of this machine: as told, or as many as pay for what is left."""
+    """Workers of this machine: as configured, or as many as pay for the remaining cases."""
     if workers is not None or scheduler is not None:
         return workers
     return team_size(seconds_of(study, cases, [k for block in waiting for k in range(*block)], cells, discs))

@@ -4,7 +4,7 @@ The results are kept in the records of :mod:`studies.sweep.records`. From these 
 same folder, for xarray and other programs; nothing here reads it. Variables are named as in the study: a parameter by
 its dotted name, a metric by its name; the attribute ``kind`` says which is which. Nothing in a store depends on the
 time, the number of workers or the order of the blocks. The next run of the study computes again what is damaged in the
-records; until then whoever reads the results is told what that is.
+records; until then readers of the results get a warning that says what that is.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ from studies.sweep.records import (
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Damaged blocks that are told of one by one.
+#: Damaged blocks that are reported one by one.
 _TOLD = 3
 
 
@@ -251,7 +251,7 @@ class Sweep:
         return self.records.metrics
 
     def units(self, name: str) -> str:
-        """Unit of a variable, "1" for ratios; empty where it has none."""
+        """Unit of a variable, "1" for ratios; empty if it is dimensionless."""
         return self.records.layout.variables[name].attributes.get("units", "")
 
     @cached_property
@@ -347,5 +347,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
         raise StudyError.of(error, remedy=remedy) from None
     for name in records.metrics:
         if name not in METRICS:
-            raise StudyError("is no metric of this version", kind=Kind.UNKNOWN, file=path, field="metrics", value=name)
+            raise StudyError(
+                "is not a metric of this version", kind=Kind.UNKNOWN, file=path, field="metrics", value=name
+            )
     return Sweep(records, values)

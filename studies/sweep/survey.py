@@ -1,4 +1,4 @@
-"""What a sweep must know of its cases before any is computed: each design that this takes is built once."""
+"""Survey of a sweep's cases before any is computed: each design that this takes is built once."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ def calibrate_sensor(
 ) -> SensorCalibration:
     """Calibration of a made sensor from recordings: measured transfer functions with their uncertainty, in a library.
 
-    Bad recordings are left out and named. Where points lack a good one, all follow from a fit of the sensor's parts to
+    Bad recordings are left out and named. If points lack a good one, all follow from a fit of the sensor's parts to
     the measured points; where no sensor within the tolerances is like the measured one, they keep those of the design.
 
     Args:
@@ -113,7 +113,7 @@ def calibrate_sensor(
 
 
 def _prospect(fit: Update) -> tuple[NDArray[np.float64] | None, int | None]:
-    """What is to be expected of the fitted library, and what to measure next."""
+    """Expected quality of the fitted library, and the next measurement."""
     if fit.model.frequency[0] > BAND[0] or fit.model.frequency[-1] < BAND[1]:
         return None, None
     shares = localize.recalibration.expected_accuracy(fit)

@@ -1,4 +1,4 @@
-"""What is known of a made sensor before anything is measured: tolerances as spread of responses and as priors."""
+"""Knowledge of an as-built sensor before anything is measured: tolerances as spread of responses and as priors."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ def record_contact(
 ) -> Path:
     """Write what the microphones of a made sensor record of a contact, and beside it what is true of it.
 
-    What a force does to the pressure in a cavity is as designed; how that reaches the microphones is the made sensor's.
+    The pressure in a cavity for a force is as designed; its path to the microphones is the as-built sensor's.
 
     Args:
         rig: the made sensor.

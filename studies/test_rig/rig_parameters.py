@@ -1,4 +1,4 @@
-"""What a fit should find of a virtual rig: its hidden sensor in the parameters of the fitted family."""
+"""Expected result of a fit to a virtual rig: its hidden sensor in the parameters of the fitted family."""
 
 from __future__ import annotations
 

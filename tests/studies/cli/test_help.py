@@ -1,4 +1,4 @@
-"""What the command line says of itself: help, versions, and that saying so loads nothing heavy."""
+"""Help of the command line: texts, versions, and that saying so loads nothing heavy."""
 
 from __future__ import annotations
 

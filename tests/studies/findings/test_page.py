@@ -30,7 +30,7 @@ def blocks(kind: str) -> list[str]:
 
 
 def follow(folder: Path, *words: str) -> None:
-    """What ``acoustic-fem`` does with the words, in the folder."""
+    """Run ``acoustic-fem`` with the arguments in the folder."""
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
         patch.setattr(sys, "argv", ["acoustic-fem", *words])

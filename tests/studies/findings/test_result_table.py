@@ -26,7 +26,7 @@ def made_up(metric: Callable[[np.ndarray, np.ndarray], np.ndarray], count: int =
 
 
 def test_shares_are_those_of_an_additive_function() -> None:
-    """Of 3 a + b the variances are 9 : 1."""
+    """The variances of 3 a + b are 9 : 1."""
     a, b, metric = made_up(lambda a, b: 3 * a + b)
     assert effect(a, metric).share == pytest.approx(0.9, abs=0.02)
     assert effect(b, metric).share == pytest.approx(0.1, abs=0.02)

@@ -1,4 +1,4 @@
-"""What is told of the place, noise and air, reaches whatever tells kinds."""
+"""Settings of the place, noise and air, reach the recognizer of kinds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the user sees while something runs."""
+"""Display for the user while something runs."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ from studies.output.folders import (
 
 
 def earlier_run(folder: Path, design: str) -> None:
-    """What a finished run of a design leaves, and a file of the user's."""
+    """Files of a finished run of a design, and one of the user."""
     claim_folder(folder, design)
     for name in ("report.html", "results.json", "library.nc", "notes.txt"):
         (folder / name).write_text("old")

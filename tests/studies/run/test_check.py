@@ -1,4 +1,4 @@
-"""What is said of a design before it is solved: the parts as drawn go together, or what is in the way is named."""
+"""Check of a design before it is solved: the drawn parts fit together, or the obstacle is named."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""What ``check`` says of a membrane whose law is not causal."""
+"""Findings of ``check`` for a membrane whose law is not causal."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the browser loads is what the source of the page makes, and small."""
+"""The bundle that the browser loads is built from the page's source, and small."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ def page(stranger: TestClient, guard: Guard) -> TestClient:
 
 
 def refused(client: TestClient, **headers: str) -> bool:
-    """Whether a websocket is refused before it is opened."""
+    """True if a websocket is refused before it is opened."""
     try:
         with client.websocket_connect("ws://127.0.0.1:8765/session", headers=headers):
             return False

@@ -26,7 +26,7 @@ ARRAY = prototype("array-2x6")
 
 
 class Page:
-    """What a page would see."""
+    """Messages that a page would get."""
 
     def __init__(self) -> None:
         self.texts: list[dict[str, Any]] = []

@@ -1,49 +1,23 @@
-"""What a sweep will cost is said before any work, and workers are taken where they save more than their start."""
+"""The cost of a sweep is printed before any work, and workers are taken where they save more than their start."""
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from bores_study import TEXT
 from typer.testing import CliRunner
 
 from geometry.ground.refusal import Kind, Refusal
 from studies.cli.app import app
 from studies.study.cases import cases_of
 from studies.study.file import read_study
-from studies.study.study import Study
 from studies.sweep import block, cost, run
 from studies.sweep.plan import plan_sweep
 from studies.sweep.run import run_sweep
 from studies.sweep.workers import Workers
-
-METRICS_OF_STUDY = ("distance_smallest", "ipd_mean", "sensitivity_force", "volume")
-
-
-TEXT = f"""
-name = "bores"
-base = "array-2x6"
-fidelity = "lumped"
-frequencies = "1:100:12"
-metrics = {json.dumps(METRICS_OF_STUDY)}
-sampling = "random"
-cases = 40
-transfer_functions = true
-
-[parameters]
-"tube.inner_diameter" = {{from = 0.3, to = 0.8}}
-"tube.length" = {{from = 8, to = 30, scale = "log"}}
-"lines.0.points" = [6, 12]
-"membrane.material" = ["silicone-shore-a-30", "silicone-shore-a-10"]
-"""
-
-
-@pytest.fixture(scope="module")
-def study() -> Study:
-    return read_study(TEXT)
 
 
 def test_a_dry_run_says_what_it_will_cost_and_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

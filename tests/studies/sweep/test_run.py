@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from bores_study import METRICS_OF_STUDY, TEXT
 from refusals import refused
 from stores import assert_same_store
 from typer.testing import CliRunner
@@ -42,29 +43,6 @@ from studies.sweep.retries import ENDED_WORKERS, solved_blocks
 from studies.sweep.run import Summary, run_sweep
 from studies.sweep.store import open_sweep
 from studies.sweep.workers import Workers, open_workers
-
-METRICS_OF_STUDY = ("distance_smallest", "ipd_mean", "sensitivity_force", "volume")
-TEXT = f"""
-name = "bores"
-base = "array-2x6"
-fidelity = "lumped"
-frequencies = "1:100:12"
-metrics = {json.dumps(METRICS_OF_STUDY)}
-sampling = "random"
-cases = 40
-transfer_functions = true
-
-[parameters]
-"tube.inner_diameter" = {{from = 0.3, to = 0.8}}
-"tube.length" = {{from = 8, to = 30, scale = "log"}}
-"lines.0.points" = [6, 12]
-"membrane.material" = ["silicone-shore-a-30", "silicone-shore-a-10"]
-"""
-
-
-@pytest.fixture(scope="module")
-def study() -> Study:
-    return read_study(TEXT)
 
 
 @pytest.fixture(scope="module")
@@ -275,7 +253,7 @@ def test_a_mistake_of_the_program_is_no_property_of_a_design(
 
 
 def events(out: Path) -> list[dict[str, Any]]:
-    """What the log says."""
+    """Entries of the log."""
     return [json.loads(line) for line in out.with_name(f"{out.name}.log").read_text().splitlines()]
 
 
@@ -403,7 +381,7 @@ def test_the_verb_says_what_it_did_and_goes_on(tmp_path: Path) -> None:
     [
         ([], "--out is missing"),
         (["--out", "r.zarr", "--workers", "0"], "--workers 0 must be between 1 and 1024"),
-        (["--out", "r.zarr", "--workers", "2", "--scheduler", "tcp://x:1"], "must not be given beside --scheduler"),
+        (["--out", "r.zarr", "--workers", "2", "--scheduler", "tcp://x:1"], "cannot be given with --scheduler"),
     ],
 )
 def test_a_wrong_command_line_is_refused(arguments: list[str], message: str, tmp_path: Path) -> None:

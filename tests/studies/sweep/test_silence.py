@@ -1,4 +1,4 @@
-"""Who is taken to be silent: workers and schedulers not heard, but never by a process that was itself away."""
+"""Workers and schedulers that count as silent: those without a message, but never by a process that was itself away."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a virtual made sensor has that no fit of it knows: its rubber, the air of its place, the contact of a finger."""
+"""Properties of a virtual as-built sensor that no fit knows: its rubber, the air of its place, a finger's contact."""
 
 from __future__ import annotations
 

@@ -1,0 +1,12 @@
+"""The study that tests of sweeps share."""
+
+import pytest
+from bores_study import TEXT
+
+from studies.study.file import read_study
+from studies.study.study import Study
+
+
+@pytest.fixture(scope="module")
+def study() -> Study:
+    return read_study(TEXT)
