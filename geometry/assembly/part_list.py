@@ -16,18 +16,12 @@ from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
-from geometry.layout.placement import (
-    ArrayLayout,
-    MicrophonePlacement,
-    PointPlacement,
-    microphone_ports,
-    point_ports,
-)
+from geometry.layout.placement import ArrayLayout, MicrophonePlacement, PointPlacement
 from geometry.molds.mold import MoldKind, build_mold, mold_counts, mold_kinds
 from geometry.plan.cylinder import FLAT, Axes
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import Membrane, Resonator
-from geometry.schema.ports import ANGLE_STEP, Port, in_common_rotation
+from geometry.schema.ports import Port
 from geometry.solids.membrane import build_membrane, membrane_radius, membranes_of
 
 if TYPE_CHECKING:
@@ -292,8 +286,8 @@ class _Plan:
 
 
 def _plan(design: ArrayDesign, layout: ArrayLayout) -> _Plan:
-    at_points = [in_common_rotation(point_ports(design, point), ANGLE_STEP) for point in layout.points]
-    at_microphones = [in_common_rotation(microphone_ports(design, each), ANGLE_STEP) for each in layout.microphones]
+    at_points = [point.turned for point in layout.points]
+    at_microphones = [microphone.turned for microphone in layout.microphones]
     forms = _forms(design, layout, [ports for ports, _ in at_points])
     of_ports = _named([form.ports for form in forms], _shell_name)
     of_sizes = _size_suffixes(forms, design.printing)
