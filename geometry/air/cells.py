@@ -179,9 +179,9 @@ def cell_catalogue(design: ArrayDesign, layout: Housings) -> CellCatalogue:
         points.append(known[what])
     microphones = []
     for housing in layout.microphones:
-        tubes = [design.microphone_tube_of(design.lines[port.line]) for port in housing.ports]
+        bores = [design.microphone_tube_of(design.lines[end.line]).acoustic_diameter for end in housing.ports]
         canonical, order = canonical_ports(
-            [CellPort(port.angle, tube.acoustic_diameter) for port, tube in zip(housing.ports, tubes, strict=True)]
+            [CellPort(end.angle, bore) for end, bore in zip(housing.ports, bores, strict=True)]
         )
         microphones.append(
             CellUse(
