@@ -28,7 +28,11 @@ def array_size(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[
     """
     if layout is None and not design.shell.feet and is_wide_apart(design):
         return straight_size(design)
-    layout = lay_out(design) if layout is None else layout
+    return laid_out_size(design, lay_out(design) if layout is None else layout)
+
+
+def laid_out_size(design: ArrayDesign, layout: ArrayLayout) -> tuple[float, float, float]:
+    """Extent of an array whose parts lie as the layout says, see :func:`array_size`."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for ends in _ends(design, layout):
         low, high = np.minimum(low, ends.min(axis=0)), np.maximum(high, ends.max(axis=0))
