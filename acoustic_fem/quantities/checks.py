@@ -40,7 +40,7 @@ def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float,
     """Point (x, y, z) in mm on each port by its name: ``ports`` as (3,) float64 each.
 
     Raises:
-        Refusal: no mapping, no port or too many, a name that is no text, empty or ``wall`` (every face that is no
+        Refusal: no mapping, no port or too many, a name that is not a text, empty or ``wall`` (every face that is no
             port), or a point that is not three finite numbers.
     """
     if not isinstance(ports, Mapping):
@@ -75,7 +75,7 @@ def in_range(name: str, value: float, low: float, high: float, unit: str = "") -
         Refusal: not one number, or out of the range.
     """
     if numbers(name, value).ndim:
-        raise Refusal(kind=Kind.WRONG_TYPE, field=name, value=value, allowed="one number")
+        raise wrong_type(name, "must be one number", value=value)
     if not low <= float(value) <= high:
         raise out_of_range(name, float(value), f"between {low:g} and {high:g} {unit}".rstrip(), unit)
     return float(value)

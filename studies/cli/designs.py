@@ -23,7 +23,7 @@ from studies.cli.options import (
 from studies.cli.terminal_tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.check import check_design
-from studies.run.findings import verdict
+from studies.run.findings import accuracy_rows, verdict
 from studies.run.library_files import solve_library
 from studies.run.part_folder import export_parts
 from studies.run.pipeline import run_design
@@ -220,4 +220,8 @@ def run(
     with display_on_stderr() as display:
         result = run_design(design, out, allow_overlaps=allow_overlaps, display=display)
     print(verdict(result))
+    table = table_of("top-1 accuracy", "trained localizer", "Bayes decoder", "tolerance-aware decoder")
+    for row in accuracy_rows(result):
+        table.add_row(row.touches, row.localizer, row.bayes, row.tolerant)
+    show(table)
     print(f"{out / 'report.html'}")

@@ -136,9 +136,9 @@ def draw_confusion(
 
     Args:
         confusion: (n_point, n_point) int64, touches of the row's point named the column's.
-        points: numbers of the points, or names of what else is told.
+        points: numbers of the points, or names of other classes.
         path: of the PNG, which is handed back.
-        what: what is told.
+        what: name of the classes.
     """
     from matplotlib.colors import LogNorm
 
