@@ -322,14 +322,14 @@ class _Common:
 
 def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
     tubes = list(tubes_in_use(design).values())
+    sheaths = [(sheath_compliance(design, tube), soft_rubber(design, tube.sheath_material)) for tube in tubes]
     points = [_point(design.of_kind(kind), common) for kind in design.kinds]
     microphone = design.microphone
     diaphragm, vent = common.microphone(design)
     return {
         "tube_radius": [metres(tube.acoustic_diameter) / 2 for tube in tubes],
         "tube_length": [metres(tube.acoustic_length(design.printing.port_lip)) for tube in tubes],
-        **_columns([{"sheath_compliance": sheath_compliance(design, tube)} for tube in tubes]),
-        **_columns([_law("sheath", soft_rubber(design, tube.sheath_material)) for tube in tubes]),
+        **_columns([{"sheath_compliance": compliance, **_law("sheath", rubber)} for compliance, rubber in sheaths]),
         **_columns(points),
         "chamber_radius": [metres(microphone.chamber_diameter) / 2],
         "chamber_height": [metres(microphone.chamber_height)],
@@ -343,8 +343,7 @@ def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
 
 def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
     """The numbers of one column of points, all of which are alike."""
-    disc = common.disc(design)
-    rubber = design_rubber(design)
+    disc, air, rubber = common.disc(design), common.air(design), design_rubber(design)
     if np.any(disc.model.geometric) and not rubber.elastic:
         raise Refusal(
             f"must be 1 in a batch: the tension has no loss, so the modes do not share that of "
@@ -357,6 +356,8 @@ def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
     if design.resonator.shape != "cylinder":
         allowed, remedy = "'cylinder' in a batch, which has closed forms only", "solve() takes it at every fidelity"
         raise out_of_range("resonator.shape", design.resonator.shape, allowed, remedy=remedy)
+    leak, floor = design_leak(design, air), floor_compliance(design)
+    floor_rubber = soft_rubber(design, design.resonator.floor_material)
     share = disc.model.swept**2 / disc.model.eigenvalues
     mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)
     return {
@@ -367,9 +368,9 @@ def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
         **_law("membrane", rubber),
         "membrane_fraction": share / share.sum(),
         "membrane_frequency": mode_frequency,
-        "leak_conductance": design_leak(design, common.air(design)),
-        "floor_compliance": floor_compliance(design),
-        **_law("floor", soft_rubber(design, design.resonator.floor_material)),
+        "leak_conductance": leak,
+        "floor_compliance": floor,
+        **_law("floor", floor_rubber),
     }
 
 

@@ -25,6 +25,9 @@ CONTACT = 0.25
 _LARGEST_PRESTRESS = 20.0
 _LARGEST_STRETCH = 1.9
 
+#: Limits stated in millimetres are kept after conversion.
+_LESS, _MORE = 1 - 1e-9, 1 + 1e-9
+
 
 class KnownDiscs(Protocol):
     """Discs that need not be solved, such as :class:`acoustic_fem.membrane.disc_table.DiscTables`."""
@@ -234,75 +237,61 @@ def shape_of_disc(
 
     Arguments and errors as for :func:`solve_disc`.
     """
-    for name, value, unit in (("radius", radius, "m"), ("youngs_modulus", youngs_modulus, "Pa")):
-        positive(name, value, unit)
-    # limits stated in millimetres are kept after conversion
-    less, more = 1 - 1e-9, 1 + 1e-9
-    stretch, tension, boss_radius = options.stretch, options.tension, options.boss_radius
+    stretch, tension = options.stretch, options.tension
+    positive("radius", radius, "m")
+    positive("youngs_modulus", youngs_modulus, "Pa")
     in_range("stretch", stretch, 1, _LARGEST_STRETCH)
-    if stretch != 1 and tension != 0:
-        problem, remedy = f"must not be given beside tension = {tension:g} N/m", "give one of the two"
-        raise Refusal(problem, kind=Kind.CONFLICT, field="stretch", value=stretch, remedy=remedy)
     if stretch != 1:
-        in_range("thickness", thickness, 0.01 * radius * less, np.inf, "m")
+        in_range("thickness", thickness, 0.01 * radius * _LESS, np.inf, "m")
         tension = thickness * youngs_modulus * (1 - stretch**-6) / 3
         thickness, youngs_modulus = thickness / stretch**2, youngs_modulus / stretch**4
-    in_range("thickness", thickness, 0.01 * radius * less, 2 * radius * more, "m")
+    in_range("thickness", thickness, 0.01 * radius * _LESS, 2 * radius * _MORE, "m")
     in_range("poisson_ratio", poisson_ratio, 0.01, 0.49999)
     in_range("tension", tension, 0, _LARGEST_PRESTRESS * thickness * youngs_modulus, "N/m")
-    glue = _glue(radius, thickness, rim_width, options.glue_width)
-    raised = _raised(radius, rim_width, options.rim_height, boss_radius, options.boss_height)
-    if raised is not None and tension != 0:
-        name = "rim_height" if options.rim_height else "boss_height"
-        problem = "must be 0 under a tension or a stretch: only a flat disc is stretched evenly"
-        raise Refusal(problem, kind=Kind.CONFLICT, field=name, value=getattr(options, name), unit="m")
-    contact = (boss_radius or CONTACT * radius) if options.contact_radius is None else options.contact_radius
-    in_range("contact_radius", contact, 0.02 * radius, (boss_radius or 0.9 * radius) * more, "m")
-    contact = min(contact, boss_radius or contact)
+    in_range("rim_height", options.rim_height, 0, 2 * radius, "m")
+    in_range("boss_height", options.boss_height, 0, 2 * radius, "m")
+    if options.boss_height and options.boss_radius:
+        in_range("boss_radius", options.boss_radius, 0.1 * radius * _LESS, 0.9 * radius * _MORE, "m")
+    glue = 0.0
+    if rim_width != 0:
+        in_range("rim_width", rim_width, 0.05 * thickness * _LESS, 50 * radius * _MORE, "m")
+        glue = rim_width if options.glue_width is None else options.glue_width
+        in_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
+    contact = (options.boss_radius or CONTACT * radius) if options.contact_radius is None else options.contact_radius
+    in_range("contact_radius", contact, 0.02 * radius, (options.boss_radius or 0.9 * radius) * _MORE, "m")
+    contact = min(contact, options.boss_radius or contact)
+    _check_together(options, rim_width)
     # rounding lets equal discs in different units share one solution
     lengths = (thickness, rim_width, glue, contact)
     depth, rim, held, patch = (round(float(length) / radius, 12) for length in lengths)
     prestress = round(tension / (depth * radius * youngs_modulus), 12)
+    raised = None
+    if options.rim_height:
+        raised = 1.0, 1.0 + rim, round(float(options.rim_height) / radius, 12)
+    elif options.boss_height:
+        raised = 0.0, round(float(options.boss_radius) / radius, 12), round(float(options.boss_height) / radius, 12)
     return DiscShape(depth, float(poisson_ratio), rim, held, prestress, patch, raised), float(youngs_modulus)
 
 
-def _glue(radius: float, thickness: float, rim_width: float, glue_width: float | None) -> float:
-    """Width of the glued annulus, m; 0 where the lateral face is clamped."""
-    if rim_width != 0:
-        in_range("rim_width", rim_width, 0.05 * thickness * (1 - 1e-9), 50 * radius * (1 + 1e-9), "m")
-        glue = rim_width if glue_width is None else glue_width
-        in_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
-        return glue
-    if glue_width is not None:
-        raise _needs_a_rim("glue_width", glue_width)
-    return 0.0
-
-
-def _needs_a_rim(name: str, value: float) -> Refusal:
-    problem = "needs a rim: rim_width = 0 clamps the lateral face"
-    return Refusal(problem, kind=Kind.CONFLICT, field=name, value=value, unit="m")
-
-
-def _raised(
-    radius: float, rim_width: float, rim_height: float, boss_radius: float, boss_height: float
-) -> tuple[float, float, float] | None:
-    """Inner and outer radius and height of the raised part of a disc, per its radius; None where it is flat."""
-    for name, value in (("rim_height", rim_height), ("boss_height", boss_height)):
-        in_range(name, value, 0, 2 * radius, "m")
-    if rim_height and boss_height:
-        problem = f"must not be given beside rim_height = {rim_height:g} m"
-        raise Refusal(problem, kind=Kind.CONFLICT, field="boss_height", value=boss_height, unit="m")
-    if bool(boss_radius) != bool(boss_height):
-        problem = f"and boss_height = {boss_height:g} m must be given together"
-        raise Refusal(problem, kind=Kind.CONFLICT, field="boss_radius", value=boss_radius, unit="m")
-    if rim_height:
-        if not rim_width:
-            raise _needs_a_rim("rim_height", rim_height)
-        return 1.0, 1.0 + round(float(rim_width) / radius, 12), round(float(rim_height) / radius, 12)
-    if boss_height:
-        in_range("boss_radius", boss_radius, 0.1 * radius * (1 - 1e-9), 0.9 * radius * (1 + 1e-9), "m")
-        return 0.0, round(float(boss_radius) / radius, 12), round(float(boss_height) / radius, 12)
-    return None
+def _check_together(options: DiscOptions, rim_width: float) -> None:
+    """Refuse options that exclude or need each other."""
+    raised = "rim_height" if options.rim_height else "boss_height" if options.boss_height else ""
+    if options.stretch != 1 and options.tension != 0:
+        problem, remedy = f"must not be given beside tension = {options.tension:g} N/m", "give one of the two"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="stretch", value=options.stretch, remedy=remedy)
+    if options.rim_height and options.boss_height:
+        problem = f"must not be given beside rim_height = {options.rim_height:g} m"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="boss_height", value=options.boss_height, unit="m")
+    if bool(options.boss_radius) != bool(options.boss_height):
+        problem = f"and boss_height = {options.boss_height:g} m must be given together"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="boss_radius", value=options.boss_radius, unit="m")
+    for name, value in (("glue_width", options.glue_width), ("rim_height", options.rim_height or None)):
+        if rim_width == 0 and value is not None:
+            problem = "needs a rim: rim_width = 0 clamps the lateral face"
+            raise Refusal(problem, kind=Kind.CONFLICT, field=name, value=value, unit="m")
+    if raised and (options.stretch != 1 or options.tension != 0):
+        problem = "must be 0 under a tension or a stretch: only a flat disc is stretched evenly"
+        raise Refusal(problem, kind=Kind.CONFLICT, field=raised, value=getattr(options, raised), unit="m")
 
 
 def _in_si(disc: ElasticDisc, contact: float, radius: float, modulus: float, density: float) -> DiscSolution:

@@ -35,8 +35,8 @@ def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium
     Raises:
         Refusal: a frequency that is not finite and positive.
     """
-    omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
+    omega = 2 * np.pi * np.asarray(frequency, np.float64)
     return 1j * omega * back * (1j * omega * diaphragm + leak) / (1j * omega * (back + diaphragm) + leak)
 
 
@@ -49,8 +49,8 @@ def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> Co
     Returns:
         Shape of frequency, complex128, Pa/Pa.
     """
-    omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
+    omega = 2 * np.pi * np.asarray(frequency, np.float64)
     return 1j * omega * back / (1j * omega * (back + diaphragm) + leak)
 
 
@@ -64,8 +64,8 @@ def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> 
     Returns:
         Shape of frequency, complex128, a ratio.
     """
-    omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
+    omega = 2 * np.pi * np.asarray(frequency, np.float64)
     return 1j * omega * (back + diaphragm) / leak
 
 

@@ -75,7 +75,7 @@ def in_range(name: str, value: float, low: float, high: float, unit: str = "") -
         Refusal: not one number, or out of the range.
     """
     if numbers(name, value).ndim:
-        raise Refusal(kind=Kind.WRONG_TYPE, field=name, value=value, allowed="one number")
+        raise wrong_type(name, "must be one number", value=value)
     if not low <= float(value) <= high:
         raise out_of_range(name, float(value), f"between {low:g} and {high:g} {unit}".rstrip(), unit)
     return float(value)

@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.placement import Housings, microphone_tubes, point_ports
+from geometry.layout.placement import Housings
 from geometry.schema.cavity_shapes import Box, Dome, wall_distance
 from geometry.schema.part_fields import Resonator
 from geometry.schema.ports import ANGLE_STEP, CellPort, Port, in_common_rotation, port_rank
@@ -175,15 +175,13 @@ def cell_catalogue(design: ArrayDesign, layout: Housings) -> CellCatalogue:
         what = (design.kind_at(line, place), placement.port_angles, tubes)
         if what not in known:
             bores = [tube.acoustic_diameter for tube in tubes]
-            known[what] = resonator_cell(design.resonator_at(line, place), point_ports(design, placement), bores)
+            known[what] = resonator_cell(design.resonator_at(line, place), placement.ports, bores)
         points.append(known[what])
     microphones = []
     for housing in layout.microphones:
+        bores = [design.microphone_tube_of(design.lines[end.line]).acoustic_diameter for end in housing.ports]
         canonical, order = canonical_ports(
-            [
-                CellPort(port.angle, tube.acoustic_diameter)
-                for port, tube in zip(housing.ports, microphone_tubes(design, housing), strict=True)
-            ]
+            [CellPort(end.angle, bore) for end, bore in zip(housing.ports, bores, strict=True)]
         )
         microphones.append(
             CellUse(

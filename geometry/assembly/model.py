@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.assembly.part_list import PartKind, PartSet, PlacedPart, build_parts
+from geometry.assembly.part_list import PartKind, PartSet, PlacedPart, draw_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.typed import Array
@@ -69,7 +69,11 @@ def array_model(
         return array
     design = resolve_design(array)
     layout = lay_out(design) if layout is None else layout
-    parts = build_parts(design, layout) if parts is None else parts
+    return put_together(design, layout, draw_parts(design, layout) if parts is None else parts)
+
+
+def put_together(design: ArrayDesign, layout: ArrayLayout, parts: PartSet) -> ArrayModel:
+    """Array of parts that are drawn, where the layout says, see :func:`array_model`."""
     shapes = {name: parts[name].val() for name in dict.fromkeys(part.part for part in parts.placed)}
     if design.membrane.stretch != 1:
         shapes |= {name: _mounted_membrane(alike) for name, alike in membranes_of(design).items()}

@@ -16,18 +16,12 @@ from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
-from geometry.layout.placement import (
-    ArrayLayout,
-    MicrophonePlacement,
-    PointPlacement,
-    microphone_ports,
-    point_ports,
-)
+from geometry.layout.placement import ArrayLayout, MicrophonePlacement, PointPlacement
 from geometry.molds.mold import MoldKind, build_mold, mold_counts, mold_kinds
 from geometry.plan.cylinder import FLAT, Axes
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import Membrane, Resonator
-from geometry.schema.ports import ANGLE_STEP, Port, in_common_rotation
+from geometry.schema.ports import Port
 from geometry.solids.membrane import build_membrane, membrane_radius, membranes_of
 
 if TYPE_CHECKING:
@@ -146,7 +140,11 @@ def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSe
         Refusal: a part is not one valid solid.
     """
     design = resolve_design(design)
-    layout = layout or lay_out(design)
+    return draw_parts(design, layout or lay_out(design))
+
+
+def draw_parts(design: ArrayDesign, layout: ArrayLayout) -> PartSet:
+    """Parts of a design whose parts lie as the layout says, see :func:`build_parts`."""
     plan = _plan(design, layout)
     microphone, printing = design.microphone, design.printing
     parts = PartSet()
@@ -155,7 +153,7 @@ def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSe
         parts[name] = geometry.solids.build_shell(form.resonator, form.membrane, printing, form.ports, design.shell)
         own = _shell_parameters(form.resonator)
         parts.parameters[name] = {**own, **about["joints"], "ports": _describe(form.ports)}
-    for name, alike in membranes_of(design).items():
+    for name, alike in plan.alike.items():
         parts[name] = build_membrane(alike)
         parts.parameters[name] = disc = _disc_parameters(alike)
         of_kind = name.removeprefix("membrane")
@@ -178,7 +176,7 @@ def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSe
         joined = {"shells": len(carrier.places), "necks": carrier.necks}
         parts.parameters["carrier"] = {**_shell_parameters(design.resonator), **about["joints"], **joined}
     parts.counts, parts.kinds = _counts(design, plan), _kinds(design, plan)
-    parts.placed = _placed(design, layout, plan)
+    parts.placed = _placed(design, layout, plan, parts.kinds)
     text = write_design(design.completed())
     for name in parts:
         head: dict[str, float | int | str] = {"design": design.name, "count": parts.counts[name]}
@@ -235,12 +233,14 @@ def part_counts(design: ArrayDesign) -> dict[str, int]:
 
 def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, ...]:
     """Position of every copy of every part; the floors of resonators' cavities lie at z = 0 of a flat array."""
-    return _placed(design, layout, _plan(design, layout))
+    plan = _plan(design, layout)
+    return _placed(design, layout, plan, _kinds(design, plan))
 
 
-def _placed(design: ArrayDesign, layout: ArrayLayout, plan: _Plan) -> tuple[PlacedPart, ...]:
+def _placed(
+    design: ArrayDesign, layout: ArrayLayout, plan: _Plan, kinds: Mapping[str, PartKind]
+) -> tuple[PlacedPart, ...]:
     placed = []
-    kinds = _kinds(design, plan)
 
     def put(
         part: str, label: str, at: PointPlacement | MicrophonePlacement, height: float, turn: float, group: str
@@ -282,28 +282,32 @@ class _Form:
 
 @dataclass(frozen=True)
 class _Plan:
-    """Each distinct shell and housing by name; name and rotation at each place of the layout, and the membranes."""
+    """Each distinct shell, housing and membrane by name, and what stands at each place of the layout."""
 
     shells: dict[str, _Form]
     housings: dict[str, tuple[Port, ...]]
+    alike: dict[str, ArrayDesign]
+    """For each membrane the design whose points all have it, see :func:`membranes_of`."""
     point_shells: tuple[tuple[str, float], ...]
     point_membranes: tuple[str, ...]
     microphone_housings: tuple[tuple[str, float], ...]
 
 
 def _plan(design: ArrayDesign, layout: ArrayLayout) -> _Plan:
-    at_points = [in_common_rotation(point_ports(design, point), ANGLE_STEP) for point in layout.points]
-    at_microphones = [in_common_rotation(microphone_ports(design, each), ANGLE_STEP) for each in layout.microphones]
+    at_points = [point.turned for point in layout.points]
+    at_microphones = [microphone.turned for microphone in layout.microphones]
     forms = _forms(design, layout, [ports for ports, _ in at_points])
     of_ports = _named([form.ports for form in forms], _shell_name)
     of_sizes = _size_suffixes(forms, design.printing)
     names = {form: of_ports[form.ports] + of_sizes[form] for form in forms}
     housings = _named([ports for ports, _ in at_microphones], _housing_name)
-    membranes = {alike.membrane: name for name, alike in membranes_of(design).items()}
+    alike = membranes_of(design)
+    membranes = {own.membrane: name for name, own in alike.items()}
     places = [(design.lines[point.line], point.place) for point in layout.points]
     return _Plan(
         {name: form for form, name in names.items()},
         {name: ports for ports, name in housings.items()},
+        alike,
         tuple((names[form], turn) for form, (_, turn) in zip(forms, at_points, strict=True)),
         tuple(membranes[design.membrane_at(*place)] for place in places),
         tuple((housings[ports], turn) for ports, turn in at_microphones),
@@ -361,7 +365,7 @@ def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
     carried = design.printing.carrier != "none"
     return {
         **{name: 0 if carried else used[name] for name in plan.shells},
-        **_of_membranes(design, Counter(plan.point_membranes), mold_counts),
+        **_of_membranes(plan, Counter(plan.point_membranes), mold_counts),
         **{name: used[name] for name in plan.housings},
         "microphone-board": len(plan.microphone_housings),
         **({"carrier": 1} if carried else {}),
@@ -369,11 +373,11 @@ def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
 
 
 def _of_membranes(
-    design: ArrayDesign, of_casts: Mapping[str, _T], of_mold: Callable[[ArrayDesign], Mapping[str, _T]]
+    plan: _Plan, of_casts: Mapping[str, _T], of_mold: Callable[[ArrayDesign], Mapping[str, _T]]
 ) -> dict[str, _T]:
     """Something of every membrane and of the parts of its mold, by name."""
     found: dict[str, _T] = {}
-    for name, alike in membranes_of(design).items():
+    for name, alike in plan.alike.items():
         found[name] = of_casts[name]
         found |= {part + name.removeprefix("membrane"): value for part, value in of_mold(alike).items()}
     return found
@@ -383,7 +387,7 @@ def _kinds(design: ArrayDesign, plan: _Plan) -> dict[str, PartKind]:
     carried: dict[str, PartKind] = {} if design.printing.carrier == "none" else {"carrier": "carrier"}
     return {
         **dict.fromkeys(plan.shells, "shell"),
-        **_of_membranes(design, dict.fromkeys(plan.point_membranes, "membrane"), mold_kinds),
+        **_of_membranes(plan, dict.fromkeys(plan.point_membranes, "membrane"), mold_kinds),
         **dict.fromkeys(plan.housings, "housing"),
         "microphone-board": "board",
         **carried,

@@ -17,11 +17,7 @@ from .placement import (
     MicrophonePlacement as MicrophonePlacement,
     PointPlacement as PointPlacement,
     TubePlacement as TubePlacement,
-    microphone_ports as microphone_ports,
-    microphone_tubes as microphone_tubes,
     point_places as point_places,
-    point_ports as point_ports,
-    point_tubes as point_tubes,
 )
 from .remedies import fix_for as fix_for, refuse_unbuildable as refuse_unbuildable
 from .size import array_size as array_size

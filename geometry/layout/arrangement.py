@@ -20,6 +20,8 @@ from geometry.layout.placement import (
 )
 from geometry.plan.cylinder import Cylinder, Plane, surface_of
 from geometry.plan.routing import bearing, bow_angle, bowed_path, drawn_path, tidy, unit
+from geometry.schema.part_fields import Tube
+from geometry.schema.ports import Port
 
 #: Directions are rounded to 1e-6 degrees: places closer than this are one, mm.
 _SAME_PLACE = 1e-4
@@ -81,7 +83,7 @@ def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]
     bows = [_bows(design, index, run, surface) for index, run in enumerate(runs)]
     points: list[PointPlacement] = []
     for index, run in enumerate(runs):
-        points += _points(index, run, bows[index], len(points))
+        points += _points(index, run, bows[index], design.tubes_of(design.lines[index]), len(points))
     return Housings(tuple(points), tuple(microphones), surface), runs, bows
 
 
@@ -112,7 +114,11 @@ def _microphones(design: ArrayDesign, ends: list[End], points: Array) -> list[Mi
         else:
             position = own[0].target
             angles = [end.direction + 180 for end in own]
-        ports = tuple(MicrophonePort(e.line, e.end, tidy(angle)) for e, angle in zip(own, angles, strict=True))
+        tubes = [design.microphone_tube_of(design.lines[end.line]) for end in own]
+        ports = tuple(
+            MicrophonePort(end.line, end.end, _port(angle, tube))
+            for end, angle, tube in zip(own, angles, tubes, strict=True)
+        )
         microphones.append(MicrophonePlacement(name, _pair(position), ports))
     return microphones
 
@@ -159,8 +165,8 @@ def _bows(design: ArrayDesign, line: int, run: Run, surface: Plane | Cylinder) -
     return [known[tube.length, distance] for tube, distance in zip(tubes, distances, strict=True)]
 
 
-def _points(line: int, run: Run, bows: list[float], before: int) -> Iterator[PointPlacement]:
-    """The points of a line, that many being before them in the array."""
+def _points(line: int, run: Run, bows: list[float], tubes: Sequence[Tube], before: int) -> Iterator[PointPlacement]:
+    """Points of a line with its tubes; ``before`` is the number of points in the lines before it."""
     places = run.positions.tolist()
     first, last = run.ends
     backward, forward = [first.direction], []
@@ -170,8 +176,13 @@ def _points(line: int, run: Run, bows: list[float], before: int) -> Iterator[Poi
         backward.append(direction + 180 - side * bow)
     forward.append(last.direction)
     for place, position in enumerate(places):
-        angles = (tidy(backward[place]), tidy(forward[place]))
-        yield PointPlacement(before + place + 1, line, place, _pair(position), angles)
+        ports = _port(backward[place], tubes[place]), _port(forward[place], tubes[place + 1])
+        yield PointPlacement(before + place + 1, line, place, _pair(position), ports)
+
+
+def _port(angle: float, tube: Tube) -> Port:
+    """Port in which a tube ends, in its direction from the housing's axis, degrees."""
+    return Port(tidy(angle), tube.inner_diameter, tube.outer_diameter)
 
 
 # -- tubes --------------------------------------------------------------------------------------------

@@ -11,13 +11,13 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
-from geometry.layout.placement import ArrayLayout, TubePlacement, point_ports
+from geometry.layout.placement import ArrayLayout, TubePlacement
 from geometry.layout.prism import Prism, depth, prisms
 from geometry.layout.straight_rows import is_wide_apart
 from geometry.plan.routing import path_length, resampled, tightest_bend
 from geometry.schema.cavity_shapes import wall_distance
 from geometry.schema.field_errors import DesignError
-from geometry.schema.ports import ANGLE_STEP, in_common_rotation, web_problem
+from geometry.schema.ports import web_problem
 
 #: Overlaps below this are contact, mm.
 _CONTACT = 1e-4
@@ -253,7 +253,7 @@ def _thin_webs(design: ArrayDesign, layout: ArrayLayout) -> Iterator[str]:
     height = design.resonator.port_axis_height
     known: dict[object, str] = {}
     for point in layout.points:
-        first, second = ports = in_common_rotation(point_ports(design, point), ANGLE_STEP)[0]
+        first, second = ports = point.turned[0]
         shape = design.resonator_at(design.lines[point.line], point.place).cavity_shape
         if (ports, shape) not in known:
             mouths = [wall_distance(shape, radius, height, port.angle) for port in ports]

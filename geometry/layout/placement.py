@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import Array
 from geometry.plan.cylinder import Cylinder, Frame, Plane
 from geometry.schema.part_fields import Tube
-from geometry.schema.ports import Port
+from geometry.schema.ports import ANGLE_STEP, Port, in_common_rotation
 
 
 def point_places(design: ArrayDesign) -> tuple[tuple[int, int], ...]:
@@ -32,8 +33,18 @@ class PointPlacement:
     """Index along its line, from 0 at the line's first microphone."""
     position: tuple[float, float]
     """Axis of the cavity in plan, mm."""
-    port_angles: tuple[float, float]
-    """Directions of the tubes towards the previous and the next node of the line, degrees."""
+    ports: tuple[Port, Port]
+    """Ports of its shell as it lies, towards the previous and the next node of the line."""
+
+    @property
+    def port_angles(self) -> tuple[float, float]:
+        """Directions of the tubes towards the previous and the next node of the line, degrees."""
+        return self.ports[0].angle, self.ports[1].angle
+
+    @cached_property
+    def turned(self) -> tuple[tuple[Port, ...], float]:
+        """Ports in the rotation that all equal shells share, and the angle that turns them back, degrees."""
+        return in_common_rotation(self.ports, ANGLE_STEP)
 
 
 @dataclass(frozen=True)
@@ -44,8 +55,13 @@ class MicrophonePort:
     """Index of the line in the design."""
     end: Literal[0, 1]
     """End of the line: 0 at its first microphone, 1 at its second."""
-    angle: float
-    """Direction of the tube, degrees."""
+    port: Port
+    """Port as the housing lies."""
+
+    @property
+    def angle(self) -> float:
+        """Direction of the tube, degrees."""
+        return self.port.angle
 
 
 @dataclass(frozen=True)
@@ -58,6 +74,11 @@ class MicrophonePlacement:
     """Axis of the chamber in plan, mm."""
     ports: tuple[MicrophonePort, ...]
     """Line ends that it joins, in order of (line, end)."""
+
+    @cached_property
+    def turned(self) -> tuple[tuple[Port, ...], float]:
+        """Ports in the rotation that all equal housings share, and the angle that turns them back, degrees."""
+        return in_common_rotation([each.port for each in self.ports], ANGLE_STEP)
 
 
 @dataclass(frozen=True)
@@ -105,30 +126,3 @@ class ArrayLayout(Housings):
 
     tubes: tuple[TubePlacement, ...]
     """Every tube."""
-
-
-def point_tubes(design: ArrayDesign, placed: PointPlacement) -> tuple[Tube, Tube]:
-    """The tube of a point to the previous node of its line, and that to the next."""
-    line = design.lines[placed.line]
-    return design.tube_at(line, placed.place), design.tube_at(line, placed.place + 1)
-
-
-def microphone_tubes(design: ArrayDesign, placed: MicrophonePlacement) -> tuple[Tube, ...]:
-    """The tubes of a microphone, in the order of its placement's ports."""
-    return tuple(design.microphone_tube_of(design.lines[port.line]) for port in placed.ports)
-
-
-def point_ports(design: ArrayDesign, placed: PointPlacement) -> tuple[Port, ...]:
-    """The ports of a point's shell as it lies, in the order of :func:`point_tubes`."""
-    return tuple(
-        Port(angle, tube.inner_diameter, tube.outer_diameter)
-        for angle, tube in zip(placed.port_angles, point_tubes(design, placed), strict=True)
-    )
-
-
-def microphone_ports(design: ArrayDesign, placed: MicrophonePlacement) -> tuple[Port, ...]:
-    """The ports of a microphone's housing as it lies, in the order of its placement's."""
-    return tuple(
-        Port(port.angle, tube.inner_diameter, tube.outer_diameter)
-        for port, tube in zip(placed.ports, microphone_tubes(design, placed), strict=True)
-    )

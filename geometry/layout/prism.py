@@ -11,10 +11,10 @@ import numpy as np
 from geometry.design.array_design import ArrayDesign
 from geometry.design.shell_rules import FOOT_EDGE, ledge_height, seat_underside
 from geometry.ground.typed import Array
-from geometry.layout.placement import ArrayLayout, MicrophonePlacement, PointPlacement, microphone_ports, point_ports
+from geometry.layout.placement import ArrayLayout, MicrophonePlacement, PointPlacement
 from geometry.plan.cylinder import Frame
 from geometry.plan.routing import unit
-from geometry.schema.ports import ANGLE_STEP, foot_directions, in_common_rotation
+from geometry.schema.ports import foot_directions
 
 #: Directions that are tried for a plane between two bodies; what is then not parted is said to overlap.
 _TRIES = 200
@@ -82,7 +82,7 @@ def _shell(design: ArrayDesign, layout: ArrayLayout, body: int, point: PointPlac
     yield Prism(body, frame, np.zeros((1, 2)), outer, (-resonator.floor_thickness, top), is_trunk=True)
     if not features.feet:
         return
-    ports, turn = in_common_rotation(point_ports(design, point), ANGLE_STEP)
+    ports, turn = point.turned
     half = features.foot_hole / 2 + FOOT_EDGE
     out = outer + features.foot_length - half
     for angle in foot_directions([port.angle for port in ports], features.feet):
@@ -95,7 +95,7 @@ def _housing(design: ArrayDesign, layout: ArrayLayout, body: int, placed: Microp
     floor = design.resonator.port_axis_height - microphone.chamber_height / 2
     radius, seat = microphone.chamber_diameter / 2 + microphone.wall_thickness, floor + microphone.chamber_height
     yield Prism(body, frame, np.zeros((1, 2)), radius, (floor - microphone.wall_thickness, seat), is_trunk=True)
-    ports, turn = in_common_rotation(microphone_ports(design, placed), ANGLE_STEP)
+    ports, turn = placed.turned
     hole = max(port.tube_diameter for port in ports) / 2 + design.printing.glue_gap
     x, y = unit(turn)
     along, across = (side / 2 + microphone.board_gap + microphone.wall_thickness for side in microphone.board_size)

@@ -10,11 +10,11 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.shell_rules import FOOT_EDGE, ledge_height, membrane_top
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
-from geometry.layout.placement import ArrayLayout, MicrophonePlacement, TubePlacement, microphone_ports, point_ports
+from geometry.layout.placement import ArrayLayout, MicrophonePlacement, TubePlacement
 from geometry.layout.straight_rows import is_wide_apart, straight_size
 from geometry.plan.cylinder import Frame
 from geometry.plan.routing import unit
-from geometry.schema.ports import ANGLE_STEP, foot_directions, in_common_rotation
+from geometry.schema.ports import foot_directions
 
 
 def array_size(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[float, float, float]:
@@ -28,7 +28,11 @@ def array_size(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[
     """
     if layout is None and not design.shell.feet and is_wide_apart(design):
         return straight_size(design)
-    layout = lay_out(design) if layout is None else layout
+    return laid_out_size(design, lay_out(design) if layout is None else layout)
+
+
+def laid_out_size(design: ArrayDesign, layout: ArrayLayout) -> tuple[float, float, float]:
+    """Extent of an array whose parts lie as the layout says, see :func:`array_size`."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for ends in _ends(design, layout):
         low, high = np.minimum(low, ends.min(axis=0)), np.maximum(high, ends.max(axis=0))
@@ -80,7 +84,7 @@ def _feet(design: ArrayDesign, layout: ArrayLayout) -> Array:
     out = design.resonator.outer_diameter / 2 + features.foot_length - half
     tips = []
     for point in layout.points:
-        ports, turn = in_common_rotation(point_ports(design, point), ANGLE_STEP)
+        ports, turn = point.turned
         frame = layout.frame(point)
         for angle in foot_directions([port.angle for port in ports], features.feet):
             along, across = out * unit(angle + turn)
@@ -92,7 +96,7 @@ def _feet(design: ArrayDesign, layout: ArrayLayout) -> Array:
 def _seat(design: ArrayDesign, frame: Frame, placed: MicrophonePlacement, bottom: float) -> Array:
     """Corners of the walls around the board of a microphone, which are as high as the package on it."""
     microphone = design.microphone
-    x, y = unit(in_common_rotation(microphone_ports(design, placed), ANGLE_STEP)[1])
+    x, y = unit(placed.turned[1])
     along, across = (side / 2 + microphone.board_gap + microphone.wall_thickness for side in microphone.board_size)
     top = bottom + microphone.sound_hole_length + microphone.package_height
     corners = [(i * along * x - j * across * y, i * along * y + j * across * x) for i in (-1, 1) for j in (-1, 1)]

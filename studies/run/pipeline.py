@@ -20,7 +20,8 @@ from acoustic_fem.numerics.disk_cache import CacheWarning
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry import export, print_report
-from geometry.assembly.model import ArrayModel, array_model
+from geometry.assembly.model import ArrayModel, put_together
+from geometry.assembly.part_list import draw_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.formats.part_files import ExportedFile, tessellate_distinct
@@ -31,7 +32,7 @@ from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.placement import ArrayLayout
 from geometry.layout.remedies import refuse_unbuildable
-from geometry.layout.size import array_size
+from geometry.layout.size import laid_out_size
 from geometry.printing.printability import PrintReport
 from localize import BayesDecoder, TrainingPlan
 from localize.decoders.tolerant import tolerant_decoder
@@ -103,6 +104,7 @@ def run_design(
     layout = lay_out(design)
     if not allow_overlaps:
         refuse_unbuildable(design, layout, ALL_THE_SAME)
+    notes = buildability_notes(design, layout)
     folder = claim_folder(out, write_design(design.completed()))
     plan = plan or training_plan(design.point_count)
     grid = frequency_grid(frequency)
@@ -136,7 +138,7 @@ def run_design(
         layout=model.layout,
         part_counts=model.parts.counts,
         files=files,
-        layout_notes=buildability_notes(design, model.layout),
+        layout_notes=notes,
         validity=model_validity(design, library.medium, worst_heard(library.transfer_function, BAND[1])[0]),
         warnings=limits,
         figures=figures,
@@ -181,7 +183,7 @@ def _make_parts(
     design: ArrayDesign, layout: ArrayLayout, folder: Path, report: Report
 ) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
     report("CAD", 0.0)
-    model = array_model(design, layout=layout)
+    model = put_together(design, layout, draw_parts(design, layout))
     report("STL, STEP and 3MF", 0.2)
     shapes = tessellate_distinct(model.parts)
     with replaced_folder(folder / "parts") as fresh:
@@ -203,7 +205,7 @@ def _make_parts(
 
 def _picture_height(model: ArrayModel) -> int:
     """Pixels of a picture 1600 wide in which the array is as large as can be, with room for names."""
-    width, depth, _ = array_size(model.design, model.layout)
+    width, depth, _ = laid_out_size(model.design, model.layout)
     return int(np.clip(1600 * (0.15 + depth / width), 500, 1400))
 
 

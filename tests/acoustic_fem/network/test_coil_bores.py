@@ -10,7 +10,6 @@ from acoustic_fem.network.chain_matrices import TwoPort, join
 from geometry.air.cells import cell_catalogue
 from geometry.design.design_file import prototype
 from geometry.layout.arrangement import lay_out
-from geometry.layout.placement import microphone_ports, point_ports
 
 BAND = np.array([1.0, 10.0, 100.0])
 SMOOTH = {"tube.bore": "smooth", "microphone_tube.bore": "smooth"}
@@ -46,7 +45,7 @@ def test_printed_bores_are_the_tubes_own_and_only_the_air_sees_wider_ones():
     )
     assert (air, plain) == (design.tube.acoustic_diameter, 0.44)
     shells, housings = lay_out(design).points, lay_out(design).microphones
-    printed = [*(point_ports(design, each) for each in shells), *(microphone_ports(design, each) for each in housings)]
+    printed = [*(each.ports for each in shells), *([end.port for end in each.ports] for each in housings)]
     assert {port.bore_diameter for ports in printed for port in ports} == {0.44}
 
 
