@@ -11,14 +11,13 @@ than that of the decoder of a known sensor; and by a higher one still where not 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
 from acoustic_fem.library.transfer_functions import MEASURED
-from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign, Tolerance, UnknownScatterError
+from acoustic_fem.scatter.tolerances import UNCALIBRATED, Tolerance, unknown_scatter
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
@@ -292,10 +291,9 @@ def tolerant_decoder(
     Raises:
         Refusal: as :class:`localize.BayesDecoder`.
     """
-    if library.fidelity != MEASURED:
-        with suppress(UnknownScatterError):
-            return TolerantDecoder(library, None, microphone_noise, ambient)
-    return None
+    if library.fidelity == MEASURED or unknown_scatter(library.design) is not None:
+        return None
+    return TolerantDecoder(library, None, microphone_noise, ambient)
 
 
 def unknown_tolerances(library: Library) -> str | None:
@@ -304,9 +302,5 @@ def unknown_tolerances(library: Library) -> str | None:
     Args:
         library: measured or computed.
     """
-    if library.fidelity != MEASURED:
-        try:
-            ScatteredDesign(library.design, UNCALIBRATED)
-        except UnknownScatterError as error:
-            return str(error)
-    return None
+    unknown = None if library.fidelity == MEASURED else unknown_scatter(library.design)
+    return None if unknown is None else str(unknown)
