@@ -25,7 +25,6 @@ from localize.decoders.decoder_options import TolerantOptions
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.hypotheses import as_built_hypotheses, bare_library
-from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.likelihood import Bounds, Screen
 from localize.decoders.surroundings import Ambient, Surroundings
@@ -77,13 +76,12 @@ class TolerantDecoder(LibraryDecoder):
         self.hypotheses = as_built_hypotheses(library, response, self.tolerances, options.hypotheses)
         each = [touch_covariances(one, np.eye(SAMPLES)) for one in self.hypotheses.responses]
         touched = np.stack(each, 1).reshape(-1, *each[0].shape[1:])
-        likelihood = LevelLikelihood(touched, response, around, options)
-        super().__init__(response, around, likelihood)
-        self._library, self.options = library, options
-        self._bounds = tuple(Bounds(tables) for tables in likelihood.tables)
+        super().__init__(response, around, touched, options)
+        self._library = library
+        self._bounds = tuple(Bounds(tables) for tables in self.tables)
         self._deviating = tuple(
             DeviatingTables(tables, self.hypotheses, each, options)
-            for tables, each in zip(likelihood.tables, likelihood.whitening, strict=True)
+            for tables, each in zip(self.tables, self.likelihood.whitening, strict=True)
         )
 
     def heard_by(self, microphones: tuple[str, ...]) -> TolerantDecoder:
