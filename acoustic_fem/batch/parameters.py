@@ -343,7 +343,7 @@ def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
 
 def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
     """The numbers of one column of points, all of which are alike."""
-    disc, air, rubber = common.disc(design), common.air(design), design_rubber(design)
+    air, disc, rubber = common.air(design), common.disc(design), design_rubber(design)
     if np.any(disc.model.geometric) and not rubber.elastic:
         raise Refusal(
             f"must be 1 in a batch: the tension has no loss, so the modes do not share that of "
@@ -354,8 +354,13 @@ def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
             remedy="solve() takes it",
         )
     if design.resonator.shape != "cylinder":
-        allowed, remedy = "'cylinder' in a batch, which has closed forms only", "solve() takes it at every fidelity"
-        raise out_of_range("resonator.shape", design.resonator.shape, allowed, remedy=remedy)
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="resonator.shape",
+            value=design.resonator.shape,
+            allowed="'cylinder' in a batch, which has closed forms only",
+            remedy="solve() takes it at every fidelity",
+        )
     leak, floor = design_leak(design, air), floor_compliance(design)
     floor_rubber = soft_rubber(design, design.resonator.floor_material)
     share = disc.model.swept**2 / disc.model.eigenvalues

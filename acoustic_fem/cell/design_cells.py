@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import partial
 
 from numpy.typing import ArrayLike
@@ -94,7 +94,12 @@ def solve_cells(
 
 def is_cached(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str = "navier-stokes") -> bool:
     """True if :func:`solve_cells` would find a cell in the cache; arguments as there, frequency (n_freq,) in Hz."""
-    return disk_cache.holds(CellTask(cell, medium, _band(frequency_grid(frequency)), fidelity).key)
+    return cached_count([(cell, medium)], frequency_grid(frequency), fidelity) == 1
+
+
+def cached_count(cells: Iterable[tuple[Cell, Medium]], grid: Array, fidelity: str) -> int:
+    """Number of cells, each with its gas, that are in the cache at a grid of :func:`frequency_grid`."""
+    return sum(disk_cache.holds(CellTask(cell, medium, _band(grid), fidelity).key) for cell, medium in cells)
 
 
 def kept_cell(

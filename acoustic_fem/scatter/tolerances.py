@@ -152,6 +152,23 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
     return tuple(known.values())
 
 
+def unknown_scatter(design: ArrayDesign) -> UnknownScatterError | None:
+    """Refusal of a design of which it is not known how it scatters; None if it is known."""
+    if design.membrane.stretch != 1 and not design_rubber(design).elastic:
+        return UnknownScatterError(
+            f"must be 1 for manufacturing scatter, unless materials.{design.membrane.material}.loss_factor is 0: "
+            "the scatter of a stretched membrane with loss is not computed",
+            kind=Kind.NO_RESULT,
+            field="membrane.stretch",
+            value=design.membrane.stretch,
+        )
+    if design.resonator.shape != "cylinder":
+        problem = "must be 'cylinder' for manufacturing scatter, which is computed with closed forms only"
+        shape = design.resonator.shape
+        return UnknownScatterError(problem, kind=Kind.NO_RESULT, field="resonator.shape", value=shape)
+    return None
+
+
 class ScatteredDesign:
     """Design whose parts scatter.
 
@@ -173,18 +190,8 @@ class ScatteredDesign:
         if len(set(names)) != len(names):
             twice = max(names, key=names.count)
             raise Refusal("is given twice", kind=Kind.CONFLICT, field=f"tolerances.{twice}")
-        if design.membrane.stretch != 1 and not design_rubber(design).elastic:
-            raise UnknownScatterError(
-                f"must be 1 for manufacturing scatter, unless materials.{design.membrane.material}.loss_factor is 0: "
-                "the scatter of a stretched membrane with loss is not computed",
-                kind=Kind.NO_RESULT,
-                field="membrane.stretch",
-                value=design.membrane.stretch,
-            )
-        if design.resonator.shape != "cylinder":
-            problem = "must be 'cylinder' for manufacturing scatter, which is computed with closed forms only"
-            shape = design.resonator.shape
-            raise UnknownScatterError(problem, kind=Kind.NO_RESULT, field="resonator.shape", value=shape)
+        if (unknown := unknown_scatter(design)) is not None:
+            raise unknown
         self.design = design
         self.tolerances = tuple(tolerances)
         shared = Topology.of(design)

@@ -21,7 +21,6 @@ import numpy as np
 from acoustic_fem import Library
 from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
-from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import PointDecoder
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
@@ -59,7 +58,7 @@ class BayesDecoder(PointDecoder):
         response = response_of(library)
         around = Surroundings.of(response, microphone_noise, ambient)
         touched = touch_covariances(response, np.eye(SAMPLES))
-        super().__init__(response, around, LevelLikelihood(touched, response, around, options))
+        super().__init__(response, around, touched, options)
 
     def heard_by(self, microphones: tuple[str, ...]) -> BayesDecoder:
         """The decoder of the same array by some of its microphones; as of :class:`localize.Locator`."""

@@ -28,7 +28,6 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import DriftOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
-from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import LibraryDecoder, in_parts
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
@@ -80,14 +79,13 @@ class DriftDecoder(LibraryDecoder):
         whole = response_of(library)
         response = whole if microphones is None else whole.heard_by(microphones)
         around = Surroundings.of(response, microphone_noise, ambient)
-        self.options = options
         self.stiffness: Array = np.exp(np.linspace(-options.farthest, options.farthest, options.states))
         """Stiffnesses of the states over that of the calibration; (n_state,) float64."""
         kept = [whole.microphones.index(name) for name in response.microphones]
         heard = self._transfer_functions(library)[:, :, kept]
         each = [touch_covariances(replace(response, transfer_function=h), np.eye(SAMPLES)) for h in heard]
         touched = np.stack(each, 1).reshape(-1, *each[0].shape[1:])
-        super().__init__(response, around, LevelLikelihood(touched, response, around, options))
+        super().__init__(response, around, touched, options)
         self._library, self._new = library, new
         usual = -0.5 * (np.log(self.stiffness) / options.usual_deviation) ** 2
         self.start: Array = usual - logsumexp(usual)

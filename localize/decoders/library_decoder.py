@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import DecoderOptions
-from localize.decoders.level_likelihood import BoundedSearch, LevelLikelihood
+from localize.decoders.frame_covariance import joint_whitening
+from localize.decoders.level_likelihood import BoundedSearch, LevelLikelihood, Whitening
 from localize.decoders.likelihood import DecoderTables
 from localize.decoders.surroundings import Surroundings
 from localize.signals.array_response import ArrayResponse
@@ -30,16 +31,26 @@ class LibraryDecoder(Locator):
     Args:
         response: the array that is decoded.
         around: noise and sound that are assumed.
-        likelihood: of the covariances that touches are taken to have; in the order of the points where each has one.
+        touched: covariances that touches of 0 dB are taken to have, (n_table, n, n) float64, Pa^2; in the order of the
+            points where each has one.
+        options: numbers that tune it.
+        whiten: makes noise and sound white.
     """
 
     response: ArrayResponse
     options: DecoderOptions
 
-    def __init__(self, response: ArrayResponse, around: Surroundings, likelihood: LevelLikelihood) -> None:
+    def __init__(
+        self,
+        response: ArrayResponse,
+        around: Surroundings,
+        touched: Array,
+        options: DecoderOptions,
+        whiten: Whitening = joint_whitening,
+    ) -> None:
         self.array = replace(response.array, noise_rms=around.noise_rms)
-        self.response, self.around, self.likelihood = response, around, likelihood
-        self.options = likelihood.options
+        self.response, self.around, self.options = response, around, options
+        self.likelihood = LevelLikelihood(touched, response, around, options, whiten)
 
     @property
     def ambient(self) -> tuple[float | None, ...]:
@@ -134,9 +145,16 @@ class LibraryDecoder(Locator):
 class PointDecoder(LibraryDecoder):
     """Decoder whose points have one covariance each."""
 
-    def __init__(self, response: ArrayResponse, around: Surroundings, likelihood: LevelLikelihood) -> None:
-        super().__init__(response, around, likelihood)
-        self._search = BoundedSearch(likelihood)
+    def __init__(
+        self,
+        response: ArrayResponse,
+        around: Surroundings,
+        touched: Array,
+        options: DecoderOptions,
+        whiten: Whitening = joint_whitening,
+    ) -> None:
+        super().__init__(response, around, touched, options, whiten)
+        self._search = BoundedSearch(self.likelihood)
 
     @property
     def no_graph(self) -> str:

@@ -11,14 +11,13 @@ than that of the decoder of a calibrated sensor, and by a higher one still if ev
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
 from acoustic_fem.library.transfer_functions import MEASURED
-from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign, Tolerance, UnknownScatterError
+from acoustic_fem.scatter.tolerances import UNCALIBRATED, Tolerance, unknown_scatter
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
@@ -26,7 +25,6 @@ from localize.decoders.decoder_options import TolerantOptions
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.hypotheses import as_built_hypotheses, bare_library
-from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.likelihood import Bounds, Screen
 from localize.decoders.surroundings import Ambient, Surroundings
@@ -78,13 +76,12 @@ class TolerantDecoder(LibraryDecoder):
         self.hypotheses = as_built_hypotheses(library, response, self.tolerances, options.hypotheses)
         each = [touch_covariances(one, np.eye(SAMPLES)) for one in self.hypotheses.responses]
         touched = np.stack(each, 1).reshape(-1, *each[0].shape[1:])
-        likelihood = LevelLikelihood(touched, response, around, options)
-        super().__init__(response, around, likelihood)
-        self._library, self.options = library, options
-        self._bounds = tuple(Bounds(tables) for tables in likelihood.tables)
+        super().__init__(response, around, touched, options)
+        self._library = library
+        self._bounds = tuple(Bounds(tables) for tables in self.tables)
         self._deviating = tuple(
             DeviatingTables(tables, self.hypotheses, each, options)
-            for tables, each in zip(likelihood.tables, likelihood.whitening, strict=True)
+            for tables, each in zip(self.tables, self.likelihood.whitening, strict=True)
         )
 
     def heard_by(self, microphones: tuple[str, ...]) -> TolerantDecoder:
@@ -292,10 +289,9 @@ def tolerant_decoder(
     Raises:
         Refusal: as :class:`localize.BayesDecoder`.
     """
-    if library.fidelity != MEASURED:
-        with suppress(UnknownScatterError):
-            return TolerantDecoder(library, None, microphone_noise, ambient)
-    return None
+    if library.fidelity == MEASURED or unknown_scatter(library.design) is not None:
+        return None
+    return TolerantDecoder(library, None, microphone_noise, ambient)
 
 
 def unknown_tolerances(library: Library) -> str | None:
@@ -304,9 +300,5 @@ def unknown_tolerances(library: Library) -> str | None:
     Args:
         library: measured or computed.
     """
-    if library.fidelity != MEASURED:
-        try:
-            ScatteredDesign(library.design, UNCALIBRATED)
-        except UnknownScatterError as error:
-            return str(error)
-    return None
+    unknown = None if library.fidelity == MEASURED else unknown_scatter(library.design)
+    return None if unknown is None else str(unknown)

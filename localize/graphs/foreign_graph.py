@@ -71,7 +71,7 @@ class ForeignGraph:
                 problem = f"ended the process that ran it, which may take {LARGEST_MEMORY / 1e9:g} GB"
             raise self._refusal(f"its graph {problem}", kind=Kind.STOPPED, file=self._source) from None
         if answer[:1] != b"+":
-            self.close()
+            self._child.kill()
             problem = f"its graph cannot be run: {answer[1:].decode(errors='replace')}"
             raise self._refusal(problem, kind=Kind.UNREADABLE, file=self._source)
         return answer[1:]

@@ -278,15 +278,17 @@ def opened(source: ModelSource, decoding: Decoding | None = None) -> Model:
             problem = "must be given when the model is opened, to localize.open_model"
             raise Refusal(problem, kind=Kind.CONFLICT, field="decoding")
         return source
-    library = _library_in(source, given.air)
-    locator = _network(source, given) if library is None else _decoder(library, source, given)
+    content = file_content(Path(source)) if isinstance(source, (str, os.PathLike)) else None
+    is_library = isinstance(source, Library) or content is FileContent.LIBRARY
+    library = open_library(source, given.air) if is_library else None
+    reason = None if library is None else unknown_tolerances(library)
+    locator = _network(source, content, given) if library is None else _decoder(library, source, given)
     beside = library if given.library is None else open_library(given.library, given.air)
     response = locator.response if beside is None else response_of(beside)
     if beside is not None and beside is not library:
         check_same_design(locator.array, response_of(beside).array, _name(given.library))
     if response is None:
         _refuse_without_library(source, given)
-    reason = None if library is None else unknown_tolerances(library)
     return Model(
         locator,
         beside,
@@ -333,13 +335,6 @@ def files_of(source: object) -> tuple[Path, ...]:
     return (Path(source),) if isinstance(source, (str, os.PathLike)) else ()
 
 
-def _library_in(source: ModelSource, air: LocalAir | None) -> Library | None:
-    """Library that a source is; None where it is a network or a graph, or a localizer in memory."""
-    if isinstance(source, (str, os.PathLike)) and file_content(Path(source)) is not FileContent.LIBRARY:
-        return None
-    return None if isinstance(source, (Locator, Model)) else open_library(source, air)
-
-
 def _decoder(library: Library, source: ModelSource, given: Decoding) -> LibraryDecoder:
     """Decoder of a library, for all of its microphones."""
     levels = sound_levels(given.ambient)
@@ -352,7 +347,7 @@ def _decoder(library: Library, source: ModelSource, given: Decoding) -> LibraryD
     return decoder_of(library, given.noise, levels) if given.tolerances else BayesDecoder(library, given.noise, levels)
 
 
-def _network(source: ModelSource, given: Decoding) -> Locator:
+def _network(source: ModelSource, content: FileContent | None, given: Decoding) -> Locator:
     """Localizer in memory, a graph, or a trained localizer: each keeps its own noise and air."""
     if given.noise != "design":
         problem = f"is for a library; {_name(source)} was made for a noise of its own"
@@ -368,7 +363,7 @@ def _network(source: ModelSource, given: Decoding) -> Locator:
     if isinstance(source, Locator):
         return source
     assert isinstance(source, (str, os.PathLike))
-    if file_content(Path(source)) is FileContent.GRAPH:
+    if content is FileContent.GRAPH:
         return OnnxLocalizer(source)
     return localize.load_localizer(source)
 

@@ -22,7 +22,6 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import INTEGRATION_STEP, SAMPLES, SOURCE_RMS, touch_covariances, whitening
-from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import PointDecoder
 from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.surroundings import Surroundings
@@ -86,9 +85,7 @@ class PulseDecoder:
         faster = _faster(response, own, options.slower)
         around = Surroundings.of(faster, microphone_noise)
         touched = touch_covariances(faster, np.eye(SAMPLES), partial(_pulse_density, options=options))
-        self._decoder = PointDecoder(
-            faster, around, LevelLikelihood(touched, faster, around, DecoderOptions(), _whitening)
-        )
+        self._decoder = PointDecoder(faster, around, touched, DecoderOptions(), _whitening)
 
     def named(self, signals: Array) -> Array:
         """Probability of each point, (n_point,) float64.

@@ -18,7 +18,6 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
-from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
@@ -93,7 +92,7 @@ class PositionDecoder(LibraryDecoder):
         self._finer: dict[float | None, PlaceLikelihood] = {}
         pressed = footprint_response(response, self.footprints.fraction)
         touched = touch_covariances(pressed, np.eye(SAMPLES), lowest=position_options.lowest_frequency)
-        super().__init__(response, around, LevelLikelihood(touched, response, around, options))
+        super().__init__(response, around, touched, options)
 
     def log_likelihood(self, frames: Array) -> Array:
         """Log-likelihood that each point is the nearest, all places of the grid equally likely beforehand.

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Sequence
 from time import process_time
 
 import numpy as np
 
-from acoustic_fem.cell.design_cells import SECONDS_PER_CELL, is_cached
+from acoustic_fem.cell.design_cells import SECONDS_PER_CELL, cached_count
 from acoustic_fem.membrane.disc import design_disc
 from acoustic_fem.membrane.disc_table import disc_count
 from acoustic_fem.membrane.elasticity import DiscShape
@@ -39,7 +39,7 @@ def elapsed(seconds: float, workers: int) -> float:
 
 
 def seconds_of(
-    study: Study, cases: Cases, numbers: Sequence[int], cells: Iterable[CellKey], discs: Sequence[DiscShape]
+    study: Study, cases: Cases, numbers: Sequence[int], cells: Collection[CellKey], discs: Sequence[DiscShape]
 ) -> float:
     """Processor time that some cases will take, s.
 
@@ -50,7 +50,7 @@ def seconds_of(
         cells: the 3-D cells that they need.
         discs: the membranes of all cases, which are solved together.
     """
-    missing = sum(not is_cached(cell, study.frequency, air, study.fidelity) for cell, air in cells)
+    missing = len(cells) - cached_count(cells, study.frequency, study.fidelity)
     return (
         _seconds_per_case(study, cases, numbers) * len(numbers)
         + SECONDS_PER_CELL * missing

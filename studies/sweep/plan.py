@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from acoustic_fem.cell.design_cells import is_cached
+from acoustic_fem.cell.design_cells import cached_count
 from geometry.ground.typed import PathLike
 from studies.study.cases import by_kind, sobol_note
 from studies.study.file import resolve_study
@@ -57,7 +57,7 @@ def plan_sweep(study: Study | PathLike, workers: int | None = None) -> Plan:
     cases = found.cases
     valid = [number for number in range(len(cases)) if number not in found.refused]
     cells = found.cells_of(valid)
-    cached = sum(is_cached(cell, study.frequency, air, study.fidelity) for cell, air in cells)
+    cached = cached_count(cells, study.frequency, study.fidelity)
     alone = seconds_of(study, cases, valid, cells, found.discs)
     team = workers or team_size(alone)
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency) * 16

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import traceback
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -193,7 +193,7 @@ def _team(
     study: Study,
     cases: Cases,
     waiting: list[tuple[int, int]],
-    cells: Iterable[CellKey],
+    cells: Collection[CellKey],
     discs: Sequence[DiscShape],
     workers: int | None,
     scheduler: str | None,
