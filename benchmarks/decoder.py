@@ -27,11 +27,11 @@ BEGIN, END = "<!-- decoder: made by benchmarks/decoder.py -->", "<!-- end decode
 FREQUENCY = np.concatenate([np.arange(0.25, 20.0, 0.25), np.arange(20.0, 501.0)])
 FRAME, ASSUMED, TOUCHES = 250, 1e-3, 4000
 CASES: tuple[tuple[str, float, StimulusSource], ...] = (
-    ("sums of sines, no noise", 0.0, multi_sines),
-    ("sums of sines, 1 mPa", 1e-3, multi_sines),
+    ("multi-sine touches, no noise", 0.0, multi_sines),
+    ("multi-sine touches, 1 mPa", 1e-3, multi_sines),
     ("taps, 1 mPa", 1e-3, taps),
     ("friction, 1 mPa", 1e-3, friction),
-    ("sums of sines, 10 mPa", 1e-2, multi_sines),
+    ("multi-sine touches, 10 mPa", 1e-2, multi_sines),
 )
 
 

@@ -63,12 +63,12 @@ def rows_of(name: str, sensors: int) -> list[str]:
     """Rows of the table of one prototype."""
     library, rows = acoustic_fem.solve(geometry.prototype(name), FREQUENCY, "lumped"), []
     tolerant = localize.TolerantDecoder(library, microphone_noise="design")
-    for title in ("as designed", "made, not calibrated", "made, calibrated"):
+    for title in ("as designed", "as built, not calibrated", "as built, calibrated"):
         for kind in KINDS:
             told = defaultdict[str, list[tuple[float, bool]]](list)
             for number in range(sensors):
                 sensor = Sensor(library, number, FIRST, title == "as designed")
-                known = title == "made, calibrated"
+                known = title == "as built, calibrated"
                 decoder = localize.BayesDecoder(sensor.calibrated, "design") if known else tolerant
                 for what, stated, right in events_of(decoder, sensor, kind):
                     told[what].append((stated, right))

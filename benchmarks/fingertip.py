@@ -32,8 +32,8 @@ FIGURES = (
     ("volume", "volume of all parts, mm³", 1.0),
 )
 SCATTERED = (
-    ("calibrated", "mis-made, each sensor calibrated, %"),
-    ("nominal", "mis-made, one localizer of the nominal design, %"),
+    ("calibrated", "as-built, each sensor calibrated, %"),
+    ("nominal", "as-built, one localizer of the nominal design, %"),
 )
 
 

@@ -1,4 +1,4 @@
-"""Kinds of touch on the glove: events and textures, nominal and mis-made. ``python benchmarks/kinds.py`` trains both
+"""Kinds of touch on the glove: events and textures, nominal and as-built. ``python benchmarks/kinds.py`` trains both
 recognizers, prints the tables of docs/evidence/moving-touches.md and writes them there, in a quarter of an hour of one
 core; ``kinds`` or ``slides`` makes one of them.
 
@@ -207,13 +207,13 @@ def slides() -> None:
         ((response,), localize.BayesDecoder(library, "design")),
         (made_sensors(response, DESIGN, SENSORS), localize.TolerantDecoder(library, microphone_noise="design")),
     )
-    lines = ["| slides along a finger of the glove | nominal | mis-made, nominal library |", "|---|---|---|"]
+    lines = ["| slides along a finger of the glove | nominal | as-built, nominal library |", "|---|---|---|"]
     for name, (low, high) in SPEEDS.items():
         for sharp in (1.0, 1.5) if name == "± 15 %" else (1.0,):
             cells = []
             for sensors, locator in columns:
                 right, off = told_slides(judge, sensors, locator, (low * SPEED, high * SPEED), sharp)
-                missed = f", {OF_SPEED - len(off)} of {OF_SPEED} not told" if len(off) < OF_SPEED else ""
+                missed = f", {OF_SPEED - len(off)} of {OF_SPEED} not detected" if len(off) < OF_SPEED else ""
                 cells.append(
                     f"{cell(np.array(right))}; speed off by {100 * np.sqrt(np.mean(np.square(off))):.1f} % rms{missed}"
                 )
@@ -226,9 +226,9 @@ def slides() -> None:
 def kinds() -> None:
     """The table of single points."""
     response = nominal()
-    sensors = {"nominal": (response,), "mis-made": made_sensors(response, DESIGN, SENSORS)}
+    sensors = {"nominal": (response,), "as-built": made_sensors(response, DESIGN, SENSORS)}
     events = Judge("events", response)
-    lines = [f"| {DESIGN}, right (%) | nominal | mis-made, nominal library |", "|---|---|---|"]
+    lines = [f"| {DESIGN}, right (%) | nominal | as-built, nominal library |", "|---|---|---|"]
 
     def row(title: str, judge: Judge, **how: Any) -> None:
         lines.append(f"| {title} | " + " | ".join(cell(judge.right(each, **how)) for each in sensors.values()) + " |")
@@ -238,12 +238,12 @@ def kinds() -> None:
     row("events, a finger 1.5 times as blunt", events, blunter=1.5)
     fingers = " | ".join(cell(events.fingers(each)) for each in sensors.values())
     lines.append(f"| taps, double taps and presses of fingers | {fingers} |")
-    locators = {"nominal": localize.BayesDecoder(response, 1e-3), "mis-made": None}
+    locators = {"nominal": localize.BayesDecoder(response, 1e-3), "as-built": None}
     library = acoustic_fem.solve(geometry.prototype(DESIGN), np.arange(1.0, 501.0), "lumped")
-    locators["mis-made"] = localize.TolerantDecoder(library, microphone_noise=1e-3)
+    locators["as-built"] = localize.TolerantDecoder(library, microphone_noise=1e-3)
     named = [events.with_points_named(sensors[name], locators[name]) for name in sensors]
-    lines.append(f"| their points, named by the decoder | {named[0][0]} | {named[1][0]} |")
-    lines.append(f"| events at the points that are named | {named[0][1]} | {named[1][1]} |")
+    lines.append(f"| their points, by the decoder | {named[0][0]} | {named[1][0]} |")
+    lines.append(f"| events at the points of the decoder | {named[0][1]} | {named[1][1]} |")
     textures = Judge("textures", response)
     for name, (low, high) in SPEEDS.items():
         speeds = (low * SPEED, high * SPEED)
@@ -260,8 +260,8 @@ def kinds() -> None:
     lines += milliseconds(events)
     print("\n".join(lines))
     replace_section(PAGE, BEGIN, END, lines)
-    events.picture(sensors["mis-made"])
-    textures.picture(sensors["mis-made"])
+    events.picture(sensors["as-built"])
+    textures.picture(sensors["as-built"])
 
 
 def main() -> None:

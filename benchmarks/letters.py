@@ -90,16 +90,16 @@ def kept_columns() -> dict[str, list[str]]:
 def main() -> None:
     titles = [
         *HANDS,
-        "made sensors, nominal library",
-        "made sensors, their own libraries",
-        "made sensors, calibrated from recordings",
+        "as-built, nominal library",
+        "as-built, their own libraries",
+        "as-built, calibrated from recordings",
         "training, processor time of one core (s)",
     ]
     for name in sys.argv[1:] or DESIGNS:
         made = column(name)
         kept = {each: cells for each, cells in kept_columns().items() if len(cells) == len(titles)}  # else former ones
         columns = {**kept, name: made}
-        lines = [f"| letters told right (%) | {' | '.join(columns)} |", "|---" * (len(columns) + 1) + "|"]
+        lines = [f"| letters recognised correctly (%) | {' | '.join(columns)} |", "|---" * (len(columns) + 1) + "|"]
         lines += [f"| {title} | {' | '.join(cells)} |" for title, *cells in zip(titles, *columns.values(), strict=True)]
         print("\n".join(lines))
         replace_section(PAGE, BEGIN, END, lines)

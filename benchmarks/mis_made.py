@@ -1,4 +1,4 @@
-"""Networks trained on the nominal design and on a library of mis-made sensors, both judged on sensors never seen;
+"""Networks trained on the nominal design and on a library of as-built sensors, both judged on sensors never seen;
 and which designs forgive, by prediction.
 
 ``python benchmarks/mis_made.py`` writes both tables of docs/evidence/designs.md anew, two minutes of one core per
@@ -27,12 +27,12 @@ from studies.scatter.perturbed_library import write_perturbed_library
 from studies.study.metric_registry import METRICS
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "designs.md"
-BEGIN, END = "<!-- mis-made: made by benchmarks/mis_made.py -->", "<!-- end -->"
+BEGIN, END = "<!-- as-built: made by benchmarks/mis_made.py -->", "<!-- end -->"
 FORGIVING, FORGIVING_END = "<!-- forgiving: made by benchmarks/mis_made.py -->", "<!-- end forgiving -->"
 GRID = np.linspace(1.0, 100.0, 64)
 DESIGNS, NOISE = ("array-2x6", "fingertip-3x4"), 3e-3
 STORED, JUDGED, TOUCHES = 1000, 40, 20
-#: Mis-made sensors per design of the second table, and the seed of their deviations: not that of `scattered_top1`.
+#: As-built sensors per design of the second table, and the seed of their deviations: not that of `scattered_top1`.
 SENSORS, SEED = 256, 1
 PLAN = localize.TrainingPlan(seconds_per_point=150, epochs=32, microphone_noise=NOISE)
 
@@ -95,7 +95,7 @@ VARIANTS: list[tuple[str, str, dict[str, Any]]] = [
 
 
 def forgiving() -> list[str]:
-    lines = ["| design | as designed (%) | mis-made (%) | sensitivity (Pa/N) |", "|---|---|---|---|"]
+    lines = ["| design | as designed (%) | as-built (%) | sensitivity (Pa/N) |", "|---|---|---|---|"]
     for title, prototype, values in VARIANTS:
         design = geometry.prototype(prototype).with_values(values)
         library = acoustic_fem.solve(design, GRID, "lumped")
@@ -116,7 +116,7 @@ def main() -> None:
     if "forgiving" in sys.argv[1:]:
         return
     lines = [
-        "| design | nominal: predicted (%) | nominal: trained (%) | mis-made: predicted (%) | mis-made: trained (%) |",
+        "| design | nominal: predicted (%) | nominal: trained (%) | as-built: predicted (%) | as-built: trained (%) |",
         "|---|---|---|---|---|",
         *(row(name) for name in DESIGNS),
     ]

@@ -147,12 +147,12 @@ def picture(response: ArrayResponse) -> None:
 
 def main() -> None:
     titles = [
-        "point named by the decoder of touches, 1 s (%)",
-        "point named, 1 s (%)",
-        "point named, 2 s (%)",
-        "point named, 8 s (%)",
+        "point by the decoder of touches, 1 s, top-1 (%)",
+        "point by the decoder of pulses, 1 s, top-1 (%)",
+        "point by the decoder of pulses, 2 s, top-1 (%)",
+        "point by the decoder of pulses, 8 s, top-1 (%)",
         "signal over error, least / mean (dB)",
-        "the same of the best filter that noise allows, least / mean (dB)",
+        "signal over error of the best linear filter, least / mean (dB)",
         f"pulses of {WANTED:g} dB and more (%)",
         *(f"{name} wave found within {1000 * FOUND:.0f} ms (%)" for name in WAVES),
         "error of the rate, from the first beat found to the last, rms / most (a minute)",
@@ -164,8 +164,8 @@ def main() -> None:
         made = made_sensors(response, name, SENSORS)
         for kind, libraries, sensors in (
             ("", (response,), (response,)),
-            (", mis-made", (response,), made),
-            (", mis-made, its own library", made, made),
+            (", as-built", (response,), made),
+            (", as-built, its own library", made, made),
         ):
             heads.append(name + kind)
             columns.append(column(libraries, sensors))

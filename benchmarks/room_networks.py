@@ -95,9 +95,9 @@ def rooms() -> list[str]:
         rows = {
             "network trained in silence": deaf,
             "network trained in rooms": heard,
-            "decoder told of rooms": localize.BayesDecoder(response, NOISE, ambient=ROOM),
+            "decoder with `ambient=ROOM`": localize.BayesDecoder(response, NOISE, ambient=ROOM),
         }
-        for on, arrays in (("", (response,)), (", mis-made", made)):
+        for on, arrays in (("", (response,)), (", as-built", made)):
             for title, locator in rows.items():
                 cells = " | ".join(share(locator, arrays, level) for level in LEVELS)
                 lines.append(f"| {name}{on}: {title} | {cells} |")
@@ -112,7 +112,7 @@ def louder() -> list[str]:
         response = response_of(acoustic_fem.solve(geometry.prototype(name), FREQUENCY, "lumped"))
         ratios = " | ".join(ratio(response, level) for level in LOUDER)
         lines.append(f"| {name}: touches over the sound at the microphones (dB, median) | {ratios} |")
-        for title, ambient in (("decoder told of no sound", None), ("decoder told of rooms", ROOM)):
+        for title, ambient in (("decoder without `ambient`", None), ("decoder with `ambient=ROOM`", ROOM)):
             decoder = localize.BayesDecoder(response, NOISE, ambient=ambient)
             lines.append(
                 f"| {name}: {title} | {' | '.join(share(decoder, (response,), LOUD, each) for each in LOUDER)} |"

@@ -92,9 +92,9 @@ def rows(name: str) -> list[str]:
         )
         signals, point = frames(response, level, True, FRAMES)
         heard = ~test.is_sound(signals)
-        add("touches not called sound", heard.mean())
-        add("named, told of no sound", (deaf.locate(signals).argmax(1) == point).mean())
-        add("named, `ambient=ROOM`", (in_room.locate(signals).argmax(1) == point).mean())
+        add("touches not classified as sound", heard.mean())
+        add("top-1, no sound configured", (deaf.locate(signals).argmax(1) == point).mean())
+        add("top-1, `ambient=ROOM`", (in_room.locate(signals).argmax(1) == point).mean())
     return [f"| {name}: {title} | {' | '.join(shares)} |" for title, shares in cells.items()]
 
 

@@ -88,7 +88,7 @@ def main() -> None:
             for other, decoder in decoders.items():
                 if decoder.microphones == microphones:
                     fit = fitted(decoder, heard, unchanged)
-                    what = "no doubt of its own library" if other == name else "another's told"
+                    what = "own library accepted" if other == name else "another's library rejected"
                     rows[what, count].append((fit.warning is None) == (other == name) and fit.off_level is None)
                     print(name, seed, other, fit, flush=True)
             for level in LEVELS:

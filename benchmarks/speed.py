@@ -147,13 +147,13 @@ def cold_line() -> tuple[float, float]:
 #: Cell -> directions of its tubes, their height (1: the cavity's), relative error aimed at, highest frequency (Hz),
 #: and what was wanted.
 CELLS = {
-    "a 3-D cell of two tubes in line, 1e-3": ((0, 180), 0.5, 1e-3, 500.0, "wanted: 4 s"),
-    "at a right angle, 1e-3": ((0, 90), 0.5, 1e-3, 500.0, "wanted: 4 s"),
-    "three tubes at half the height, 1e-3": ((0, 100, 220), 0.5, 1e-3, 500.0, "wanted: 7 s"),
-    "the same, lower: no mirror plane at all": ((0, 100, 220), 0.4, 1e-3, 500.0, "wanted: 7 s"),
-    "the same, default accuracy": ((0, 100, 220), 0.4, None, 500.0, ""),
-    "two tubes in line to 1 kHz, default accuracy": ((0, 180), 0.5, None, 1000.0, "wanted: 30 s, 1.07 GB"),
-    "three, no mirror plane, to 1 kHz, default accuracy": ((0, 100, 220), 0.4, None, 1000.0, "wanted: 30 s, 1.07 GB"),
+    "a 3-D cell of two tubes in line, 1e-3": ((0, 180), 0.5, 1e-3, 500.0, "target: 4 s"),
+    "at a right angle, 1e-3": ((0, 90), 0.5, 1e-3, 500.0, "target: 4 s"),
+    "three tubes at half the height, 1e-3": ((0, 100, 220), 0.5, 1e-3, 500.0, "target: 7 s"),
+    "three tubes lower, no mirror plane": ((0, 100, 220), 0.4, 1e-3, 500.0, "target: 7 s"),
+    "three tubes lower, default accuracy": ((0, 100, 220), 0.4, None, 500.0, ""),
+    "two tubes in line to 1 kHz, default accuracy": ((0, 180), 0.5, None, 1000.0, "target: 30 s, 1.07 GB"),
+    "three, no mirror plane, to 1 kHz, default accuracy": ((0, 100, 220), 0.4, None, 1000.0, "target: 30 s, 1.07 GB"),
 }
 CELL_PROGRAM = """
 import sys, time
@@ -244,24 +244,24 @@ def peers(of_line_2: dict[str, float]) -> list[str]:
     cold, cached = cold_line()
     rows = [
         ("one design, 12 points, lumped (ms)", f"{single:.1f}", f"{openwind_ladder()}: OpenWind, one impedance"),
-        ("the same, atlas (ms)", f"{one_design('array-2x6', 'atlas'):.1f}", ""),
-        (f"the same, lumped, among {BATCH} (ms)", f"{many:.2f}", f"{single:.1f}: one at a time"),
+        ("one design, 12 points, atlas (ms)", f"{one_design('array-2x6', 'atlas'):.1f}", ""),
+        (f"one design, 12 points, lumped, in a batch of {BATCH} (ms)", f"{many:.2f}", f"{single:.1f}: one at a time"),
         ("line-4 with 3-D cells (s)", f"{cold:.0f}", f"{cached:.1f}: cells from the cache"),
         *cells(),
-        ("signals of touches, 36 points (a second)", f"{1e3 / of_line_2['signals of a touch']:,.0f}", "wanted: 20,000"),
+        ("signals of touches, 36 points (a second)", f"{1e3 / of_line_2['signals of a touch']:,.0f}", "target: 20,000"),
         (
             "the network's training, 36 points, the usual plan (a second)",
             f"{1e3 / of_line_2['training, a touch']:,.0f}",
-            "wanted: 2,500",
+            "target: 2,500",
         ),
         (
-            "the same, in silence, steps of 128 (a second)",
+            "the network's training, in silence, steps of 128 (a second)",
             f"{1e3 / of_line_2['training in silence, steps of 128']:,.0f}",
             "",
         ),
-        *((f"`{name}`, import and all (ms)", f"{each:.0f}", "wanted: 500") for name, each in commands().items()),
+        *((f"`{name}`, import and all (ms)", f"{each:.0f}", "target: 500") for name, each in commands().items()),
     ]
-    return table(("what", "here", "beside"), rows)
+    return table(("what", "here", "compared with"), rows)
 
 
 def growth(found: Sequence[dict[str, float]]) -> list[str]:

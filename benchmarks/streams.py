@@ -305,7 +305,7 @@ def rows_of(made: list[Sensor]) -> list[str]:
 
 
 def main() -> None:
-    titles = ("touches", "told within 0.35 s (%)", "with the right point (%)", "exactly once (%)")
+    titles = ("touches", "reported within 0.35 s (%)", "with the right point (%)", "exactly once (%)")
     titles += ("wrong frames", "wrong touches", "median (ms)", "95 % (ms)")
     lines = [f"| {' | '.join(titles)} |", "|---" * len(titles) + "|"]
     for name in DESIGNS:

@@ -90,16 +90,16 @@ class Truth:
 
 TRUTHS = (
     Truth("as designed", NONE),
-    Truth("mis-made parts", PARTS),
-    Truth("mis-made everything", HiddenScatter()),
-    Truth("2000 m, not told", NONE, 79500.0),
-    Truth("2000 m, told", NONE, 79500.0, True),
+    Truth("parts deviate", PARTS),
+    Truth("everything deviates", HiddenScatter()),
+    Truth("2000 m, altitude not given", NONE, 79500.0),
+    Truth("2000 m, altitude given", NONE, 79500.0, True),
     Truth("modulus -20 %", replace(NONE, modulus=0.8)),
     Truth("modulus +16 %", replace(NONE, modulus=1.16)),
     Truth("modulus +34 %", replace(NONE, modulus=1.34)),
 )
 #: In the table of the page; the file has all.
-SHOWN = ("as designed", "mis-made everything", "2000 m, not told", "modulus -20 %")
+SHOWN = ("as designed", "everything deviates", "2000 m, altitude not given", "modulus -20 %")
 
 
 def frame_time(decoder: localize.BayesDecoder, response: ArrayResponse) -> float:
@@ -168,7 +168,7 @@ def records_of(name: str, sensors: int) -> list[Record]:
 
 
 def table_of(records: Sequence[Record]) -> list[str]:
-    """The table of the page: a column for each design, nominal / tolerant decoder, sums of sines and taps."""
+    """The table of the page: a column for each design, nominal / tolerant decoder, multi-sines and taps."""
     designs = list(dict.fromkeys(record["design"] for record in records))
     lines = [f"| sensor | {' | '.join(designs)} |", "|---" * (len(designs) + 1) + "|"]
     for kind in KINDS[:2]:

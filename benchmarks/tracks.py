@@ -1,4 +1,4 @@
-"""How far paths of a writing finger are off: large-area-64, by speed, on the nominal sensor and on mis-made ones.
+"""How far paths of a writing finger are off: large-area-64, by speed, on the nominal sensor and on as-built ones.
 
 ``python benchmarks/tracks.py`` writes the tables of docs/evidence/moving-touches.md and the picture of docs/tracks.md,
 in about a quarter of an hour; ``paths``, ``places`` or ``between`` makes one of them. No constant was chosen on these
@@ -106,10 +106,10 @@ def paths() -> list[str]:
     made = made_sensors(library, DESIGN, SENSORS)
     conditions = {
         "nominal": (None, (library,), (library,)),
-        "nominal, sound of 70 dB SPL, told": (ROOM, (library,), (library,)),
-        "mis-made, nominal library": (None, (library,), made),
-        "mis-made, their own transfer functions": (None, made, made),
-        "mis-made, calibrated from recordings": (None, calibrated(DESIGN, SENSORS), made),
+        "nominal, sound of 70 dB SPL, `ambient` given": (ROOM, (library,), (library,)),
+        "as-built, nominal library": (None, (library,), made),
+        "as-built, their own transfer functions": (None, made, made),
+        "as-built, calibrated from recordings": (None, calibrated(DESIGN, SENSORS), made),
     }
     lines = [
         "| sensor | " + " | ".join(f"{low:.0f} to {high:.0f} mm/s" for low, high in SPEEDS) + " |",
@@ -141,7 +141,7 @@ def places() -> list[str]:
     assert library.position is not None
     position, pitch = library.position, localize.tracking.pitch_of(library)
     lines = [
-        "| radius of the finger | points alone: nearest named | places: nearest named | median | rms | covered |",
+        "| radius of the finger | points alone: nearest found | places: nearest found | median | rms | covered |",
         "|---|---|---|---|---|---|",
     ]
     points = localize.BayesDecoder(library, microphone_noise=NOISE)
@@ -176,9 +176,9 @@ def between() -> list[str]:
     made = made_sensors(library, "fingertip-4x6", SENSORS)
     conditions = {
         "nominal": ((library,), (library,)),
-        "mis-made, nominal library": ((library,), made),
-        "mis-made, their own transfer functions": (made, made),
-        "mis-made, calibrated from recordings": (calibrated("fingertip-4x6", SENSORS), made),
+        "as-built, nominal library": ((library,), made),
+        "as-built, their own transfer functions": (made, made),
+        "as-built, calibrated from recordings": (calibrated("fingertip-4x6", SENSORS), made),
     }
     apart = np.linalg.norm(position[:, None] - position, axis=-1)
     pairs = np.argwhere(np.triu(apart < 1.1 * pitch, 1))

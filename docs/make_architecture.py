@@ -21,7 +21,10 @@ _HEAD = """# Architecture
 
 <!-- `python docs/make_architecture.py` writes this page and prints its tables, which the site makes from the faces. -->
 
-One design file in; trusted transfer functions, a trained localizer and printable parts out:
+This page is for you if you want to change the program or find your way in its code. It shows how a design becomes
+results, and which part of the code may use which other part.
+
+A design file is the only input. From it come transfer functions, a trained localizer, and parts that you can print:
 
 ```text
 design.toml -> ArrayDesign -> CAD parts -------------------------> STL / 3MF / STEP + print report
@@ -31,19 +34,32 @@ design.toml -> ArrayDesign -> CAD parts -------------------------> STL / 3MF / S
                    study = many of these, in parallel, resumable -> table of figures, plots, report
 ```
 
-An array of 216 points has two or three *distinct* cells. Each is solved once in 3-D, condensed to its ports and kept
-on disk; the network of ports is solved for all points, microphones and frequencies at once. A change of tube length,
-membrane or wiring needs no new 3-D solve.
+A *cell* is a cavity with the first piece of each of its tubes. An array of 216 points has only two or three distinct
+cells, so each of these is solved once in 3-D. The solution is reduced to the admittances between the cell's ports and
+kept on disk. A network of these ports is then solved for all points, microphones and frequencies at once. If you change
+the length of a tube, a membrane or the wiring, no new 3-D solution is needed.
 
-Four packages, each of which may import from those before it: `geometry` (what the sensor is, in mm), `acoustic_fem`
-(what it does, in SI), `localize` (what the signals say), `studies` (what the designer asks). Each is a house of
-rooms: folders of modules with one subject, a dozen as a habit. A room's face, its `__init__.py` with a stub beside it,
-says what lives there, lists its public names, imported when first used, and names the rooms it stands on: within a
-package its modules import from these alone, also inside functions and for types, and never in a circle. Below, a room
-stands on rooms above it. Every error raised on purpose derives from
-`geometry.Refusal`, in `geometry.ground`.
+## Packages and rooms
 
-Public are the names of the faces; everything else may move without notice. The site has a page of every room.
+There are four packages. Each may import from those before it, but never from those after it:
+
+| package | subject |
+|---|---|
+| `geometry` | the sensor as it is built, in millimetres |
+| `acoustic_fem` | its acoustics, in SI units |
+| `localize` | touches from the signals of its microphones |
+| `studies` | the questions of a designer, and the command line |
+
+A package consists of rooms. A room is a folder of modules with one subject, usually about a dozen. Its `__init__.py`,
+with a stub beside it, is the *face* of the room. The face says what lives there, and it lists the public names, which
+are imported when they are first used. Everything else may move without notice, so import only from a face. The site has
+a page for each room.
+
+A face also lists the rooms of its package on which the room stands. Its modules import only from these. The rule also
+holds inside functions and for types. Imports never form a circle. In the tables below, a room stands only on rooms
+above it.
+
+Every error that the program raises on purpose derives from `geometry.Refusal`, which lives in `geometry.ground`.
 """
 
 

@@ -33,8 +33,8 @@ as-built sensors is low, [calibrate](calibration.md) each sensor, because calibr
 is that of the materials of one array at assumed prices without molds. In the pictures each point has the colour of its
 own accuracy and the hardest pair is ringed.
 
-`acoustic-fem prototypes NAME` prints the file of a prototype. `acoustic-fem parts NAME --out parts` makes its parts. For
-a design of ours, use the path of its file in place of the name.
+`acoustic-fem prototypes NAME` prints the file of a prototype. `acoustic-fem parts NAME --out parts` makes its parts.
+For a design of ours, use the path of its file in place of the name.
 
 <!-- made by python docs/make_gallery.py -->
 
@@ -66,7 +66,8 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
         words = design.description.rstrip(".")
         rows.append(
             f"| [{name}](#{name}) | {words} | {design.point_count} | {len(design.microphones)} "
-            f"| {100 * quality.named:.1f} | {made} | {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
+            f"| {100 * quality.named:.1f} | {made} "
+            f"| {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
             f"| {quality.cost:.2f} |"
         )
         file = f"[{name}.toml](examples/{name}.toml)\n\n" if name in ours else ""

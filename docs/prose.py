@@ -28,8 +28,9 @@ CONNECTIVES = frozenset(
 SECOND_PERSON = frozenset(["our", "us", "we", "you", "your"])
 BEGINNINGS = ("Left out are ", "Left out is ", "Lost are ", "Of ", "That ", "What ", "Which ", "Whether ", "Who ")
 PRIVATE = re.compile(
-    r"\b(?:named right|names? a point|mis-made|(?:is|are|has|have) none|is no |told of|(?:is|are|not) told"
-    r"|heard through|read over|which who|the same, |sums of sines|goes up in|mend(?:ed|s|ing)?|beside it stands?)\b"
+    r"\b(?:named right|names? a point|mis-made|(?<![Tt]here )(?:is|are|has|have) none|(?<![Tt]here )is no "
+    r"|told of|(?:is|are|not) told|heard through|read over|which who|the same, |sums of sines|goes up in"
+    r"|mend(?:ed|s|ing)?|beside it stands?)\b"
 )
 
 #: The smallest and the largest value of each figure on a page of at least SHORT words.

@@ -36,7 +36,7 @@ def atlas_admittance(cell: Cell, frequency: Array, medium: Medium) -> ComplexArr
         (n_freq, k + 1, k + 1) complex128 for k tubes, nodes as :func:`acoustic_fem.cell.lumped_admittance`.
 
     Raises:
-        OutsideAtlas: a cell that is no cylinder, or sizes, air or frequencies out of the bounds.
+        OutsideAtlas: a cell that is not a cylinder, or sizes, air or frequencies out of the bounds.
     """
     atlas = cell_atlas()
     check_cell(atlas, cell, frequency, medium)

@@ -132,7 +132,7 @@ class ArrayParameters:
             known: membranes that need not be solved.
 
         Raises:
-            Refusal: no design, designs that are wired in different ways, a cavity that is no cylinder, or a
+            Refusal: no design, designs that are wired in different ways, a cavity that is not a cylinder, or a
                 pre-stretched membrane with loss.
         """
         check_given("designs", designs, "a batch needs at least one")
@@ -269,7 +269,7 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
             raise mismatch(moduli, f"has {terms[0]} terms and {times} {terms[1]}; both need the same")
     modes = tuple(parameters.membrane_fraction.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
     if modes[0] != modes[1] or modes[0] == 0:
-        problem = f"has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, at least 1"
+        problem = f"has {modes[0]} modes and membrane_frequency {modes[1]}; both need equally many modes, at least 1"
         raise mismatch("membrane_fraction", problem)
 
 

@@ -93,7 +93,7 @@ def read_manifest(path: Path) -> Manifest:
 
     Raises:
         ManifestError: it cannot be read, is not TOML, lacks a field, or holds an unknown or impossible one.
-        DesignError: the design is no prototype and no valid design file.
+        DesignError: the design is neither a prototype nor a valid design file.
     """
     path = Path(path)
     file = model_of(_File, read_toml(path, "a manifest", ManifestError), str(path), "manifest", ManifestError)

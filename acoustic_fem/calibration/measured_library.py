@@ -277,7 +277,7 @@ def read_point(manifest: Manifest, number: int) -> tuple[dict[str, Array], float
 
 
 def _channel(file: Path, sound: Sound, name: str, number: int, alone: bool) -> Array:
-    """A channel of a file, by its name, or where channels have none by its number; a file of one channel is that."""
+    """A channel of a file, by its name, or by its number if channels have no names; a file of one channel is that."""
     if alone and len(sound.channels) == 1:
         return next(iter(sound.channels.values()))
     key = str(number) if sound.numbered else name

@@ -1,7 +1,7 @@
 """A body of air condensed to its ports and moving walls: small matrices that answer at any frequency.
 
 Both 3-D models end in one form: a symmetric response of the excitations, ports first, then wall motions,
-from which the nodal admittance follows. What a condensed body keeps is small, so that it can be stored.
+from which the nodal admittance follows. A condensed body is small, so that it can be stored.
 """
 
 from __future__ import annotations

@@ -126,7 +126,7 @@ def port_admittance(
 ) -> ComplexArray:
     """Port admittance of a body of air of any shape.
 
-    Every face that is no port is a rigid, no-slip, isothermal wall. Ports must lie a few bore radii down a
+    Every face that is not a port is a rigid, no-slip, isothermal wall. Ports must lie a few bore radii down a
     tube, where the flow is a plane wave.
 
     Args:

@@ -64,7 +64,7 @@ class PressureSystem:
 
 
 def pressure_system(mesh: SolidMesh, ports: Sequence[str], motions: Sequence[WallMotion] = ()) -> PressureSystem:
-    """Finite element space and sources of a cell; every face that is no port is a wall, a mirror plane included."""
+    """Finite element space and sources of a cell; every face that is not a port is a wall, a mirror plane included."""
     tetrahedra, facets = tetrahedral_mesh(mesh)
     basis = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
     on_ports = np.zeros((basis.N, len(ports)))

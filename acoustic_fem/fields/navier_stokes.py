@@ -88,7 +88,7 @@ def tetrahedral_mesh(mesh: SolidMesh) -> tuple[skfem.MeshTet2, dict[str, NDArray
 def dirichlet_nodes(
     scalar: skfem.CellBasis, facets: dict[str, NDArray[np.int64]], ports: Sequence[str]
 ) -> NDArray[np.int64]:
-    """Degrees of freedom of a scalar basis on every face that is no port, (n_dof,) int64."""
+    """Degrees of freedom of a scalar basis on every face that is not a port, (n_dof,) int64."""
     walls = [index for name, index in facets.items() if name not in ports]
     return np.unique(np.concatenate([scalar.get_dofs(index).all() for index in walls]))
 

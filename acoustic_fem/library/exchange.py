@@ -1,7 +1,7 @@
 """Libraries in formats of other programs, written and read back to the last digit: SOFA, NPZ and CSV.
 
 - ``.sofa``: AES69-2022, convention GeneralTF-E: emitters are the sensing points, receivers the microphones, both at
-  their places in the laid-out array. What else a library holds is in variables and attributes of its own.
+  their places in the laid-out array. The other contents of a library are in variables and attributes of its own.
 - ``.npz``: one array per variable of the netCDF file, real and imaginary parts apart, and texts.
 - ``.csv``: a row per point, microphone and frequency; ahead of it, behind ``#``, the texts as JSON. The impedance
   between microphones, which has no place in such rows, is left out.
@@ -61,7 +61,7 @@ _LETTERS = {"point": "E", "microphone": "R", "microphone_2": "R", "frequency": "
 
 
 def save(library: Library, path: str | os.PathLike[str]) -> None:
-    """Write a library in netCDF; the file is whole or not there. What is there is replaced as :func:`export` does it.
+    """Write a library in netCDF; the file is whole or not there. An existing file is replaced as by :func:`export`.
 
     Raises:
         LibraryError: the file cannot be written, or exists and is not netCDF, not a library, or a measured one.
@@ -77,7 +77,7 @@ def export(library: Library, path: str | os.PathLike[str]) -> None:
 
     Raises:
         LibraryError: another suffix than ``.nc``, ``.sofa``, ``.npz`` and ``.csv``, a file that cannot be written, or
-            one that is there and is no library, or a measured one.
+            one that is there and is not a library, or a measured one.
     """
     path = Path(path)
     _suffix(path)
@@ -89,13 +89,13 @@ def check_replaceable(path: Path) -> None:
     """Refuse to write over a file that cannot be computed again; recordings have some of the suffixes too.
 
     Raises:
-        LibraryError: a file is there, and is no library, or a measured one.
+        LibraryError: a file is there, and is not a library, or a measured one.
     """
     if not path.is_file():
         return
     fidelity = fidelity_in(path)
     if fidelity is None or fidelity == MEASURED:
-        what = "is no library that can be read" if fidelity is None else "a measured library is never overwritten"
+        what = "is not a readable library" if fidelity is None else "a measured library is never overwritten"
         remedy = "name another file, or remove this one"
         raise LibraryError(f"exists, and {what}", kind=Kind.EXISTS, file=path, remedy=remedy)
 
@@ -156,7 +156,7 @@ def _format_of(path: Path) -> str:
     if head and b"\0" not in head:
         return ".csv"
     what = "is empty" if not head else "holds neither netCDF, SOFA, NPZ nor CSV"
-    raise LibraryError(f"{what}: it is no library", kind=Kind.UNREADABLE, file=path)
+    raise LibraryError(f"{what}: it is not a library", kind=Kind.UNREADABLE, file=path)
 
 
 def _suffix(path: Path) -> str:

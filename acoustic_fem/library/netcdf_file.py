@@ -187,7 +187,7 @@ def library_of(dataset: xr.Dataset) -> Library:
     missing = [name for name in (*missing, *_COORDINATES) if name not in dataset.variables]
     missing += [name for name in ATTRIBUTES if name not in dataset.attrs]
     if missing:
-        raise Refusal("is missing: this is no complete library", kind=Kind.MISSING, field=missing[0])
+        raise Refusal("is missing: the library is not complete", kind=Kind.MISSING, field=missing[0])
     if CHECKSUMS not in dataset.attrs:
         raise Refusal(
             "are missing: an older version wrote this library, or another program removed them",

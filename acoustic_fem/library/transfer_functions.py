@@ -160,7 +160,7 @@ class Library:
         All responses are multiplied by the change that the closed forms predict (:func:`air_ratio`), in measured
         libraries too. For array-2x6, 1 to 200 Hz, that is within 0.23 % of a new 3-D solve at 2000 m,
         where the air changes the far microphone by 63 %, within 0.05 % at 10 K more, and within 0.4 % at 60 kPa and
-        0 degC. The rubber stays as it was: what it does with temperature is no matter of the air.
+        0 degC. The rubber stays as it was: its change with temperature is not part of the air.
 
         Args:
             air: of the place; in place of all other arguments.

@@ -119,7 +119,7 @@ def disc_tables(shapes: Iterable[DiscShape], solve: Solve | None = None) -> tupl
         solve: solves several discs, such as side by side; by default one after the other.
 
     Returns:
-        The tables; a group that could not be interpolated to :data:`ACCURACY` has none.
+        The tables; a group that could not be interpolated to :data:`ACCURACY` gets no table.
     """
     made = []
     for group in _groups(shapes):

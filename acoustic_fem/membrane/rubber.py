@@ -6,7 +6,7 @@ fractional calculus to viscoelasticity", J. Rheol. 27 (1983) 201). The element t
 
     E*(f) = E (1 + j eta) (f / f_0)^alpha,    alpha = (2 / pi) atan eta,
 
-proportional to (j f)^alpha, with the storage modulus E at the stated frequency f_0. What was measured as a table of
+proportional to (j f)^alpha, with the storage modulus E at the stated frequency f_0. A measured table of
 relaxations is a generalised Maxwell solid (J. D. Ferry, Viscoelastic Properties of Polymers (1980), chapter 3),
 
     E*(f) = E_0 + sum_k E_k j w tau_k / (1 + j w tau_k),    w = 2 pi f,
@@ -42,7 +42,7 @@ def modulus_ratio(frequency: Any, loss: Any, slope: Any, reference: Any, strengt
         loss: loss factor eta, without that of the relaxations.
         slope: exponent of frequency, 0 to 1; 0 beside a loss is not causal.
         reference: frequency of the stated modulus, Hz; without a slope it does not matter.
-        strength: relaxing moduli by the stated one, in the last axis, which is not broadcast; may have none.
+        strength: relaxing moduli by the stated one, in the last axis, which is not broadcast; may be empty.
         time: relaxation times, s, shaped as ``strength``.
 
     Returns:

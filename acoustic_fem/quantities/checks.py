@@ -40,7 +40,7 @@ def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float,
     """Point (x, y, z) in mm on each port by its name: ``ports`` as (3,) float64 each.
 
     Raises:
-        Refusal: no mapping, no port or too many, a name that is no text, empty or ``wall`` (every face that is no
+        Refusal: no mapping, no port or too many, a name that is not a text, empty or ``wall`` (every face that is no
             port), or a point that is not three finite numbers.
     """
     if not isinstance(ports, Mapping):

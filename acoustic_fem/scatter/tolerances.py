@@ -115,7 +115,7 @@ def tolerances_of(given: Sequence[Tolerance] | str | os.PathLike[str] | None) ->
 
 
 def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
-    """Tolerances of a file, the default ones where it has none.
+    """Tolerances of a file, with default ones for missing quantities.
 
     The file has a table per quantity: ``[bore]``, ``deviation = 0.02``, ``kind = "absolute"``, ``source = "..."``.
     Those of chambers, microphones and ovality, which scatter only where a file says so, need deviation and kind.
@@ -179,7 +179,7 @@ class ScatteredDesign:
 
     Raises:
         Refusal: a quantity twice, or a membrane that the elastic solution does not take.
-        UnknownScatterError: a cavity that is no cylinder, or a pre-stretched membrane with loss.
+        UnknownScatterError: a cavity that is not a cylinder, or a pre-stretched membrane with loss.
     """
 
     def __init__(

@@ -17,10 +17,10 @@ _LENGTHS = (1e-4, 0.0125, 0.12, 1.0)
 _ENTRIES = ("Z'", "Y'", "Γ", "Zc", "Y11", "Y12")
 _TARGET = 1e-12
 
-TEXT = f"""Z', Y', Γ = √(Z'Y'), Zc = √(Z'/Y') and the two-port of round bores of 0.05 to 5 mm, 0.01 Hz to 20 kHz,
-lengths of {", ".join(f"{1e3 * length:g}" for length in _LENGTHS)} mm, against the [formulas](theory.md#tubes) evaluated
-by mpmath with {_DIGITS} digits, and the exact limits. Y11 + Y12 is no output: at low frequency it is smaller
-than these two by |ΓL|²/2, and so many digits are lost."""
+TEXT = f"""Z', Y', Γ = √(Z'Y'), Zc = √(Z'/Y') and the two-port are compared with the [formulas](theory.md#tubes),
+evaluated by mpmath with {_DIGITS} digits, and with the exact limits. Round bores have 0.05 to 5 mm, frequencies 0.01 Hz
+to 20 kHz and lengths {", ".join(f"{1e3 * length:g}" for length in _LENGTHS)} mm. Y11 + Y12 is not an output. At low
+frequency this sum is smaller than its terms by |ΓL|²/2, so it loses many digits."""
 
 
 def exact_per_length(radius: float, frequency: float) -> tuple[mpmath.mpc, mpmath.mpc]:

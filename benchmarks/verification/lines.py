@@ -18,12 +18,12 @@ from acoustic_fem.quantities.medium import Medium
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from tests.support.reference_data import AIR
 
-SECTION_TEXT = """⟨Ψ⟩ of meshed sections, quadratic elements on curved triangles. An energy: its error falls with
-twice the order of the field, 4, once the layer along the wall is resolved (d²ω/ν = 100; d: diameter, longer or only
-side)."""
+SECTION_TEXT = """The means ⟨Ψ⟩ of meshed sections have quadratic elements on curved triangles. Such a mean is an
+energy, so its error falls with twice the order of the field, 4. This holds once the layer along the wall is resolved
+(d²ω/ν = 100; d: diameter, longer or only side)."""
 
-TAPER_TEXT = """Elements of degree p in one dimension converge with 2p against the exponential horn. A lossy cone has
-no exact solution: a staircase of cylinders, of order 2, stands beside the elements at 1, 100 and 1000 Hz."""
+TAPER_TEXT = """Elements of degree p in one dimension converge with 2p against the exponential horn. A lossy cone has no
+exact solution. It is therefore solved by a staircase of cylinders too, of order 2, at 1, 100 and 1000 Hz."""
 
 _RATES = {"slow": 1e-3, "fast": 100.0}
 
@@ -173,8 +173,8 @@ def _cone(quick: bool) -> tuple[Study, tuple[Check, ...]]:
 
 # -- the ribbed bore of a spring -----------------------------------------------------------------------------
 
-SPRING_TEXT = """The effective bore by axisymmetric Navier-Stokes in half a pitch ([theory](theory.md#tubes)),
-quadratic elements on curved quadrilaterals, against a mesh of 24 columns."""
+SPRING_TEXT = """The effective bore follows from axisymmetric Navier-Stokes in half a pitch ([theory](theory.md#tubes)).
+Its quadratic elements on curved quadrilaterals are compared with a mesh of 24 columns."""
 
 
 def springs(quick: bool) -> Subject:

@@ -11,9 +11,9 @@ from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimen
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from tests.support.reference_data import rows
 
-TEXT = """Against the finest mesh (refinement {finest}; the default is 4), steps of h/n. Energies are of order 4 where
-the solution is smooth; the singular stress at the edge of the clamp costs a part of it. Rows of another program are
-good to 5e-4; Kirchhoff's plate is the limit of small h/a."""
+TEXT = """Membranes are compared with the finest mesh (refinement {finest}; the default is 4), in steps of h/n. Energies
+are of order 4 if the solution is smooth, but the singular stress at the edge of the clamp costs a part of it. Rows of
+another program are good to 5e-4. Kirchhoff's plate is the limit of small h/a."""
 
 _POISSON = 0.49
 _FINEST = 7

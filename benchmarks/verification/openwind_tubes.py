@@ -12,9 +12,10 @@ from acoustic_fem.quantities.medium import Medium
 from benchmarks.verification.report import Check, Subject, Table
 from tests.support import openwind_ladder
 
-TEXT = """Input impedance of tubes with a closed end by [OpenWind](https://openwind.inria.fr) {version} (INRIA; GPL-3,
-extra `verify`), `losses="bessel"`, no junction masses, the air of its `Physics(20)` for both. Tubes by its transfer
-matrices, the cone by its finite elements of order 8. Largest relative difference over {frequencies} Hz; {source}."""
+TEXT = """The input impedance of tubes with a closed end is compared with
+[OpenWind](https://openwind.inria.fr) {version} (INRIA; GPL-3, extra `verify`). It runs with `losses="bessel"` and
+without junction masses. Both programs have the air of its `Physics(20)`. It solves tubes by transfer matrices, and the
+cone by finite elements of order 8. Each row holds the largest relative difference over {frequencies} Hz; {source}."""
 
 _TARGET = 1e-9
 _STORED = Path(openwind_ladder.__file__).parents[1] / "reference" / "openwind.json"

@@ -15,11 +15,12 @@ _WIDTH = 120
 _COLOURS = ("#1f5fa8", "#c8501e", "#2e8b57", "#8a4fa3", "#b08a00", "#555555")
 _MARKERS = "osD^vP"
 
-_INTRO = """How well the models are solved: the orders with which errors fall with the mesh, and the errors against
-exact solutions, other programs and finer meshes ([theory](theory.md), with the sources). Errors are relative unless a
-unit is given, those of the coarsest and the finest mesh. An order is the least-squares slope of log(error) over
-log(size), dashed in the figures, on all meshes or those up to a limit. Written by `{command}`; every mesh is in
-[verification.json](verification.json). What is not as expected, or misses its target, is in bold."""
+_INTRO = """This page shows how accurately the equations of the [theory](theory.md) are solved. Figures and tables hold
+two things: orders, by which errors fall with the mesh, and errors against exact solutions, other programs and finer
+meshes. Errors are relative unless a unit is given. Each row has those of the coarsest and the finest mesh. An order is
+the least-squares slope of log(error) over log(size), dashed in the figures, on all meshes or on those up to a limit.
+Orders that are not as expected and missed targets are in bold. `{command}` writes the page, and every mesh is in
+[verification.json](verification.json)."""
 
 
 def figure_name(subject: Subject) -> str:

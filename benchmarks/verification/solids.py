@@ -17,17 +17,17 @@ from benchmarks.verification.report import Check, Level, Study, Subject
 from geometry.air.mesh import MeshSizes, SolidMesh, mesh_solid
 from tests.support.reference_data import AIR
 
-TUBE_TEXT = """A tube of radius a = 0.25 mm and length 1 mm, uniform curved tetrahedra (edge of the mean volume), both
-3-D models: largest error of Y₁₁ and Y₁₂ relative to |Y₁₁|. At low frequency only the curved wall is left, of order
-4; at 2 kHz, where the layer √(2ν/ω) is a fifth of the radius, meshes finer than 2.5 layers count. No mesh refines
-another, hence the scatter."""
+TUBE_TEXT = """A tube of radius a = 0.25 mm and length 1 mm is solved by both 3-D models with uniform curved tetrahedra
+(edge of the mean volume). The error is the largest of Y₁₁ and Y₁₂ relative to |Y₁₁|. At low frequency only the curved
+wall causes errors, with order 4. At 2 kHz the layer √(2ν/ω) is a fifth of the radius, so only meshes finer than 2.5
+layers count. Meshes do not refine one another, hence the scatter."""
 
-HEAT_TEXT = """Compliance of closed cavities with cold walls: cylinder (6 x 2.5 mm), sphere (4 mm), box (4 x 3 x 2 mm;
-triple sine series). An energy: order 4, less a logarithm along edges, once the layer √(2α/ω), 0.26 mm at 100 Hz, is
-resolved: meshes finer than 2.5 layers count."""
+HEAT_TEXT = """The compliance of closed cavities with cold walls is compared for a cylinder (6 x 2.5 mm), a sphere (4
+mm) and a box (4 x 3 x 2 mm; triple sine series). It is an energy, so the order is 4, less a logarithm along edges. This
+holds once the layer √(2α/ω), 0.26 mm at 100 Hz, is resolved, so only meshes finer than 2.5 layers count."""
 
-SUM_TEXT = """With all ports at one pressure the inflow is that of isothermal gas, jω V/p₀. Tetrahedra with three
-faces on walls, which lose their volume here, are split by the mesher. Meshes of `accuracy=2e-3`."""
+SUM_TEXT = """If all ports have one pressure then the inflow is that of isothermal gas, jω V/p₀. Tetrahedra with three
+faces on walls would lose their volume here, so the mesher splits them. Meshes are those of `accuracy=2e-3`."""
 
 _RADIUS, _LENGTH = 0.25, 1.0
 _SUM_ACCURACY = 2e-3

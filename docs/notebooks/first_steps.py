@@ -11,8 +11,8 @@
 # %% [markdown]
 # # First steps
 #
-# A prototype, its transfer functions, and what tells its points apart. Fidelity `lumped` takes milliseconds;
-# `navier-stokes`, the one to trust, solves each distinct cell in 3-D once.
+# You solve a prototype and see how its points differ. Fidelity `lumped` takes milliseconds. Trust `navier-stokes`,
+# because it solves each distinct cell in 3-D.
 
 # %%
 import matplotlib.pyplot as plt
@@ -27,7 +27,8 @@ h = library.transfer_function
 print(h.sizes)
 
 # %% [markdown]
-# A touch near microphone A reaches A loud and B faint. The line is a low-pass: the farther, the less at 100 Hz.
+# A touch near microphone A is loud at A and faint at B. The line is a low-pass, so a farther point loses more at
+# 100 Hz.
 
 # %%
 level = 20 * np.log10(abs(h))

@@ -9,10 +9,11 @@
 # ---
 
 # %% [markdown]
-# # A made sensor and its calibration
+# # An as-built sensor and its calibration
 #
-# No sensor is as designed. A virtual rig draws one whose parts deviate, and records it as a bench would: three points
-# with a calibration microphone. `acoustic-fem rig` and `acoustic-fem calibrate` do this from a terminal.
+# No sensor is exactly as designed, so you calibrate it. Here a virtual rig stands in for your bench: it draws a sensor
+# whose parts deviate and records three of its points with a calibration microphone. From a terminal, use
+# `acoustic-fem rig` and `acoustic-fem calibrate`.
 
 # %%
 from pathlib import Path
@@ -32,7 +33,7 @@ manifest = rig.record(Path(folder.name) / "bench", (2, 6, 11), studies.Recorder(
 found = studies.calibrate_sensor(manifest, f"{folder.name}/made.nc", frequency="1:100:100", fidelity="lumped")
 
 # %% [markdown]
-# Point 4 was never measured: its transfer functions follow from a fit of the parts to the three that were.
+# Point 4 was not measured. Its transfer functions come from a fit of the sensor's parts to the three measured points.
 
 # %%
 frequency = np.linspace(1, 100, 100)

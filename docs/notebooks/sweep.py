@@ -11,7 +11,7 @@
 # %% [markdown]
 # # A sweep, read with xarray
 #
-# A study is a file: a base, metrics, parameters. Its results are one labelled store.
+# A study file states a base design, metrics and parameters. Its results are one labelled dataset.
 
 # %%
 from pathlib import Path
@@ -38,7 +38,7 @@ dataset = studies.open_sweep(f"{folder.name}/results.zarr").dataset
 print(summary.cases, "cases;", *dataset.data_vars)
 
 # %% [markdown]
-# Narrow bores part the points and swallow the sound: what is gained in distance is paid in sensitivity.
+# Narrow bores separate the points but attenuate the sound, so a gain in distance costs sensitivity.
 
 # %%
 figure, axis = plt.subplots(figsize=(7, 3.8), layout="constrained")
@@ -48,7 +48,7 @@ figure.colorbar(shown, label="bore (mm)")
 plt.show()
 
 # %% [markdown]
-# What a part costs in error on mis-made sensors, by the two parameters.
+# The predicted error of as-built sensors, against the two parameters:
 
 # %%
 figure, axis = plt.subplots(figsize=(7, 3.8), layout="constrained")
@@ -56,7 +56,7 @@ shown = axis.scatter(
     dataset["tube.inner_diameter"], dataset["resonator.cavity_height"], c=dataset["scatter_detection"], s=30
 )
 axis.set(xlabel="bore (mm)", ylabel="height of the cavity (mm)")
-figure.colorbar(shown, label="predicted error, mis-made")
+figure.colorbar(shown, label="predicted error, as built")
 plt.show()
 table = dataset[["tube.inner_diameter", "distance_smallest"]].to_dataframe()
 assert table.corr().iloc[0, 1] < 0

@@ -11,7 +11,7 @@
 # %% [markdown]
 # # A touch decoded, step by step
 #
-# A recording of a made sensor comes with the checkout: two microphones, twelve touches.
+# A recording of an as-built (simulated) sensor comes with the checkout: two microphones and twelve touches.
 
 # %%
 from importlib.util import find_spec
@@ -38,8 +38,8 @@ axis.legend()
 plt.show()
 
 # %% [markdown]
-# A frame is a quarter of a second. For each point the decoder asks how likely these two signals are if that point was
-# touched, whatever the touch was: the ratio of the microphones decides.
+# A frame is a quarter of a second. For each point the decoder computes how likely these two signals are if that point
+# was touched. It does not know the force of the touch, so the ratio of the microphones decides.
 
 # %%
 loudest = int(np.argmax(np.abs(signals).sum(axis=0)[:1500]))
@@ -55,7 +55,7 @@ axes[1].set(title="probability", xlabel="point", xticks=range(1, 13))
 plt.show()
 
 # %% [markdown]
-# In a stream the frames overlap, what is quiet is passed over, and a touch is named once.
+# In a stream the frames overlap. Quiet frames are skipped, and each touch is reported once.
 
 # %%
 found = studies.locate_recording(recordings / "library.nc", recordings / "touches.wav", full_scale=20.0)

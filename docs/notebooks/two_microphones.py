@@ -28,7 +28,8 @@ library = acoustic_fem.solve(design, np.linspace(1, 100, 100), fidelity="lumped"
 ratio = library.transfer_function.sel(microphone="A") / library.transfer_function.sel(microphone="B")
 
 # %% [markdown]
-# Level and phase of the ratio of the two microphones, for every point and frequency: no two rows are alike.
+# Each row shows level and phase of the ratio of the two microphones for one point. No two rows are alike, so the ratio
+# identifies the point.
 
 # %%
 figure, axes = plt.subplots(1, 2, figsize=(9, 3.6), sharey=True, layout="constrained")
@@ -41,8 +42,8 @@ axes[0].set_ylabel("point")
 plt.show()
 
 # %% [markdown]
-# The distance of two points, over the whole band, in nepers and radians: neighbours are nearest, and those at the ends
-# of the line are the hardest.
+# The distance of two points is the rms of these differences over the band, in nepers and radians. Neighbours are
+# nearest, and neighbours at the ends of the line are the hardest to tell apart.
 
 # %%
 apart = separability(library.transfer_function)
@@ -57,7 +58,7 @@ print("hardest:", apart.equally_hard)
 assert all(second - first == 1 for first, second in apart.equally_hard)
 
 # %% [markdown]
-# More microphones join more lines: with M of them up to M (M - 1) / 2, and the points grow as fast.
+# More microphones join more lines. M microphones join up to M (M - 1) / 2 lines, so the number of points grows as fast.
 
 # %%
 most = [studies.wiring_table(count, 36)[-1] for count in range(2, 9)]

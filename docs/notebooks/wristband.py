@@ -28,7 +28,7 @@ design = studies.new_design("wristband", f"{folder.name}/wristband.toml", place=
 print(design.description, "-", design.layout.kind, "of", design.layout.diameter, "mm")
 
 # %% [markdown]
-# How good is it? The same figures as of `acoustic-fem check`.
+# How good is it? `acoustic-fem check` prints these figures too.
 
 # %%
 quality = design_quality(design)
@@ -41,7 +41,8 @@ axis.set_axis_off()
 plt.show()
 
 # %% [markdown]
-# Good when made exactly, bad when not. Which bore forgives most? Springs are bought in steps; each is tried.
+# The nominal sensor is good, but as-built sensors are bad. Which bore tolerates deviations best? Springs are sold in
+# steps, so we try each of them.
 
 # %%
 springs = [(0.5, 0.06), (0.6, 0.08), (0.7, 0.08), (0.8, 0.1), (0.9, 0.1)]  # outer diameter, wire, mm
@@ -57,16 +58,16 @@ for outer, wire in springs:
     tried[outer] = design_quality(other)
 figure, axis = plt.subplots(figsize=(6, 3.4), layout="constrained")
 axis.plot(list(tried), [100 * found.named for found in tried.values()], "o-", label="nominal")
-axis.plot(list(tried), [100 * found.mis_made for found in tried.values()], "s-", label="mis-made, mean")
-axis.set(xlabel="outer diameter of the spring (mm)", ylabel="named right (%)")
+axis.plot(list(tried), [100 * found.mis_made for found in tried.values()], "s-", label="as built, mean")
+axis.set(xlabel="outer diameter of the spring (mm)", ylabel="top-1 accuracy (%)")
 axis.legend()
 plt.show()
 best = max(tried, key=lambda outer: tried[outer].mis_made)
-print(f"of a spring of {best} mm: {100 * tried[best].mis_made:.1f} % on mis-made sensors")
+print(f"spring of {best} mm: {100 * tried[best].mis_made:.1f} % on as-built sensors")
 assert tried[best].mis_made > quality.mis_made
 
 # %% [markdown]
-# The parts, and what they cost. `geometry.export` and `acoustic-fem parts` write the files.
+# Finally, list the parts and their cost. `geometry.export` and `acoustic-fem parts` write the files.
 
 # %%
 bill = geometry.bill_of_materials(design)

@@ -19,7 +19,7 @@ PAGES = (
     "reference/made/verbs", "search",
 )  # fmt: skip
 #: Width of the window, px, and colours.
-WINDOWS = ((1280, "light"), (390, "dark"))
+WINDOWS = ((1440, "light"), (1024, "light"), (390, "dark"))
 #: Of axe-core's grades.
 SERIOUS = ("serious", "critical")
 _WIDER = "document.documentElement.scrollWidth - document.documentElement.clientWidth"

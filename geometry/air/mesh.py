@@ -186,7 +186,7 @@ def checked_mesh(
         nodes: (n_node, 3) float64, mm.
         tetrahedra: (n_tetrahedron, 10) int64: corners, then the middles of
             :data:`geometry.air.curved_tetrahedra.EDGES`.
-        triangles: corner nodes of the faces, (n_triangle, 3) int64 each; every face that is no port, moving wall or
+        triangles: corner nodes of the faces, (n_triangle, 3) int64 each; every face that is not a port, moving wall or
             mirror under :data:`WALL`.
         normals: of the other faces, (3,) float64 each.
         volume: of the solid, mm^3.

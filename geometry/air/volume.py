@@ -36,12 +36,12 @@ class AirVolume:
     """Centre of the opening, mm."""
     mirrors: dict[str, Point]
     """A point on each mirror plane, mm: :data:`MIRROR` is y = 0, of which the side of positive y is drawn,
-    :data:`MIDPLANE` that at half the height, below a membrane that is no mirror image of the floor.
+    :data:`MIDPLANE` that at half the height, below a membrane that is not a mirror image of the floor.
     """
 
     @property
     def faces(self) -> dict[str, Point]:
-        """A point on every face that is no wall, mm."""
+        """A point on every face that is not a wall, mm."""
         return {**self.ports, OPENING: self.opening, **self.mirrors}
 
 

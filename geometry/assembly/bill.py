@@ -63,7 +63,7 @@ class Prices:
     """Source of the values."""
 
     def __post_init__(self) -> None:
-        """Refuse prices that are none.
+        """Reject prices that are not positive numbers.
 
         Raises:
             Refusal: a value is negative or not finite, or a factor below 1.

@@ -34,7 +34,7 @@ def check_range(
         high: largest value.
         unit: unit of all three.
         excluded: the bounds that the value must not reach: ``low``, ``high`` or ``both``.
-        whole: whether it must be an integer; True and False are none.
+        whole: whether it must be an integer; True and False are not.
         why: words after the range in the message, such as ``the number of points``.
         error: class of the refusal.
         more: more of its facts; ``allowed`` in place of the range in words.

@@ -78,7 +78,7 @@ def read_mat(
 ) -> dict[str, NDArray[Any]]:
     """Variables of a MAT file up to version 7 by name, in the shape of what was saved.
 
-    What is no plain array, such as a structure or a sparse matrix, is passed over. Arguments are those of
+    Anything but a plain array, such as a structure or a sparse matrix, is passed over. Arguments are those of
     :func:`read_npz`.
 
     Raises:

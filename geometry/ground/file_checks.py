@@ -1,8 +1,8 @@
 """The one check of a file before it is read: an ordinary one, of at most so many bytes; and what libraries raise then.
 
 Whoever reads a file that a user names calls :func:`ordinary_file` or :func:`read_bytes` first: a pipe would be waited
-for without end, a device read without end, and a folder gives each library another error. What a library raises while
-it reads becomes a refusal in :func:`library_reads`.
+for without end, a device read without end, and a folder gives each library another error. Errors of a library while
+it reads become refusals in :func:`library_reads`.
 """
 
 from __future__ import annotations

@@ -179,7 +179,7 @@ def quoted(value: object) -> str:
 def in_one_line(text: str) -> str:
     r"""A text as one line of at most 2000 characters, whatever names and values stand in it.
 
-    What breaks or turns the line or cannot be seen becomes its escape, such as ``\n`` and ``\u202e``, so that a name
+    Characters that break or turn the line or are hidden become an escape, such as ``\n`` and ``\u202e``, so that a name
     with it is not taken for another; words above 300 characters, and what is then still too long, lose their middle.
     """
     return _without_middle(" ".join(map(_word, text.split(" "))), _LONGEST_LINE)

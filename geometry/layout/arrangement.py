@@ -46,7 +46,7 @@ def lay_out(design: ArrayDesign) -> ArrayLayout:
     ``ring``: the lines are the sides of a polygon at their true length, the microphones its corners (see
     :func:`geometry.plan.ring.corners`). Microphone tubes lie straight, other tubes bow outwards.
 
-    What of it could not be built as drawn says :func:`geometry.layout.overlaps.buildability_notes`.
+    Parts that could not be built as drawn are listed by :func:`geometry.layout.overlaps.buildability_notes`.
     """
     housings, runs, bows = _housed(design)
     tubes = _tubes(design, runs, bows, housings)

@@ -140,7 +140,7 @@ class _Tube:
     def beside(self, prism: Prism) -> Array:
         """Its points, (n, 3) float64, mm, that could get in the way of a prism.
 
-        Of a body that it ends in, those that have left its wall by more than the tube is wide; of the seat on a
+        In a body that it ends in, only points that have left the wall by more than the tube is wide; of the seat on a
         chamber, those that are no longer in its socket.
         """
         if not prism.is_trunk or prism.body not in self.ends:

@@ -54,7 +54,7 @@ def is_wide_apart(design: ArrayDesign) -> bool:
 def straight_size(design: ArrayDesign) -> tuple[float, float, float]:
     """Extent along x, y and z, mm, of an array without feet that :func:`is_wide_apart` holds of.
 
-    That of :func:`geometry.layout.size.array_size`, from lengths alone: its tubes lie between housings that are wider,
+    It equals :func:`geometry.layout.size.array_size`, by lengths alone: its tubes lie between housings that are wider,
     and every seat of a board along x or y.
     """
     microphone, axis = design.microphone, design.resonator.port_axis_height

@@ -1,4 +1,4 @@
-"""Can it be printed? What is measured on the parts against the rules of a process."""
+"""Measures of the parts against the rules of a printing process."""
 
 from __future__ import annotations
 

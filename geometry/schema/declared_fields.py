@@ -21,7 +21,7 @@ class DesignField:
     kind: str
     """Kind of value: ``a number``, ``a whole number``, ``a text``, ``true or false``, ``a list`` or ``a table``."""
     unit: str
-    """Unit of the value; empty where it has none."""
+    """Unit of the value; empty if it is dimensionless."""
     allowed: str
     """Range or choice in words, with the unit; empty where anything of its kind goes."""
     required: bool

@@ -53,7 +53,7 @@ class DesignError(Refusal):
 
 
 class UnknownField(DesignError):
-    """A name that is no field of the design at hand, or one of a table that it does not give."""
+    """A name that is not a field of the design at hand, or one of a table that it does not give."""
 
     @classmethod
     def of_name(cls, name: str, design: str, remedy: str) -> Self:

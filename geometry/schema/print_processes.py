@@ -220,7 +220,7 @@ def with_rules(
         table: put before a key to name its field.
 
     Raises:
-        Refusal: no such key, a value that is no finite number above 0, or advice that breaks its limit.
+        Refusal: no such key, a value that is not a finite number above 0, or advice that breaks its limit.
     """
     known = [*RULES, *(f"{rule}_advised" for rule in RULES), *NUMBERS, "build_volume"]
     for key, value in values.items():

@@ -76,7 +76,7 @@ def add_label(
         features: kind, height and relief of the digits.
 
     Raises:
-        Refusal: the text is no number, or has no room.
+        Refusal: the text is not a number, or it does not fit.
     """
     if not (text.isascii() and text.isdigit() and len(text) <= 4):
         raise Refusal(kind=Kind.WRONG_TYPE, field="label", value=text, allowed="one to four digits")

@@ -57,7 +57,7 @@ class Take:
     path: Array
     """Middle of the contact, mm, as :attr:`Contact.path`; (n_sample, 2) float64."""
     force: Array
-    """Force of the contact as it was heard, its roughness drawn; (n_sample,) float64, N."""
+    """Force of the contact in this recording, its random roughness included; (n_sample,) float64, N."""
     point: NDArray[np.int64]
     """Point whose middle is nearest, from 1; 0 where nothing presses; (n_sample,) int64."""
     label: str

@@ -124,7 +124,8 @@ class TolerantOptions(DecoderOptions):
     """Number of times that the source of a touch is found again without what deviations explain."""
     unexplained_fraction: float = 0.02
     """Fraction of a frame's power that the source need not explain, against 1 for the noise: in directions in which a
-    touch is hardly heard, deviations are far more than the touch. From 0.005 to 0.05 results are alike."""
+    touch hardly reaches the microphones, deviations are far larger than the touch. From 0.005 to 0.05 results are
+    alike."""
     shape_numbers: float = 3e7
     """Size of all shapes of all hypotheses together, which bounds memory: large arrays have fewer shapes."""
     misfit_of_two: float = 4.0

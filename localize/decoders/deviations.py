@@ -1,17 +1,20 @@
-"""How well a made sensor fits a frame: a hypothesis, and deviations about it that are found from the frame itself.
+"""Fit of an as-built sensor to a frame: a hypothesis, and deviations from it that are estimated from the frame itself.
 
-Between its hypotheses, :mod:`localize.decoders.hypotheses`, a sensor fits none exactly: what is left of a loud touch in
-the directions in which the hypothesis says that nothing is heard weighs far more than the noise. A hypothesis therefore
-has a few shapes in which the logarithms of its transfer functions may deviate, each with a standard normal amplitude z.
+A sensor lies between its hypotheses, :mod:`localize.decoders.hypotheses`, and fits none of them exactly: in directions
+in which the hypothesis predicts no signal, the residual of a loud touch is far larger than the noise. A hypothesis
+therefore has a few shapes in which the logarithms of its transfer functions may deviate, each with a standard normal
+amplitude z.
 
-With x = B(z)^T s + noise, s the source's random amplitudes, the least sum of squares over s is, to first order in z,
-(x - G z)^T S^-1 (x - G z): S = g C + 1 the covariance of the hypothesis, column k of G what shape k does to the source
-that the hypothesis itself finds, g B_k^T B S^-1 x (variable projection; Golub and Pereyra 1973). That source is found
-as if there were more noise, and found again, with its power g, without what the deviations explain. Over z this is a
-Gaussian integral: the log-likelihood gains b^T (1 + F)^-1 b / 2 - log det(1 + F) / 2, b = G^T S^-1 x and
-F = G^T S^-1 G. Everything is reckoned in the basis of the hypothesis, its eigenvectors and the directions that it
-leaves empty: S^-1 is diagonal there, and sums have no terms to subtract. A sensor keeps its deviations: b and F of all
-frames of a recording are added up.
+Write a frame as x = B(z)^T s + noise, with s the source's random amplitudes. The least sum of squares over s is, to
+first order in z, (x - G z)^T S^-1 (x - G z). Here S = g C + 1 is the covariance of the hypothesis. Column k of G is the
+change of the frame by shape k, for the source that the hypothesis itself finds, g B_k^T B S^-1 x (variable projection;
+Golub and Pereyra 1973). The source is first estimated as if the noise were higher. It is then estimated again, with its
+power g, after the part that the deviations explain is subtracted. Over z this is a Gaussian integral: the
+log-likelihood gains b^T (1 + F)^-1 b / 2 - log det(1 + F) / 2, with b = G^T S^-1 x and F = G^T S^-1 G.
+
+Everything is computed in the basis of the hypothesis, its eigenvectors and the directions that it leaves empty, because
+S^-1 is diagonal there and sums have no terms to subtract. A sensor keeps its deviations, so b and F of all frames of a
+recording are added up.
 """
 
 from __future__ import annotations
@@ -97,9 +100,10 @@ class DeviatingTables:
         return np.asarray(fit + 0.5 * (slope * amplitude).sum(2) - 0.5 * determinant)
 
     def _change(self, source: Array, tables: NDArray[np.int64], is_last: bool) -> Array:
-        """What the shapes do to sources (k, n, rank), in the bases of the tables; (k, n, n_shape, size).
+        """Change of frames by each shape, for sources (k, n, rank) in the bases of the tables; (k, n, n_shape, size).
 
-        Single precision is enough to find the source again: what counts in the end is in double.
+        Single precision is enough to estimate the source again, because the final scores are computed in double
+        precision.
         """
         change = np.empty((*source.shape[:2], self.shapes * self.size))
         if not is_last:

@@ -1,16 +1,15 @@
-"""The decoder of a calibrated sensor that drifts: what changes slowly is followed over touches of which nobody knows
-the points.
+"""Decoder of a calibrated sensor that drifts: it follows slow changes over touches whose points nobody knows.
 
-Silicone hardens, air has another pressure elsewhere: both change how stiff the nodes of the array are, and with it the
-transfer functions of all points together. The states of a drift are some stiffnesses of all membranes about those of
-the calibration, each with a library of its own. Which of them it is, is believed by a hidden Markov chain: every touch
-multiplies the belief by how likely it is in each state, its point summed out, and between touches the state may move
-to its neighbours. The likelihood of a point is that of :mod:`localize.decoders.bayes` in the state that is believed
-most: summed over states, a touch may choose the neighbour in which it is at another point, which costs 1 % of 36 points
-in line.
+Silicone hardens, and the pressure of the air differs from place to place. Both change how stiff the nodes of the array
+are, and with it the transfer functions of all points together. The states of a drift are several stiffnesses of all
+membranes about the calibrated one, each with a library of its own. A hidden Markov chain keeps the probability of each
+state: every touch multiplies it by the likelihood of the touch in that state, summed over points, and between touches
+the state may move to its neighbours. The likelihood of a point is that of :mod:`localize.decoders.bayes` in the most
+probable state. It is not summed over states, because then a touch may choose the neighbouring state in which it is at
+another point, which costs 1 % of top-1 accuracy on 36 points in line.
 
-About a library that was only computed it would do harm: there a touch at the next place on a sensor of other stiffness
-explains what parts that differ from the design do.
+Do not use it with a library that was only computed: a touch at the next place on a sensor of another stiffness then
+explains the differences between the built parts and the design.
 """
 
 from __future__ import annotations
@@ -108,7 +107,7 @@ class DriftDecoder(LibraryDecoder):
 
     @property
     def assumptions(self) -> str:
-        """What is assumed of the sensor, in words."""
+        """Assumptions about the sensor, in words."""
         return "that the sensor is as its library has it, but for a stiffness that is followed"
 
     @one_thread()

@@ -71,7 +71,7 @@ class FamilyDecoder(Locator):
 
     @property
     def assumptions(self) -> str:
-        """What is assumed of the sensor, in words."""
+        """Assumptions about the sensor, in words."""
         return "that the sensor is one of its libraries"
 
     def _probability(self, batch: Array) -> Array:

@@ -92,10 +92,10 @@ def frame_noise_covariance(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
 
 
 def floor_covariance(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
-    """Covariance of a microphone's noise and of hum on the lines of mains, whose amplitude and phase nobody knows.
+    """Covariance of a microphone's noise and of mains hum, whose amplitude and phase nobody knows.
 
-    Hum that a decoder does not expect names wrong points with certainty: 2 mPa of it took two touches of ten. What is
-    expected and not there costs nothing that was found, for a touch fills the whole band.
+    If a decoder does not expect hum, hum makes it choose wrong points with certainty: 2 mPa of hum cost two touches of
+    ten. Hum that is expected but absent had no measurable cost, because a touch fills the whole band.
 
     Args:
         noise: white, Pa rms over 0 to 500 Hz, or a spectrum.
@@ -286,12 +286,12 @@ def touch_covariances(
 def deviation_moments(
     touched: NDArray[np.complex128], shapes: NDArray[np.complex64], seen: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """What deviations of a point's transfer functions make of a touch, against what the touch is without them.
+    """Covariance between a touch whose transfer functions deviate by each shape and the nominal touch.
 
     Args:
         touched: transfer functions of the point, (n_microphone, n_freq) at :data:`DEVIATING`, Pa/Pa.
         shapes: how their logarithms deviate, (n_shape, n_microphone, n_freq).
-        seen: directions in which the touch is looked at, (n, m) float64, n = n_microphone SAMPLES.
+        seen: directions onto which the touch is projected, (n, m) float64, n = n_microphone SAMPLES.
 
     Returns:
         B_k^T B of each shape, times the directions, (n_shape, n, m) float64, Pa^2: rows are the samples that deviate.
@@ -335,6 +335,6 @@ def _second_moment(
 def random_waves(
     h: NDArray[np.complex128], amplitude: NDArray[np.float64], turn: NDArray[np.complex128]
 ) -> NDArray[np.float64]:
-    """What a random cosine and a random sine per frequency are at the microphones, (2 n_freq, n)."""
+    """Samples at the microphones of a random cosine and a random sine per frequency, (2 n_freq, n)."""
     waves = ((h.T * amplitude[:, None])[:, :, None] * turn[:, None, :]).reshape(len(amplitude), -1)
     return np.concatenate([waves.real, waves.imag])

@@ -1,12 +1,14 @@
-"""What a sensor may be that nobody measured: a few transfer functions of each point that stand for all it may have.
+"""Hypotheses about a sensor that nobody measured: for each point, a few transfer functions that represent the possible
+ones.
 
-Sensors are drawn with the tolerances of manufacturing. What tells points apart is the ratio of the microphones, and by
-it the draws of each point are put into groups (k-means). Each group has one hypothesis, the mean level and phase of its
-draws, and its share of them as prior; the sensor as it was designed is one more. How the draws of a group differ from
-their mean is told by a few shapes over frequency (principal components), :mod:`localize.decoders.deviations`.
+Sensors are drawn with the tolerances of manufacturing. Points differ in the ratios between their microphones, so the
+draws of each point are put into groups by these ratios (k-means). Each group has one hypothesis, the mean level and
+phase of its draws, and its fraction of the draws as prior. The sensor as it was designed is one more hypothesis. A few
+shapes over frequency (principal components) describe how the draws of a group differ from their mean,
+:mod:`localize.decoders.deviations`.
 
-The mean of a group stands for it, not the mean of the covariances of its draws: that has ratios which change from one
-frequency to the next as those of no sensor do, and explains touches of any point.
+The hypothesis of a group is the mean of its draws, not the mean of their covariances: such a covariance has ratios that
+change from one frequency to the next as those of no sensor do, and explains touches of any point.
 """
 
 from __future__ import annotations
@@ -164,9 +166,9 @@ def _ratios(
     nodes: Array,
     options: HypothesisOptions,
 ) -> Array:
-    """What draws of a point are grouped by: ratios to its loudest microphone, (n_draw, n_feature).
+    """Features by which the draws of a point are grouped: ratios to its loudest microphone, (n_draw, n_feature).
 
-    A microphone counts as far as it hears the point above the noise.
+    A microphone counts in proportion to the level of the point above its noise.
     """
     inside = np.flatnonzero((nodes >= BAND[0]) & (nodes <= BAND[1]))
     at = inside[np.linspace(0, len(inside) - 1, options.ratio_frequencies).round().astype(int)]
@@ -218,7 +220,7 @@ def _grouped(features: Array, groups: int, options: HypothesisOptions) -> NDArra
     """Group of each draw, (n_draw,) int64."""
     if np.ptp(features, axis=0).max() < options.least_spread:
         return np.zeros(len(features), np.int64)
-    with warnings.catch_warnings():  # an empty one is expected where draws are few or alike; its prior is none
+    with warnings.catch_warnings():  # empty groups are expected where draws are few or alike; their prior is 0
         warnings.filterwarnings("ignore", "One of the clusters is empty", UserWarning)
         _, label = kmeans2(features, groups, iter=30, minit="++", rng=np.random.default_rng(options.seed))
     return np.asarray(label, np.int64)

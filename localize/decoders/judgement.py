@@ -1,11 +1,11 @@
 """Worth of a decision: the best points, how far they are apart, and whether any point explains the signal.
 
 A touch of point i, whatever its waveform between 1 and 100 Hz, moves the microphones' samples almost only along those
-eigenvectors of its covariance C_i whose eigenvalue, for the loudest touch to be expected, stands above the noise. What
-the others hold is noise of the microphones: where that is white of variance 1, the energy in the m other directions
+eigenvectors of its covariance C_i whose eigenvalue, for the loudest touch to be expected, stands above the noise. The
+other directions hold noise of the microphones: if it is white of variance 1, the energy in the m other directions
 follows the chi-squared distribution of m degrees of freedom (the noise subspace of Schmidt 1986; the test is Wald's).
-A residual that noise exceeds with a probability below the stated rate of false alarms means that the signal is none of
-these touches: two at once, sound from outside, a sensor that is not the one of the library.
+If the probability that noise exceeds a residual is below the stated rate of false alarms, the signal is not one of
+these touches. It may be two touches at once, sound from outside, or a touch on a sensor that differs from the library.
 """
 
 from __future__ import annotations
@@ -152,8 +152,8 @@ class ResidualTest:
 
 
 def too_loud(field: str, value: float, unit: str, remedy: tuple[str, ...]) -> Refusal:
-    """Refusal of touches or sound so far above the noise that double precision cannot tell anything from rounding."""
-    problem = "stands too far above microphone_noise: in double precision nothing can be told from rounding"
+    """Refusal of touches or sound so loud that rounding in double precision exceeds the noise."""
+    problem = "is too far above microphone_noise: rounding in double precision would hide the noise"
     return Refusal(problem, kind=Kind.CONFLICT, field=field, value=value, unit=unit, remedy=remedy)
 
 

@@ -79,7 +79,7 @@ class LibraryDecoder(Locator):
 
     @property
     def assumptions(self) -> str:
-        """What is assumed of the sensor, in words."""
+        """Assumptions about the sensor, in words."""
         return self.array.assumptions
 
     @property

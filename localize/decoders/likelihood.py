@@ -148,9 +148,9 @@ class ScreenedLevel:
     score: Array
     """Scores of the tables; (n, n_table) float64, nats."""
     error: Array
-    """What scores may be too low by; (n,) float64, nats."""
+    """Largest error of the scores, by which they may be too low; (n,) float64, nats."""
     best: Array
-    """What the best score is at least; (n,) float64, nats."""
+    """Lower bound of the best score; (n,) float64, nats."""
 
 
 class Screen:
@@ -263,7 +263,7 @@ class Bounds:
         self._usual = -0.5 * tables.log_determinant.min(1)
 
     def __call__(self, x: Array) -> Array:
-        """What the scores of white frames (n, size) are at most, without those of noise alone; (n, n_table) nats."""
+        """Upper bounds of the scores of white frames (n, size), less those of noise alone; (n, n_table) nats."""
         power = (x**2).sum(1, keepdims=True)
         if not self.directions:
             return self._usual + 0.5 * power / self._temperature + 1.0

@@ -1,10 +1,10 @@
 """Test of frames that hold room sound alone: the same pressure on all membranes, and no touch.
 
 Sound moves all microphones by one function of frequency, whatever its level and spectrum: with two microphones it
-fills half of the directions in which a frame can lie, with four a quarter. The energy beside them is noise, and follows
-the chi-squared distribution where the library is that of the sensor (as in :mod:`localize.decoders.judgement`). A made
-sensor is not: sound then leaves a share of itself beside them, which is no touch either. Most of that share comes from
-gains of the microphones, which are therefore fitted.
+fills half of the directions in which a frame can lie, with four a quarter. Energy in the other directions is noise, and
+follows the chi-squared distribution if the library matches the sensor (as in :mod:`localize.decoders.judgement`). An
+as-built sensor differs from its library: a fraction of the sound then appears in the other directions without being a
+touch. Most of that fraction comes from the gains of the microphones, which are therefore fitted.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""The decoder of a sensor that nobody calibrated: it knows what the tolerances of manufacturing may have made of it.
+"""Tolerance-aware decoder of a sensor that nobody calibrated: it models what manufacturing may have changed.
 
 Each point has several hypotheses, :mod:`localize.decoders.hypotheses`. The likelihood of a frame under each is that of
-:mod:`localize.decoders.bayes`; what counts of a point is their sum, weighed by their priors.
+:mod:`localize.decoders.bayes`; the likelihood of a point is their sum, weighted by their priors.
 
-The best of them are fitted with deviations, :mod:`localize.decoders.deviations`. What remains fits no sensor exactly,
-so that differences of log-likelihoods are larger than what they tell: they are divided by a temperature that is higher
-than that of the decoder of a known sensor; and by a higher one still where not even the best fits.
+The best of them are fitted with deviations, :mod:`localize.decoders.deviations`. The residual fits no sensor exactly,
+so differences of log-likelihoods overstate the evidence. They are therefore divided by a temperature that is higher
+than that of the decoder of a calibrated sensor, and by a higher one still if even the best hypothesis does not fit.
 """
 
 from __future__ import annotations
@@ -159,7 +159,7 @@ class TolerantDecoder(LibraryDecoder):
         return found
 
     def _misfit(self, found: Array, heard: _ScoredRecordings) -> Array:
-        """What the best hypothesis leaves of each recording, by what the noise that was told leaves; (n,)."""
+        """Residual of each recording under its best hypothesis, over the residual of the given noise alone; (n,)."""
         recording, column = np.arange(len(found)), found.argmax(1)
         level = column // self.log_prior.size
         fit = found[recording, column] - np.stack(heard.alone)[level, recording]
@@ -188,7 +188,7 @@ class TolerantDecoder(LibraryDecoder):
 
     @property
     def assumptions(self) -> str:
-        """What is assumed of the sensor, in words."""
+        """Assumptions about the sensor, in words."""
         built = "that the sensor was built from its design within manufacturing tolerances and not calibrated"
         return built + self.array.in_air
 

@@ -5,9 +5,10 @@ Two independent touches i and j give the microphones' samples the covariance g (
 over a grid of ratios with g profiled out, as one point is in :mod:`localize.decoders.bayes`. The search is full,
 because a greedy one fails: the single point that explains two touches best is often neither of them.
 
-Whether there are two is decided by the gain in log-likelihood of the best pair over the best point. Of a sensor that
-nobody calibrated each point has the covariance that it has on average over what its design may come out as: with that
-of the design, what a made sensor does otherwise is taken for a second touch nearly always.
+The decision for two touches rests on the gain in log-likelihood of the best pair over the best point. If nobody
+calibrated the sensor, each point has its mean covariance over the sensors that its design may come out as. With the
+covariance of the design itself, differences between the as-built sensor and its design are nearly always taken for a
+second touch.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Costs of a decoder on a microcontroller: flash, memory, stack and instructions, and whether that is within a budget.
 
 Tables and variables are counted. Code, stack and instructions are those of gcc 12.2 with newlib at -O2 for a
-Cortex-M4F, counted on an emulated board with nothing given up early, whatever is heard: no decision takes more. Tests
-hold all of it against what the compiler makes for three cores, and what they execute.
+Cortex-M4F, counted on an emulated board while no point is given up early: no decision takes more, whatever the signal
+is. Tests hold all of it against what the compiler makes for three cores, and what they execute.
 """
 
 from __future__ import annotations
@@ -131,8 +131,8 @@ def _memory(tables: EmbeddedTables) -> int:
 def _instructions(tables: EmbeddedTables) -> int:
     """Most instructions of a decision.
 
-    Of each point: its reflections, four by four over what is left of the frame, and scores of all powers. Of the frame:
-    the directions beside sound, and the way from the samples to the white frame.
+    Each point costs its reflections, four by four over the rest of the frame, and the scores of all powers. The frame
+    itself costs the directions beside sound, and the transform from samples to the white frame.
     """
     blocks, microphones = tables.size // BLOCK, len(tables.microphones)
     fours = blocks * (blocks + 1) // 2

@@ -59,7 +59,7 @@ class EmbeddedTables:
     noise_rms: float
     """Noise of a microphone that the decoder expects, Pa rms."""
     silence: float
-    """Level up to which there is no touch, Pa rms."""
+    """Level up to which a frame counts as silent, without a touch, Pa rms."""
     whitening: Single
     """Lower triangular matrix that makes the noise of a microphone white, as the decoder expects it, row by row;
     (n_number,) float32, 1/Pa."""

@@ -9,20 +9,20 @@ from localize.live.events import HOP
 
 _TEXT = """# The decoder of {name} as C
 
-Names the touched point of an array of {points} points from its {count} microphones ({microphones}), every 16 ms
+Gives the touched point of an array of {points} points from its {count} microphones ({microphones}), every 16 ms
 from the last 250 ms, in {precision}. Made by `acoustic-fem embed`; what the decoder is: docs/embed.md and
 docs/decoder.md there.
 Portable C99: no heap, no recursion, constant tables, nothing but `math.h`.
 
-It takes for granted **that the sensor is as its library has it**: a library that was calibrated on the sensor, not that
-of its design. It was made for microphones whose noise is {noise:.3g} Pa rms over 0 to 500 Hz.{sound}
+It assumes **that the sensor is as its library has it**: use a library that was calibrated on the sensor, not the one
+computed from its design. It was made for microphones whose noise is {noise:.3g} Pa rms over 0 to 500 Hz.{sound}
 
 | | most | of what |
 |---|---|---|
 | flash | {flash} ({flash_bytes} bytes) | tables {tables_share:.0f} %, the rest code with what it takes of newlib |
 | RAM | {ram} ({ram_bytes} bytes) | `touch_decoder`; newlib keeps 1.1 kB of its own for `errno`, newlib-nano 0.1 kB |
 | stack | {stack_bytes} bytes | the deepest call of `touch_push` |
-| instructions | {instructions} | a decision, whatever is heard; {per_second} in a second |
+| instructions | {instructions} | a decision, whatever the signal; {per_second} in a second |
 | | {first} more | the first decision after the start or a gap |
 
 Code, stack and instructions are those of gcc 12.2, `-O2 -ffp-contract=fast`, for a Cortex-M4F. They are instructions,
@@ -56,8 +56,9 @@ for (;;) {{
 
 Chunks may have any length; a decision depends on the samples alone. `decoder.decision` holds the state (no touch,
 fading, sound alone, touched, unreadable), the level of the loudest microphone in Pa rms, the {top} most probable
-points, numbered from 1, and the probability of every point. Of lost samples push as many NaN as are lost, at least
-one: no frame spans them, and until a whole frame has come again decisions are unreadable.
+points, numbered from 1, and the probability of every point. If samples are
+lost, push as many NaN as were lost, at least one: no frame spans them, and decisions are unreadable until a whole
+frame has come again.
 
 ## On the host
 
@@ -84,14 +85,16 @@ calibration had them. All must be sampled at the same instants, at 1000 Hz:
 - **Analogue microphones**: one converter with simultaneous or scanned channels at 8 kHz or more, behind an RC of a few
   kHz; a scan that lasts under 20 us is as good as simultaneous.
 - Samples to pascals: p = 1.41 s 10^(-S / 20), for s relative to full scale and S the sensitivity in dBFS at 94 dB SPL
-  (1 Pa rms), such as -26, of data sheets whose full scale is that of a sine. What counts is that it is the same as in
-  the calibration, and the gains of the microphones against each other.
+  (1 Pa rms), such as -26, of data sheets whose full scale is that of a sine. The sensitivity must be the same
+  as in the calibration, and so must the gains of the microphones against each other.
 - Order: {order}, as they stand in the design.
 
 Fill a buffer by DMA, half of it at a time: 16 samples of each microphone are {buffer} bytes, and a decision then has
 16 ms. At F MHz and an instruction a cycle it takes at most {instructions_millions:.2f} / F seconds.
 """
-_SOUND = " The sound of a room up to 80 dB SPL, which presses on all points alike, is told from touches."
+_SOUND = (
+    " The sound of a room up to 80 dB SPL, which presses on all points alike, is recognised, not reported as a touch."
+)
 
 
 def readme(tables: EmbeddedTables, cost: Cost) -> str:

@@ -53,9 +53,9 @@ class ReliabilityBin:
     touches: int
     """Number of touches in the range."""
     stated: float | None
-    """Mean stated probability; None where there is no touch."""
+    """Mean stated probability; None without any touch."""
     right: float | None
-    """Share of these touches that were named right; None where there is no touch."""
+    """Top-1 accuracy: fraction of these touches that are assigned to the correct point; None without any touch."""
 
 
 @dataclass(frozen=True)

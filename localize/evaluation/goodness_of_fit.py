@@ -62,12 +62,13 @@ class SensorFit:
     microphones: tuple[str, ...]
     """Names of the microphones."""
     off_level: tuple[str, float] | None = None
-    """Microphone that is far off its level, and by how much, dB against the library; None where that of none explains
-    the touches. Of two it is the one that leaves less, for all that is known is how they differ."""
+    """Microphone whose level differs most from the library, and the difference, dB; None if the level of no single
+    microphone explains the touches. With two microphones only their difference is known, so it is the one whose
+    correction leaves the smaller residual."""
 
     @property
     def warning(self) -> str | None:
-        """Reason to distrust what was decided, in words; None where there is none."""
+        """Reason to distrust the decisions, in words; None if the sensor fits the library."""
         if self.off_level is not None:
             name, level = self.off_level
             louder, quieter = ("louder", "quieter") if level > 0 else ("quieter", "louder")
@@ -77,9 +78,9 @@ class SensorFit:
         if self.misfit <= self.expected:
             return None
         return (
-            f"no point explains the touches: of the loudest {self.misfit:.3g} times what noise leaves is left, "
-            f"{self.expected:g} is the most that is expected; the library may be one of another array or air, the "
-            "sensor may have changed, or there is sound that was not told"
+            f"no point explains the touches: their residual is {self.misfit:.3g} times that of noise, and at most "
+            f"{self.expected:g} is expected; the library may be one of another array or air, the sensor may have "
+            "changed, or the room is louder than the given ambient level"
         )
 
 
@@ -155,7 +156,7 @@ def sensor_fit(
 
 
 def _louder(decoder: Locator, noise: NDArray[np.float64]) -> float:
-    """The noise over that which the decoder was told, rms, at least 1."""
+    """Ratio of the noise to that given to the decoder, rms, at least 1."""
     if noise.shape != (len(decoder.microphones),):
         raise Refusal(
             f"has shape {noise.shape}, must be ({len(decoder.microphones)},), one value for each microphone",

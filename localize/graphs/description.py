@@ -1,7 +1,7 @@
-"""What files of localizers say of themselves, as schemas: those of ONNX graphs, and what all have.
+"""Schemas of the descriptions in files of localizers: those of ONNX graphs, and the parts that all have.
 
-Every value is checked before anything is made from it. Sizes are bounded here: what a description asks
-for is allocated later without another look.
+Every value is checked before anything is made from it. Sizes are bounded here, because the memory that a description
+asks for is allocated later without another check.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Array(Strict):
 
 
 class GraphDescription(Array):
-    """What an ONNX file says of itself."""
+    """Description in the metadata of an ONNX file."""
 
     format: str
     version: int

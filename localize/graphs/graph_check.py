@@ -29,7 +29,8 @@ OPERATORS = frozenset((
     "Mul", "Neg", "NonZero", "Or", "Pow", "Reciprocal", "ReduceMax", "ReduceMean", "ReduceSum", "Relu", "Reshape",
     "ScatterND", "Shape", "Slice", "Softmax", "Sqrt", "Squeeze", "Sub", "Transpose", "Unsqueeze", "Where"
 ))  # fmt: skip
-"""What graphs of the exporter are made of; every one ends, and its work follows from the shapes of its values."""
+"""Operators that graphs of the exporter consist of; every one ends, and its work follows from the shapes of its
+values."""
 MOST_NODES = 5000
 LARGEST_VALUES = 1.5e9
 """Most bytes that all values of a batch of frames may take together."""
@@ -128,14 +129,14 @@ def doubt(model: ModelProto) -> str | None:
 
 @dataclass(frozen=True)
 class _Value:
-    """What is known of a value: the lengths of its axes, open ones by name, and the bytes of an entry."""
+    """Shape and type of a value: the lengths of its axes, open ones by name, and the bytes of an entry."""
 
     axes: tuple[int | str, ...]
     bytes: int
 
 
 def _shapes(model: ModelProto) -> dict[str, _Value] | str:
-    """What is known of every value for a batch of frames; or why that is nothing."""
+    """Shape and type of every value for a batch of frames; or the reason why they are not known."""
     import onnx
 
     batch = onnx.ModelProto()
@@ -163,7 +164,7 @@ def _shapes(model: ModelProto) -> dict[str, _Value] | str:
 
 
 def _too_large(model: ModelProto, shapes: Mapping[str, _Value]) -> str | None:
-    """Why the values of a batch of frames are too many, or not known to be few."""
+    """Reason why the values of a batch of frames are too many, or not known to be few."""
     longest: dict[str, int] = {}
     total = work = 0.0
     for node in model.graph.node:

@@ -94,7 +94,7 @@ class OnnxLocalizer(Locator):
 
     @property
     def assumptions(self) -> str:
-        """What is assumed of the sensor or of touches, in words."""
+        """Assumptions about the sensor or touches, in words."""
         return super().assumptions if self.kind == "network" else self.array.assumptions
 
     @property
@@ -130,7 +130,7 @@ class _OwnGraph:
 
 
 def _read_description(model: ModelProto, path: str | os.PathLike[str]) -> GraphDescription:
-    """What a graph says of itself; where it says what its checksum is, it must be that."""
+    """Description in a graph's metadata; if it states a checksum, the graph must have it."""
     texts = [entry.value for entry in model.metadata_props if entry.key == KEY]
     if len(texts) != 1:
         raise LocalizerError(

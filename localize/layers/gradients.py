@@ -1,7 +1,7 @@
 """The network's stages with their gradients, written out for training on a processor.
 
-What is computed stays what the layers say, :mod:`localize.layers.partial_block`. Written out, channels lie side by side
-in memory wherever a gradient comes from, a 3 x 3 filter of few columns is one matrix product, and nothing is recorded
+The results are those of the layers in :mod:`localize.layers.partial_block`. Written out, channels lie side by side in
+memory wherever a gradient comes from, a 3 x 3 filter of few columns is one matrix product, and nothing is recorded
 between layers: that takes three quarters of the time of automatic differentiation.
 
 Each layer gives its output and a function from the gradient of that to those of its input and of its parameters, in

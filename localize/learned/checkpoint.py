@@ -113,7 +113,7 @@ class Checkpoint:
             tensors = load(held)
         said = _metadata(held)
         if said.get("format") != FORMAT:
-            raise self._refused("is no checkpoint of this version", Kind.MISMATCH)
+            raise self._refused("is not a checkpoint of this version", Kind.MISMATCH)
         if not is_sealed(said, _content(tensors)):
             raise self._refused("is damaged: its SHA-256 is not that of what was written", Kind.DAMAGED)
         progress = parse_json(said["progress"], str(self.path), CheckpointError)

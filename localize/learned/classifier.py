@@ -4,8 +4,8 @@ An embedding cuts the maps into patches; stages of partial-convolution blocks fo
 that halves both sides and doubles the channels; the mean over what is left feeds a linear layer. Partial convolution
 means that the 3 x 3 filter sees a quarter of the channels, the 1 x 1 filters all of them.
 
-:data:`NETWORKS` names the shapes that are offered. That of the paper merges after the last stage as well: five
-mergings leave 2 x 1 of 64 x 32, which only an embedding that cuts nothing survives.
+:data:`NETWORKS` names the shapes that are offered. The network of the paper merges after the last stage as well. Five
+mergings leave 2 x 1 of 64 x 32, so that its embedding must not cut the maps into patches.
 """
 
 from __future__ import annotations
@@ -132,7 +132,7 @@ class MapClassifier(nn.Module):
     mean: Tensor
     """Mean of each map and row over what :meth:`fit_normalisation` was given; (1, maps, 64, 1) float32."""
     scale: Tensor
-    """Standard deviation of each map and row over the same, at least 1e-3; (1, maps, 64, 1) float32."""
+    """Standard deviation of each map and row over these inputs, at least 1e-3; (1, maps, 64, 1) float32."""
 
     def __init__(self, shape: NetworkShape) -> None:
         super().__init__()

@@ -1,15 +1,15 @@
 """Level and phase differences of microphone pairs over time and frequency: what the network looks at.
 
 A frame of 250 samples at 1 kHz is continued by its last sample 250 times and analysed by a Morlet wavelet at 64
-linear frequencies from 1 to 100 Hz. Of the last 47 samples of the frame, the ratio of every pair of microphones is
-averaged over 16 consecutive ones: 64 x 32 values per map. Each pair gives three maps: its level
-20 log10 |X1/X2| in dB, and the real and imaginary part of the averaged unit phasor of X1 conj(X2), whose angle is
-the phase difference and whose length falls below 1 where the phase is not steady. Phasors, unlike angles, have no jump.
-One more map tells where there is a signal at all, for ratios elsewhere mean nothing: the power of all microphones
-together, in dB below its maximum over the frame. It halves the errors and is ours, not the paper's.
+linear frequencies from 1 to 100 Hz. Over the last 47 samples of the frame, the ratio of every pair of microphones is
+averaged over 16 consecutive samples, which gives 64 x 32 values per map. Each pair gives three maps: its level 20 log10
+|X1/X2| in dB, and the real and imaginary part of the averaged unit phasor of X1 conj(X2), whose angle is the phase
+difference and whose length falls below 1 where the phase is not steady. Phasors, unlike angles, have no jump. One more
+map shows where there is a signal at all, because ratios elsewhere mean nothing: the power of all microphones together,
+in dB below its maximum over the frame. It halves the errors and is ours, not the paper's.
 
-Where touches are heard in the sound of rooms, the same maps are made once more of the frame in which noise and sound of
-a room are white, which leaves little of the sound: it presses on all membranes alike, so that it takes up one of three
+If a network is trained for the sound of rooms, it gets a second set of these maps, made after noise and room sound have
+been whitened. Whitening leaves little of the sound: it presses on all membranes alike, so that it takes up one of three
 microphones' dimensions at each frequency. This is ours too.
 
 The paper's own choice is there for comparison: level and phase difference alone, two maps per pair. Its phases are
@@ -142,7 +142,7 @@ class PairFeatures(nn.Module):
         """Make noise and sound white in the second half of the maps of rooms, each microphone changed the least.
 
         Args:
-            covariance: of what is heard without a touch, microphone by microphone; (n_microphone * 250,) * 2 float64,
+            covariance: of the signals without a touch, microphone by microphone; (n_microphone * 250,) * 2 float64,
                 Pa^2, as of :func:`localize.decoders.frame_covariance.whole_frame_covariance`.
         """
         power, waves = np.linalg.eigh(covariance)

@@ -171,7 +171,8 @@ def read_model(
         refusal: class of the errors.
 
     Returns:
-        What the description says, the same checked, and the weights by name, each of the shape of its layer.
+        The description as JSON values, the checked description, and the weights by name, each of the shape of its
+        layer.
 
     Raises:
         Refusal: of the class given: a file is missing, cut short, changed, too large or of something else, or a value

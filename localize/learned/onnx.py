@@ -1,9 +1,9 @@
 """A localizer as one ONNX graph, from a frame of samples to probabilities: for any runtime that reads ONNX.
 
 Both kinds have the same input, ``frames`` (n, n_microphone, 250) float32 in Pa at 1 kHz, and the same outputs,
-``probability`` and ``log_probability``, (n, n_point) float32. What else a runtime must know, the file says itself:
-points, microphones, sample rate, frame, noise, and the versions it was made with, as JSON under the key
-``acoustic-fem``.
+``probability`` and ``log_probability``, (n, n_point) float32. The file also holds the other facts that a runtime needs,
+as JSON under the key ``acoustic-fem``: points, microphones, sample rate, frame, noise, and the versions that it was
+made with.
 
 A network's graph holds its features. The model-based decoder's graph computes the likelihood of
 :mod:`localize.decoders.bayes`. Likelihoods are differences of large numbers, a million times larger than what decides

@@ -232,12 +232,12 @@ def touched_frames(
     noise_rms: float,
     options: StreamOptions = AS_IT_COMES,
 ) -> NDArray[np.int64]:
-    """First samples of the frames in which a stream hears a touch.
+    """First samples of the frames in which a stream detects a touch.
 
     Args:
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
         microphones: their names.
-        noise_rms: Pa rms of a microphone, by which silence is told.
+        noise_rms: Pa rms of a microphone, from which the threshold of silence follows.
         options: what is done with the samples first.
 
     Returns:

@@ -45,25 +45,25 @@ def train(
 ) -> Localizer:
     """Train a localizer for the array of a library, on the graphics processor where torch finds one.
 
-    Where the plan has a time limit and it is reached, training is cut short and the result depends on the machine's
-    load; without one it does not.
+    If the plan has a time limit and it is reached, training stops early and the result depends on the load of the
+    machine; without a time limit it does not.
 
     Args:
-        library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones; what they do
-            not cover up to 500 Hz is left out of the touches, with a warning.
+        library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones; frequencies up
+            to 500 Hz that they do not cover are left out of the touches, with a warning.
         plan: by default one that takes about 25 s for 12 points on one core.
-        progress: called after every epoch, those of a training that is gone on with included.
+        progress: called after every epoch, those of a resumed training included.
         source: transfer functions of many sensors of this design, to train on in place of the library's own; read as
-            they are needed. The last fifth of the sensors is held out (of a single one, its stimuli only).
+            they are needed. The last fifth of the sensors is held out (with a single sensor, only its stimuli are).
         checkpoint: a file that keeps the state of the training, after every epoch and every minute. If it is there,
             training goes on from it, and the weights become those that it would have led to, bit for bit. It stays
             when training is done; remove it once the localizer is saved.
-        recordings: a manifest of touches of the made sensor (:mod:`localize.recordings.touch_manifest`), of which the
-            plan's share of the touches is taken. A fifth of the recordings is held out and only judged.
+        recordings: a manifest of touches of the as-built sensor (:mod:`localize.recordings.touch_manifest`), which
+            supply the plan's fraction of the touches. A fifth of the recordings is held out for the evaluation.
 
     Raises:
         Refusal: the library or the source does not cover 1 to 100 Hz, they hold different points or microphones,
-            the plan's network does not fit the maps, or it asks for sound where there is no design.
+            the plan's network does not fit the maps, or it asks for sound without a design.
         TouchManifestError, RecordingError: recordings that cannot be used.
         CheckpointError: the checkpoint is damaged, or that of another plan, library, set of recordings or version of
             torch.

@@ -1,4 +1,4 @@
-"""What a stream says: a decision for every frame, faults, the beginnings, moves and ends of touches, and gestures."""
+"""Events of a stream: a decision for every frame, faults, the beginnings, moves and ends of touches, and gestures."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ HOP = 16
 """Number of samples from one decision to the next."""
 
 State = Literal["touch", "no touch", "fading", "sound", "other", "unreadable"]
-"""State that a frame shows. Fading: what is left of a touch that has ended. Sound: of a room, the same on all
-membranes, and no touch. Other: a touch of no single point explains what is heard. Unreadable: a channel is clipped or
-dead or hisses and the others cannot go on without it, or was not finite within the last 250 samples."""
+"""State of a frame. Fading: only the decay of a touch that has ended. Sound: sound of a room, the same on all
+membranes, without a touch. Other: a signal that no touch of a single point explains. Unreadable: a channel is clipped
+or dead or hisses and the others cannot replace it, or a value was not finite within the last 250 samples."""
 
 FaultKind = Literal[
     "samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel", "hissing channel"
@@ -44,8 +44,8 @@ class Decision:
     newest: float | None = field(default=None, repr=False, compare=False)
     """Level of the loudest microphone over the newest 96 samples, Pa rms."""
     frame: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
-    """Samples that were judged, (n_microphone, 250) float64, Pa; None unless they are asked for, where nothing is
-    heard, and of a frame in which not all channels are good."""
+    """Samples that were classified, (n_microphone, 250) float64, Pa; None unless they are asked for, in silence, and
+    for a frame in which not all channels are good."""
     waveform: tuple[float, ...] | None = None
     """Pressure in the cavity of the point, Pa, over the newest 16 samples less the latency of the reconstructor; None
     without one, without a touch, and before its window is full."""
@@ -62,7 +62,7 @@ class Decision:
 
 @dataclass(frozen=True)
 class Fault:
-    """Fault of a stream, told once when it begins."""
+    """Fault of a stream, reported once when it begins."""
 
     time: float
     """Time of the sample where it begins, s; of clipping and dead channels, the end of the frame that showed it."""
@@ -83,10 +83,10 @@ class Fault:
 
 @dataclass(frozen=True)
 class TouchEvent:
-    """Beginning, move or end of a touch, told while it happens."""
+    """Beginning, move or end of a touch, reported while it happens."""
 
     time: float
-    """Time at which it is told: the end of the frame that decided it, s."""
+    """Time at which it is reported: the end of the frame that decided it, s."""
     kind: Literal["down", "moved", "up"]
     """Kind of what happened."""
     touch: int
@@ -98,8 +98,8 @@ class TouchEvent:
     level: float
     """Level of the loudest microphone in the newest frame of the touch, Pa rms."""
     latency: float
-    """Time at most from when it happened to when it is told, s: the frames that were waited for, and the delay of the
-    high-pass; what a source and a computer take comes on top."""
+    """Longest time from the event to its report, s: the frames that were waited for, and the delay of the high-pass.
+    Delays of the source and the computer come on top."""
 
     def json_line(self) -> str:
         """Event as one line of JSON."""
@@ -111,7 +111,7 @@ class TouchEvent:
 
 @dataclass(frozen=True)
 class TrackedPlace:
-    """Place of a contact while it moves, told as soon as it is known."""
+    """Place of a contact while it moves, reported as soon as it is known."""
 
     time: float
     """Time at which the contact was there, s."""
@@ -120,7 +120,7 @@ class TrackedPlace:
     deviation: float
     """Standard deviation in each direction, mm."""
     latency: float
-    """Time from then to the end of the frame that told it, s."""
+    """Time from then to the end of the frame that gave it, s."""
 
     def json_line(self) -> str:
         """Place as one line of JSON."""
@@ -131,10 +131,10 @@ class TrackedPlace:
 
 @dataclass(frozen=True)
 class TrackedGesture:
-    """What a contact did, told when its path has ended."""
+    """Gesture of a contact, reported when its path has ended."""
 
     time: float
-    """Time at which it is told, s: a second after the last that was heard of the contact."""
+    """Time at which it is reported, s: a second after the contact was last detected."""
     start: float
     """Time at which it began, s."""
     end: float
@@ -142,7 +142,7 @@ class TrackedGesture:
     kind: str
     """Kind, as of :class:`localize.tracking.Gesture`."""
     direction: str
-    """Direction of a swipe or a circle; empty where it has none."""
+    """Direction of a swipe or a circle; empty for other gestures."""
     length: float
     """Length of the path, mm; 0 of a contact that stays."""
 

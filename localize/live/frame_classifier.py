@@ -1,4 +1,4 @@
-"""What classifies the frames of a stream, and goes on with the other microphones where one is dead or clipped."""
+"""Classifier of the frames of a stream, which goes on with the other microphones if one is dead or clipped."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from localize.decoders.sound_test import SoundTest
 from localize.signals.locator import Locator
 
 FEWEST = 2
-"""Number of microphones that points can be told apart with."""
+"""Least number of microphones that can distinguish points."""
 
 
 @dataclass(frozen=True)

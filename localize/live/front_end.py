@@ -1,13 +1,13 @@
-"""What is done with samples before anything is decided: a high-pass, the mains' hum removed, the noise measured.
+"""Preparation of samples before any decision: a high-pass, removal of mains hum, measurement of the noise.
 
-A touch leaves the array at rest only slowly, and below the lowest frequency of the stimuli no decoder knows what to
-expect: what is left of it named wrong points for up to a second. The high-pass is the same for all microphones, so that
-what they hear of each other stays as it was.
+The array comes to rest only slowly after a touch, and below the lowest frequency of the stimuli no decoder has a model
+of the signal: without the high-pass, decoders assign this decay to wrong points for up to a second. The high-pass is
+the same for all microphones, so that it leaves their ratios as they were.
 
-Hum and noise are followed and need not be told. Hum: lines at the multiples of 50 and 60 Hz, whose amplitude, phase and
-slow change of phase are learned while nothing else is heard, and are taken to go on while something is. Noise: the
-density between 200 and 450 Hz, where touches hold next to nothing, of what the other microphones do not hear as well,
-as sound they do; a low quantile of the last four seconds.
+Hum and noise are estimated and need not be given. Hum consists of lines at the multiples of 50 and 60 Hz. Their
+amplitude, phase and slow change of phase are learned in silence, and are assumed to continue during a touch. Noise is
+the density between 200 and 450 Hz, where touches hold next to nothing. The part that the other microphones share is
+left out, because sound reaches all of them; the estimate is a low quantile of the last four seconds.
 """
 
 from __future__ import annotations
@@ -111,7 +111,7 @@ class Hum:
         return np.asarray((self._amplitude @ np.exp(1j * phase[:, :-1])).real)
 
     def learn(self, residual: Array) -> None:
-        """Learn from what is left of the hop that has just passed, in which nothing else was heard.
+        """Learn from the residual of the hop that has just passed, in which there was no other signal.
 
         Args:
             residual: (n_microphone, HOP) float64, Pa.

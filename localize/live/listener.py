@@ -63,7 +63,7 @@ class Heard:
 
 
 class Tracker(Protocol):
-    """What tells more than each frame alone does."""
+    """Tracker that combines frames into touches, places or gestures."""
 
     def take(self, event: object) -> Sequence[TouchEvent | TrackedPlace | TrackedGesture]:
         """Take the next event of a stream and say what it means."""
@@ -150,7 +150,7 @@ class LiveListener:
         """Listen until the source ends or is lost; returns why it is lost."""
         heard_at = perf_counter()
         while True:
-            # Asked before the queue is: what came in before it ended is heard.
+            # Asked before the queue is, so that samples from before the end are still processed.
             ended, reason = self.source.ended, self.source.trouble
             block = queue.get(0.0 if ended or reason else self.options.poll)
             if block is not None:
@@ -165,7 +165,7 @@ class LiveListener:
                 return f"no samples for {self.options.stall:g} s"
 
     def _opened_again(self, reason: str) -> Generator[Heard, None, BlockQueue]:
-        """Open a lost source as soon as it is there; other reasons than the last one are told."""
+        """Open a lost source as soon as it is back; a reason that differs from the last one is reported."""
         attempt = 0
         while True:
             waits = self.options.waits

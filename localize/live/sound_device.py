@@ -76,7 +76,7 @@ def input_devices(sounddevice: Any | None = None) -> list[InputDevice]:
         raise SourceError(f"PortAudio: {_words(error)}", kind=Kind.STOPPED) from None
     try:
         default = audio.query_devices(kind="input")["index"]
-    except audio.PortAudioError:  # there is none
+    except audio.PortAudioError:  # there is no default device
         default = -1
     return [
         InputDevice(

@@ -63,7 +63,7 @@ class BlockQueue:
         """Number of the sample behind the last one that came in, dropped ones included."""
 
     def put(self, block: Block) -> None:
-        """Take a block, or drop it where there is no room."""
+        """Take a block, or drop it if the queue is full."""
         count = block.samples.shape[1]
         with self._lock:
             self.end = block.first + count
@@ -96,7 +96,7 @@ class Source(Protocol):
 
     @property
     def limit(self) -> float | None:
-        """Pressure at which a sample is clipped, Pa; None where there is no such limit."""
+        """Pressure at which a sample is clipped, Pa; None without such a limit."""
 
     def open(self) -> BlockQueue:
         """Begin to put blocks into a new queue, numbered from 0.

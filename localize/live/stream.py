@@ -1,11 +1,10 @@
 """Touches while they happen: samples in, in chunks of any size; a decision every 16 ms out.
 
 Every 16 samples the last 250 are classified, behind the high-pass of :mod:`localize.live.front_end` and without mains
-hum. Where no microphone hears more than its noise there is no touch, and nothing is guessed; nor where a touch has
-ended and only what is left of it is heard, where sound explains what they hear, or where no point does, if the stream
-is given the tests of that. What goes wrong with a stream is reported and survived: lost or repeated samples, values
-that are not finite, clipping, a channel that is dead or hisses. Decisions depend on the samples alone, not on how they
-were cut up.
+hum. If no microphone is louder than its noise, the frame is silent and no point is given. The same holds for a frame
+that holds only the decay of a touch, and, if the stream has the tests for it, for one that sound explains or no point
+explains. Faults are reported, and the stream goes on: lost or repeated samples, values that are not finite, clipping, a
+channel that is dead or hisses. Decisions depend on the samples alone, not on how they were cut into chunks.
 """
 
 from __future__ import annotations
@@ -43,16 +42,16 @@ class TouchStream:
     """Stream of decisions from microphones, 250 samples at a time.
 
     Args:
-        locator: names the point of a frame; the stream keeps the state of one that follows its sensor.
-        silence: Pa rms about the mean over a frame; where no microphone is louder there is no touch. By default twice
-            the noise of a microphone that the locator was made for, at least 1e-6 Pa.
-        limit: Pa; a sample that reaches it is clipped. By default nothing is.
-        reconstructor: gives the waveform of the named point; the filters of a point are made when it is first named,
+        locator: classifies frames; if it follows its sensor, the stream keeps its state.
+        silence: Pa rms about the mean over a frame; a frame in which no microphone is louder is silent. By default
+            twice the noise of a microphone that the locator was made for, at least 1e-6 Pa.
+        limit: Pa; a sample that reaches it is clipped. By default no sample is.
+        reconstructor: gives the waveform at the decided point; the filters of a point are made when it is first needed,
             which takes some tens of milliseconds.
-        sound_test: tells the sound of a room from touches. By default sound is taken for a touch.
-        residual_test: rejects frames that no point explains. By default the likeliest point is named whatever it
-            is. On a sensor that differs from its library by a percent it rejects most touches.
-        options: what is done with samples first, and thresholds.
+        sound_test: detects frames that hold only room sound. By default sound is taken for a touch.
+        residual_test: rejects frames that no point explains. By default the likeliest point is always given. On a
+            sensor that differs from its library by a percent it rejects most touches.
+        options: preparation of the samples, and thresholds.
 
     Raises:
         Refusal: a threshold that is not finite and positive, or a reconstructor or a test for other microphones.
@@ -126,8 +125,8 @@ class TouchStream:
             Decisions and faults in the order in which they came about.
 
         Raises:
-            Refusal: a chunk of another shape or of complex numbers, or ``first`` is no whole number from 0 to 2^53;
-                nothing has been taken then.
+            Refusal: a chunk of another shape or of complex numbers, or a ``first`` that is not a whole number from 0 to
+                2^53; the stream has then taken no sample.
         """
         if first is not None and (
             isinstance(first, bool) or not isinstance(first, (int, np.integer)) or not 0 <= first <= LARGEST_NUMBER
@@ -173,7 +172,7 @@ class TouchStream:
     def _restart(self, tell: bool = False) -> None:
         """Forget the samples so far: a frame never spans a gap.
 
-        Decisions begin with the first whole frame, or, to tell that there is none, at once.
+        Decisions begin with the first whole frame, or at once if the missing frames are to be reported as unreadable.
         """
         self._end = 0
         self._due = FRAME % HOP if tell else FRAME
@@ -282,7 +281,7 @@ class TouchStream:
         events.append(Decision(self._time, "touch", level, point, sure, found, weight, newest, kept, shape))
 
     def _bad_channels(self, raw: Array, events: list[Decision | Fault]) -> NDArray[np.bool_]:
-        """Channels of a frame that are dead or clipped, (n_microphone,), which is told."""
+        """Channels of a frame that are dead or clipped, (n_microphone,); a fault is reported for each."""
         highest, lowest = raw.max(1), raw.min(1)
         dead = (highest == lowest) | (raw.std(1) < self.options.dead_fraction * self.locator.noise_rms)
         clipped = np.maximum(highest, -lowest) >= (np.inf if self.limit is None else self.limit)
@@ -294,7 +293,7 @@ class TouchStream:
         return np.asarray(dead | clipped)
 
     def _channels_of_other_noise(self, frame: Array, events: list[Decision | Fault]) -> NDArray[np.bool_]:
-        """Channels whose noise is far above that of the decoder, or missing, (n_microphone,), which is told."""
+        """Channels whose noise is missing or far above that of the decoder, (n_microphone,); a fault is reported."""
         expected = self.silence / self.options.silence
         hisses = self._floor.hisses(expected) & (self._floor.rms > self.options.rough_fraction * frame.std(1))
         dead = self._floor.dead(expected)

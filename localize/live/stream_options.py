@@ -22,7 +22,7 @@ class StreamOptions:
     follow: bool = True
     """True if the noise of each microphone and the hum of mains are measured; if not, noise is that of the locator."""
     fade: bool = True
-    """True if frames that hold only what is left of a touch are told from it."""
+    """True if frames that hold only the decay of a touch are distinguished from the touch."""
     frames: bool = False
     """True if decisions carry the samples that were classified."""
     fallback: bool = False

@@ -25,7 +25,7 @@ class TouchFilter:
         place: (n_point,) int64, place of each point along its line.
         stay: probability of staying at a point from one frame to the next, above 0.
         jump: probability of landing anywhere on the array, all points alike, above 0; the rest, 1 - stay - jump, goes
-            to the neighbours on the line, or stays where there is none.
+            to the neighbours on the line, or stays at a point without neighbours.
 
     Raises:
         Refusal: probabilities out of range, or line and place of different lengths.

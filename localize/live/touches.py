@@ -1,13 +1,13 @@
 """Touches from the decisions of a stream: when each began and ended, and where it was.
 
-Frames that are told from silence and follow each other are one contact, until their level rises again after it had
-fallen: beats of a pulse follow each other faster than the array comes to rest. A finger may slide meanwhile: the exact
-hidden Markov filter of :mod:`localize.live.touch_filter`, run forward and backward over the contact, tells which point
-was touched when, and each point that was held long enough is a touch. While it lasts the forward filter
-alone tells where it came down and moved. Frames 16 ms apart share most of their samples; their log-likelihoods count in
-proportion to what is new in them, and to their level (in sound, to what stands out of it) and the square of the share
-of them that the contact fills: a frame that a touch begins or ends in, or what is left
-of a touch once its beginning has passed out of the frame, names wrong points with certainty.
+Successive frames above silence are one contact, until their level falls and rises again: beats of a pulse follow each
+other faster than the array comes to rest. A finger may slide meanwhile. The exact hidden Markov filter of
+:mod:`localize.live.touch_filter`, run forward and backward over the contact, gives the point that was touched at each
+time, and each point that was held long enough is a touch. During the contact the forward filter alone gives the points
+where it came down and moved. Frames 16 ms apart share most of their samples. Their log-likelihoods therefore count in
+proportion to their fraction of new samples, to their level (in sound, to the level above the sound) and to the square
+of the fraction of the frame that the contact fills. Without these weights, frames in which a touch begins or ends, and
+frames that hold only its decay, give wrong points with certainty.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ class Touch:
     """Touch of one point for a while."""
 
     start: float
-    """Time of the end of the first frame that heard it, s; the touch began at most a frame (250 ms) before."""
+    """Time of the end of the first frame that detected it, s; the touch began at most a frame (250 ms) before."""
     end: float
-    """Time of the end of the last frame that heard it, s."""
+    """Time of the end of the last frame that detected it, s."""
     point: int
     """Point that was touched, from 1."""
     probability: float
@@ -106,10 +106,10 @@ def touches_of(
 
 
 class _Evidence:
-    """What the frames of a contact say together of its point.
+    """Evidence of all frames of a contact for its point.
 
-    What is new in each frame counts in proportion to its level, and what the first frame holds from before it counts as
-    the loudest one says: that holds most of the touch.
+    The new samples of each frame count in proportion to its level. The samples that the first frame holds from before
+    count with the log-probability of the loudest frame, because that holds most of the touch.
     """
 
     def __init__(self) -> None:
@@ -143,15 +143,15 @@ class TouchTracker:
     def __init__(self, array: ArrayFacts | Locator, delay: float = 0.0, options: TouchOptions = TouchOptions()) -> None:
         self._cutter, self._delay, self._options = ContactCutter(options), delay, options
         self._filter = TouchFilter(array.line, array.place, options.stay, options.jump)
-        self._touch = 0  # number of the last one that came down
-        self._point: int | None = None  # that is told, from 0
+        self._touch = 0  # number of the last touch that came down
+        self._point: int | None = None  # that is reported, from 0
         self._contact: list[Decision] = []
         self._evidence = _Evidence()
         self._belief: Array = np.empty(0)
         self._other = 0  # frames in a row that name another point
 
     def take(self, event: object) -> list[TouchEvent]:
-        """Take the next event of a stream and say what it means; nothing of what is no decision."""
+        """Touch events that follow from the next event of a stream; none from events that are not decisions."""
         if not isinstance(event, Decision):
             return []
         found = self._cutter.take(event)

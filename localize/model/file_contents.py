@@ -1,4 +1,4 @@
-"""What a file or folder holds that is given as a model: recognised by its content, whatever its name is."""
+"""Kind of a file or folder that is given as a model, recognised by its content, whatever its name is."""
 
 from __future__ import annotations
 

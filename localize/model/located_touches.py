@@ -22,7 +22,7 @@ class RecordingResult:
     seconds: float
     """Length of the recording, s."""
     assumptions: str
-    """What the model assumes of the sensor or of touches, in words."""
+    """Assumptions of the model about the sensor or touches, in words."""
 
     @property
     def design(self) -> str:
@@ -39,8 +39,8 @@ class LocatedTouches(RecordingResult):
     events: tuple[Decision | Fault | TouchEvent, ...]
     """Decisions, 16 ms apart, faults, and touches as they would have been reported while they happened."""
     warning: str | None = None
-    """Reason to distrust the touches, in words: the sensor does not fit the library. None where there is none, or
-    nothing tells: for a trained localizer, or fewer than eight touches."""
+    """Reason to distrust the touches, in words: the sensor does not fit the library. None if it fits, or if there is no
+    test: for a trained localizer, or fewer than eight touches."""
     rescaled_microphone: str | None = None
     """Microphone whose level is far off, and was corrected before touches were located; None where none is."""
     options: Mapping[str, Any] = field(default_factory=dict, repr=False)

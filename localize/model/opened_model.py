@@ -100,7 +100,7 @@ class Model:
     decoding: Decoding
     """Choices that it was opened with."""
     assumptions: str
-    """What is assumed of the sensor or of touches, in words."""
+    """Assumptions about the sensor or touches, in words."""
     warnings: tuple[str, ...]
     """Reasons to trust the answers less, in words."""
     files: tuple[Path, ...]
@@ -202,7 +202,7 @@ class Model:
             Refusal: a model without a library, or a radius out of range.
         """
         if self.library is None:
-            problem = "is no library; paths need one, which says what is heard of a contact at any place"
+            problem = "is not a library; paths need one, because it predicts the signals of a contact at any place"
             raise Refusal(problem, kind=Kind.UNSUITABLE, field="model")
         in_range("radius", radius, *RADII, "mm")
         return PathTracker(self.library, radius, self.decoding.noise, self.decoding.ambient)
@@ -242,19 +242,19 @@ def open_model(
     """Model from a file, a folder, a library or a localizer in memory; a file is recognised by its content.
 
     A computed library says what the sensor was designed to be, so it is decoded with manufacturing tolerances. A
-    calibrated one, and one of a design whose scatter is not known, is decoded as it is, or with its drift followed.
+    calibrated library, and one of a design whose scatter is not known, is decoded as it is, or with its drift followed.
 
     Args:
         source: a library, the folder of a trained localizer or an ONNX file; or a library or a localizer in memory.
-        air: of the place, to which a library is brought; by default that of the library.
+        air: air in which the sensor is used, to which the library is converted; by default that of the library.
         noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
-        ambient: level of sound in the room up to which touches are named in it, dB SPL; by default a quiet room. Sound
-            alone is told from touches in any case, up to 80 dB SPL or this level.
-        library: library of the array, for a network or graph that shall tell sound from touches and for the arguments
-            below; by default the source, where that is one.
+        ambient: highest level of room sound in which touches are classified, dB SPL; by default a quiet room. Frames
+            that hold only sound are detected in any case, up to 80 dB SPL or this level.
+        library: library of the array, for a network or graph that is to detect sound, and for the arguments below; by
+            default the source, where that is one.
         waveform: whether the pressure in the touched cavity is reconstructed.
         rejected_fraction: fraction of the frames of true touches that may be rejected with those that no single point
-            explains, above 0, below 1; by default the likeliest point is named.
+            explains, above 0, below 1; by default the likeliest point is always given.
         follow_drift: whether the stiffness of a calibrated sensor is followed over the touches.
         tolerances: whether a computed library is decoded with manufacturing tolerances.
 
@@ -262,8 +262,9 @@ def open_model(
         The model; a :class:`Model` is handed back as it is.
 
     Raises:
-        Refusal: a file that cannot be read or holds no model; noise, air or a drift for what is no library; an argument
-            that needs the library of the array without one; a library of another design; a value out of range.
+        Refusal: a file that cannot be read or holds no model; noise, air or a drift for a model that is not a library;
+            an argument that needs the library of the array without one; a library of another design; a value out of
+            range.
     """
     decoding = Decoding(noise, library, waveform, ambient, rejected_fraction, air, follow_drift, tolerances)
     return opened(source, decoding)
@@ -357,7 +358,7 @@ def _network(source: ModelSource, content: FileContent | None, given: Decoding) 
             remedy = "make it again from a library in that air"
             raise Refusal(problem, kind=Kind.CONFLICT, field=name, value=value, remedy=remedy)
     if given.follow_drift:
-        problem = f"needs a calibrated library as model: {_name(source)} is none"
+        problem = f"needs a calibrated library as model: {_name(source)} is not a library"
         raise Refusal(problem, kind=Kind.CONFLICT, field="follow_drift")
     if isinstance(source, Locator):
         return source
@@ -370,7 +371,7 @@ def _network(source: ModelSource, content: FileContent | None, given: Decoding) 
 def _refuse_without_library(source: ModelSource, given: Decoding) -> None:
     for name in ("waveform", "ambient", "rejected_fraction"):
         if getattr(given, name) != getattr(Decoding, name):
-            problem = f"needs the library of the array: {_name(source)} is none"
+            problem = f"needs the library of the array: {_name(source)} is not a library"
             remedy = ("give it as ", Field("library"))
             raise Refusal(problem, kind=Kind.MISSING, field=name, value=getattr(given, name), remedy=remedy)
 

@@ -155,10 +155,10 @@ class MarginalLikelihood:
         """Fisher information on parameters of touches as loud as these, at the points that each may be of.
 
         For a Gaussian of covariance S it is tr(S^-1 dS_a S^-1 dS_b) / 2 per frame. The power of a touch is fitted with
-        the parameters (its derivative is dS = C), so that its share is taken out (Schur complement): whatever makes
-        all of a point louder, such as the level that the microphones have in common, is not told by touches of
-        unknown loudness. Each point of a frame counts by its probability, as if it were known; a point that no frame
-        may be of, or none that is above the noise, tells nothing.
+        the parameters (its derivative is dS = C), so that its fraction is taken out (Schur complement): touches of
+        unknown loudness carry no information on anything that makes a whole point louder, such as the common level of
+        the microphones. Each point of a frame counts by its probability, as if it were known. A point that no frame may
+        be of, or no frame above the noise, carries no information.
 
         Args:
             h: (n_point, n_microphone, n_freq) complex128, transfer functions, Pa/Pa.

@@ -1,10 +1,10 @@
-"""The sensors that unlabelled touches may have come from: maxima of their likelihood times the priors.
+"""Sensors that unlabelled touches may have come from: maxima of their likelihood times the priors.
 
 With sharp likelihoods there are many: a sensor whose points are all taken for their neighbours explains most touches
 too. With a high assumed noise there is one, so that the noise is lowered in stages and the maximum followed. To learn
 whether it is the right one, others are sought on purpose from the second stage on: from sensors whose points lie one
-place further along a line, both ways, and from a higher and a lower modulus. What a stage leaves at the same sensor,
-or far behind the best, is followed no further.
+place further along a line, both ways, and from a higher and a lower modulus. Candidates that a stage brings to one
+sensor, or that are far behind the best, are followed no further.
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ def ascend(
 
     def falling(v: Array) -> tuple[float, Array]:
         here = scale @ v
-        # no part is that far from what it should be, and a long step there would end in one that is none
+        # no part deviates that far from its design, and a long step there would end in an impossible part
         possible = np.clip(here, -options.farthest, options.farthest)
         value, slope = value_and_slope(model, likelihood, possible)
         return 0.5 * float(here @ here) - value, scale.T @ (here - np.where(possible == here, slope, 0))

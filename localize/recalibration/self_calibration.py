@@ -108,7 +108,7 @@ def self_calibrate(
     high_pass: float | None = None,
     options: RecalibrationOptions = RecalibrationOptions(),
 ) -> SelfCalibration:
-    """Bring a library to the sensor that made unlabelled touches.
+    """Library fitted to the sensor that made unlabelled touches.
 
     Args:
         library: the nominal one, or the last calibration, of the sensor's design, covering 1 to 100 Hz.
@@ -123,7 +123,7 @@ def self_calibrate(
         options: numbers that tune the search and the tests of its result.
 
     Raises:
-        SelfCalibrationError: fewer than 100 frames with a touch, or touches of a level that is none in pascals; a frame
+        SelfCalibrationError: fewer than 100 frames with a touch, or touches of a level that cannot be pascals; a frame
             given twice, which could lie on both sides of the hold-out; two channels of one signal.
         Refusal: frames of a wrong shape, a silent channel, values that are not finite; a noise or a corner out of
             range; a library without the band, or of a design that the lumped batch does not take.
@@ -150,7 +150,7 @@ def self_calibrate(
     heard *= np.minimum(1.0, level / heard.std(2).max(1))[:, None, None]
     kept, held_out = np.split(heard, [round((1 - options.held_out_fraction) * len(heard))])
     with warnings.catch_warnings():
-        # a search also passes through sensors of which these would be right; of the one it ends at they are told
+        # a search also passes through sensors for which these are right; for the one it ends at they are given
         # when its library is made, outside of here
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
         return _calibrated(

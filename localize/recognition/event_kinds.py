@@ -1,8 +1,8 @@
 """Twelve kinds of events, as the pressure that each makes in the cavity of one point.
 
-The paper tells twelve events and does not say which; these are ours, and so are the ranges of their parameters, which
-are drawn anew for each take. Taps, presses and the pulse are those of :mod:`localize.contacts`: what is told of events
-must hold for its fingers too.
+The paper classifies twelve events and does not say which. These are ours, and so are the ranges of their parameters,
+which are drawn anew for each take. Taps, presses and the pulse are those of :mod:`localize.contacts`, because results
+on events must hold for its fingers too.
 """
 
 from __future__ import annotations

@@ -38,9 +38,9 @@ class ClassifiedTouch:
     """Touch and the probabilities of its kind."""
 
     start: float
-    """Time from which something is heard, s."""
+    """Time at which the signal rises above the noise, s."""
     end: float
-    """Time to which something is heard, s."""
+    """Time at which the signal falls below the noise, s."""
     point: int
     """Point that is touched, from 1."""
     probability: Array
@@ -53,7 +53,7 @@ class FilterBank:
     Args:
         library: of the array.
         recognizer: for it.
-        noise: of the microphones, above which something is heard; by default that of the training. Waveforms are made
+        noise: of the microphones, above which a signal is detected; by default that of the training. Waveforms are made
             by the filters of the training in any case.
         options: how touches are cut out of a recording.
     """
@@ -80,12 +80,12 @@ class FilterBank:
 
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
-            point: that is touched, from 1; None to have each named.
-            speed: of what slides, mm/s; None to have it told from the points that a straight slide passes.
-            locator: names points.
+            point: that is touched, from 1; None to have it classified for each touch.
+            speed: of the slide, mm/s; None to have it estimated from the points that a straight slide passes.
+            locator: classifies points.
 
         Raises:
-            Refusal: a recognizer of what slides, no speed, and something that is heard is no straight slide.
+            Refusal: a recognizer of slides, no speed, and a detected touch that is not a straight slide.
         """
         if self._recognizer.subject == WRITTEN:
             return self._letters(signals)
@@ -101,7 +101,7 @@ class FilterBank:
                 windows = cut(waveform, each.stretched(stretched), options=self._cuts)
             if not len(windows):
                 continue
-            # windows of one touch overlap, and are hardly independent: their mean is what is told
+            # windows of one touch overlap, and are hardly independent: their mean is reported
             probability = self._recognizer.recognize(windows[:, -WINDOW:]).mean(0)
             found.append(ClassifiedTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, touched, probability))
         return tuple(found)
@@ -147,7 +147,7 @@ class FilterBank:
 
     @staticmethod
     def _named(locator: Locator, signals: Array, each: Stretch) -> int:
-        """Most probable point over the frames of a touch, which are heard as a stream hears them."""
+        """Most probable point over the frames of a touch, which are filtered as in a stream."""
         begin = max(0, min(each.begin - FRAME // 5, signals.shape[1] - FRAME))
         heard = HighPass(len(signals), HIGH_PASS).begin(signals)[:, begin : max(each.end + FRAME // 5, begin + FRAME)]
         return int(locator.locate(heard).argmax()) + 1

@@ -41,8 +41,8 @@ WRITTEN = "letters"
 class LineReader:
     """Reader of lines that are drawn on an array.
 
-    Where a pad is narrower than the pitch :class:`localize.recognition.pen_path.PenTracker` goes on between the points.
-    Where it always covers several points it is at their mean, each as probable as it is heard.
+    If a pad is narrower than the pitch, :class:`localize.recognition.pen_path.PenTracker` continues the path between
+    the points. If it always covers several points, its place is their mean, weighted by the loudness of each.
 
     Args:
         response: the array, with the places of its points.

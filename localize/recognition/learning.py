@@ -138,7 +138,7 @@ def _takes(
         seen = written.maps("training", plan.takes * len(kinds), making, plan.letter_variants)
         return Takes(kinds, *seen, *written.maps("held-out", held), {}), False
     slides = SUBJECTS[subject].speeds is not None
-    # Over bare transfer functions nothing can pass, and no speed is told.
+    # Bare transfer functions have no surface to slide over, so no speed is given.
     passing = plan.passing if slides and response.membrane_radius is not None else 0.0
     maker = TakeMaker(subject, reconstructor, (response,), plan.seed, plan.microphone_noise, passing=passing)
     seen = maker.maps("training", plan.takes * len(kinds), making)

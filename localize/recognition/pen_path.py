@@ -1,11 +1,11 @@
 """Path of a pen that writes on an array: detected over a membrane, guessed between two, lifted.
 
-What is heard of a line tells in each hop the point that is loudest and how loud it is, against the loudest of the whole
-line: a pad presses a membrane the less the farther its middle is. Between rows it presses none and nothing is heard,
-which says where it is not. Which way it goes there, a hidden Markov model knows: the pen is in a cell of a grid finer
-than the pitch and moves in one of sixteen directions at the speed of the line, turns little by little or at a corner,
-or is lifted and put down anywhere. All hops together say where it is in each (Rabiner 1989, Proceedings of the IEEE 77,
-257).
+In each hop, the signals give the loudest point and its level relative to the loudest of the whole line: a pad presses a
+membrane the less the farther its middle is. Between rows the pad presses no membrane and the microphones detect
+nothing, which shows where the pen is not. A hidden Markov model estimates the path there. The pen is in a cell of a
+grid finer than the pitch and moves in one of sixteen directions at the speed of the line, turns little by little or at
+a corner, or is lifted and put down anywhere. All hops together give the place of the pen in each (Rabiner 1989,
+Proceedings of the IEEE 77, 257).
 """
 
 from __future__ import annotations
@@ -78,12 +78,14 @@ class PenTracker:
         """Probability of the place of the pen, hop by hop.
 
         Args:
-            point: that is heard in the frame about each hop, from 0; (n_hop,) int64.
-            level: how loud a touch of that point would be heard so, dB over the loudest of the line; (n_hop,) float64.
-            floor: level of the noise, dB over the same.
+            point: loudest in the frame about each hop, from 0; (n_hop,) int64.
+            level: level of a touch of that point that would give these signals, dB over the loudest of the line;
+                (n_hop,) float64.
+            floor: level of the noise, dB over the loudest of the line.
 
         Returns:
-            (n_hop, n_cell) float32: probability of each cell; what is missing to one is that the pen is lifted.
+            (n_hop, n_cell) float32: probability of each cell; the remainder to one is the probability that the pen is
+            lifted.
         """
         longest, floor = self.options.longest, max(self.options.floor, floor)
         parts = [slice(k, k + longest) for k in range(0, len(point), longest)]
@@ -121,7 +123,7 @@ class PenTracker:
         return (newest * down).astype(np.float32), newest * (_robust(after, self.options.astray) - np.log(count))
 
     def _loudness_at(self, speed: float) -> Array:
-        """Power with which each point is heard of each cell, at most 1; (n_cell, n_point)."""
+        """Relative power of each point if the pen is in each cell, at most 1; (n_cell, n_point)."""
         wide = self.options.smear * speed / self._step
         each = [scipy.ndimage.gaussian_filter(of.reshape(self._shape), wide, mode="nearest") for of in self._power.T]
         return np.stack([of.ravel() for of in each], 1)

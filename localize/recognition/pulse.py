@@ -45,7 +45,8 @@ class PulseReading:
     """Force on the membrane, N, or pressure in the cavity, Pa, of an array without a design; NaN at the ends;
     (n_sample,) float64, at 1 kHz."""
     waves: dict[str, Array]
-    """Times of the percussion, tidal and dicrotic wave of each beat, NaN where there is none; (n_beat,) float64, s."""
+    """Times of the percussion, tidal and dicrotic wave of each beat, NaN for a wave that is not found; (n_beat,)
+    float64, s."""
     rate: float
     """Heart rate, beats a minute; NaN where there are no two beats."""
     rate_deviation: float

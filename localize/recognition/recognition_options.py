@@ -144,7 +144,7 @@ class PulseOptions:
     """Standard deviation of the Gaussian in which the second derivative is taken, s."""
     end_apart: float = 0.15
     """Difference of the first or last interval from the median one, as a fraction of it, from which the beat at that
-    end is none."""
+    end is left out."""
     least_bend: float = 0.02
     """Bend of a wave, as a fraction of that of the percussion wave, from which it is there."""
     tidal: tuple[float, float] = (0.07, 0.22)

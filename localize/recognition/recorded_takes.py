@@ -1,4 +1,4 @@
-"""Windows of recorded touches: where something is heard, the waveform at the touched point, cut for the recognizer."""
+"""Windows of recorded touches: detected waveforms at the touched point, cut for the recognizer."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def detected_frames(signals: Array, microphones: tuple[str, ...], noise_rms: flo
 
 @dataclass(frozen=True)
 class Stretch:
-    """Stretch of a recording in which something is heard without a longer pause."""
+    """Stretch of a recording in which a signal is detected without a longer pause."""
 
     begin: int
     """First sample."""
@@ -63,15 +63,15 @@ class Stretch:
 
 
 def stretches(frames: NDArray[np.int64], apart: float = CutOptions.apart) -> list[Stretch]:
-    """Stretches in which something is heard.
+    """Stretches in which a signal is detected.
 
     Args:
         frames: (n,) int64, ascending, first samples of the frames with a touch.
-        apart: silence from which two are two, s.
+        apart: shortest silence between two stretches, s.
     """
     found: list[Stretch] = []
     for first in frames.tolist():
-        # A frame has heard a touch from the first sample that it shares with it on.
+        # A frame detects a touch from the first sample that it shares with it on.
         if found and first - found[-1].end < apart * SAMPLE_RATE - FRAME:
             found[-1] = Stretch(found[-1].begin, first + 1)
         else:
@@ -82,10 +82,10 @@ def stretches(frames: NDArray[np.int64], apart: float = CutOptions.apart) -> lis
 def cut(
     waveform: Array, stretch: Stretch, before: tuple[float, ...] | None = None, options: CutOptions = CutOptions()
 ) -> Array:
-    """Windows of a touch: of what holds all but two percent of its energy.
+    """Windows of the part of a touch that holds all but two percent of its energy.
 
     Args:
-        waveform: (n_sample,) float64 of the whole recording, NaN where there is none.
+        waveform: (n_sample,) float64 of the whole recording, NaN outside the waveform.
         stretch: of the touch.
         before: where windows of a short touch begin, s before it; by default as touches are classified.
         options: how touches are cut.
@@ -127,7 +127,7 @@ def windows_of(
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
         frames: (n,) int64, first samples of the frames with a touch.
         point: that is touched, from 1.
-        speed: of what slides, mm/s, which brings it to 12 mm/s.
+        speed: of the slide, mm/s; time is stretched as if it were 12 mm/s.
         before: as of :func:`cut`.
         options: how touches are cut.
 
@@ -174,16 +174,16 @@ def written_maps(
 def stretched_waveform(
     reconstructor: Reconstructor, signals: Array, point: int, speed: float | None
 ) -> tuple[Array, float]:
-    """Waveform of a whole recording, and by how much its time is stretched.
+    """Waveform of a whole recording, and the factor by which its time is stretched.
 
     Args:
         reconstructor: of the library.
         signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
         point: that is touched, from 1.
-        speed: of what slides, mm/s, which brings it to 12 mm/s.
+        speed: of the slide, mm/s; time is stretched as if it were 12 mm/s.
 
     Returns:
-        (m,) float64, Pa, NaN where there is none; and m over the number of samples.
+        (m,) float64, Pa, NaN outside the waveform; and m over the number of samples.
     """
     waveform = reconstructor.waveform(prepared(signals), point).pressure[0]
     if speed is None:
@@ -227,13 +227,13 @@ def recorded_takes(
         path: a manifest with labels, see :mod:`localize.recordings.touch_manifest`.
         response: the array.
         through: filters of its library; or the reader, of letters.
-        noise_rms: Pa rms of a microphone, by which silence is told.
+        noise_rms: Pa rms of a microphone, from which the threshold of silence follows.
         plan: of the training, whose seed the split depends on.
         options: how touches are cut.
 
     Raises:
         TouchManifestError: as :func:`localize.recordings.touch_manifest.read_labelled_manifest`; some recordings with a
-            speed and some without; a recording in which nothing is heard; or two that hold one take.
+            speed and some without; a recording in which no signal is detected; or two that hold one take.
         RecordingError: a recording that cannot be used.
     """
     found = read_labelled_manifest(path, response.point_count)
@@ -251,7 +251,7 @@ def recorded_takes(
         )
     held = split([(0, each.label, each.file) for each in found.recordings], plan.seed, labels)
     signals, touched, parts = [], [], []
-    for each, judged in zip(found.recordings, held, strict=True):  # what is judged is cut as what is to be told
+    for each, judged in zip(found.recordings, held, strict=True):  # held-out takes are cut as touches are at run time
         full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
         heard = read_recording(each.path, response.microphones, full_scale).signals
         frames = detected_frames(heard, response.microphones, noise_rms)

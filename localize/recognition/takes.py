@@ -45,7 +45,7 @@ class Subject:
     """Pressure in the cavity, Pa, of kind k, at a speed in mm/s, with random numbers, by a finger that is so much
     blunter than usual."""
     speeds: tuple[float, float] | None = None
-    """Lowest and highest speed that is trained on, mm/s; None where there is no speed."""
+    """Lowest and highest speed that is trained on, mm/s; None for kinds without a speed."""
 
 
 def _event(kind: int, speed: float, random: np.random.Generator, blunter: float) -> Array:
@@ -80,7 +80,7 @@ def simulated_signals(
     """Microphone signals of a pressure in one cavity of a sensor.
 
     Args:
-        response: the sensor; what lies beyond its frequencies is not heard.
+        response: the sensor; the pressure beyond its frequencies does not reach the microphones.
         point: from 1.
         pressure: (n_sample,) float64, Pa at 1 kHz.
         noise: of the microphones.
@@ -252,7 +252,7 @@ class TakeMaker:
         return made, kind, point + 1, speed
 
     def waveform(self, purpose: Purpose, number: int) -> tuple[Array, int]:
-        """Window that one take is told by, (1024,) float64 Pa, and its kind, from 0."""
+        """Window by which one take is classified, (1024,) float64 Pa, and its kind, from 0."""
         signals, kind, point, speed = self.signals(purpose, number)
         made = waveform_windows(self.reconstructor, signals, point)
         if SUBJECTS[self.subject].speeds is not None and self.speed_known:

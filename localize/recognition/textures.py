@@ -19,7 +19,7 @@ from localize.recognition.letter_classifier import PAD
 from localize.signals.stimulus import SAMPLE_RATE
 
 SPEED = 12.0
-"""Speed at which textures are told, mm/s: that of the paper, 1.2 cm/s."""
+"""Speed at which textures are classified, mm/s: that of the paper, 1.2 cm/s."""
 RADIUS = (0.27, 0.33)
 """Smallest and largest radius of the contact, mm."""
 INDENTATION = 0.2
@@ -44,7 +44,7 @@ class Profile:
 
     @property
     def name(self) -> str:
-        """Name by which the profile is told."""
+        """Name of the profile, by which textures are classified."""
         return f"{self.period:g} mm, {100 * self.duty:.0f} %, {self.height:g} mm"
 
 

@@ -1,4 +1,4 @@
-"""Recorded touches: read, checked, told apart.
+"""Recorded touches: read, checked, compared.
 
 Stands on: signals.
 """

@@ -25,12 +25,12 @@ LOWEST_RATE, HIGHEST_RATE = 250.0, 1e6
 
 
 LATE, NOTED = 1.0, 0.5
-"""Time by which a channel may begin later or end earlier than another, and from which it is told, s."""
+"""Longest time by which a channel may begin later or end earlier than another, and time that is reported, s."""
 LOUDEST = 1000.0
 """Pressure above which samples are hardly pascals, Pa: 154 dB SPL, above what microphones of this size take."""
 SILENT, CONTINUOUS = 1e-6, 0.9
-"""Range of a frame, as a share of that of its channel, below which it is silent; and share of the frames in which a
-channel is heard that is heard throughout."""
+"""Range of a frame, as a fraction of its channel's range, below which it is silent; and fraction of frames with a
+signal from which a channel counts as continuous."""
 
 
 class RecordingError(Refusal):
@@ -143,9 +143,10 @@ def read_recording(
 
 
 def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple[str, ...], fallback: bool) -> None:
-    """Refuse channels that did not begin or end together: one is dead for a second while another is heard throughout.
+    """Refuse channels that did not begin or end together: one is dead for a second while another is continuous.
 
-    Half a second is told. A channel that was cut off silently for less cannot be told from one that heard nothing.
+    From half a second on there is a warning. A shorter silent gap cannot be distinguished from a channel without a
+    signal.
 
     A channel that is quiet at other times too is not dead: steps of its format may be larger than its noise. One that
     falls silent may have a fallback, see :func:`read_recording`.

@@ -54,7 +54,7 @@ class SameTake:
 def find_same_take(signals: Sequence[Single], touched: Sequence[NDArray[np.int64]]) -> SameTake | None:
     """First two recordings found that hold one take, or None.
 
-    Recordings without a stretch that is touched for :data:`LEAST_TOUCHED` are not told apart.
+    Recordings without a stretch that is touched for :data:`LEAST_TOUCHED` are not compared.
 
     Args:
         signals: of each recording, (n_microphone, n_sample) float32 at 1 kHz, of any level.

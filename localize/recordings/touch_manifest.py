@@ -1,4 +1,4 @@
-"""The manifest of recorded touches: which recording is of which point and kind, and which are kept for judging.
+"""Manifest of recorded touches: the point and kind of each recording, and the recordings held out for the evaluation.
 
 ::
 
@@ -10,8 +10,8 @@
     label = "double tap"              # instead of the part, to learn kinds of touch: a name of one's own
     speed = 12.0                      # beside a label, mm/s, where something slides at a known speed
 
-Recordings are split, never frames of one: neighbouring frames are nearly the same, and a network that has seen one
-knows the other.
+Whole recordings are held out, never single frames of one: neighbouring frames are nearly alike, so a network that was
+trained on one knows the other.
 """
 
 from __future__ import annotations

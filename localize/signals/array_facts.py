@@ -36,7 +36,7 @@ class ArrayFacts:
 
     @property
     def assumptions(self) -> str:
-        """What a decoder of the library as it is assumes of the sensor, in words."""
+        """Assumptions of a decoder without tolerances about the sensor, in words."""
         if self.provenance.get("fidelity", MEASURED) == MEASURED:
             return f"that the sensor is as its library has it{self.in_air}"
         return f"that the sensor is exactly as it was designed{self.in_air}, without manufacturing tolerances"

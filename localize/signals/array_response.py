@@ -47,24 +47,24 @@ class ArrayResponse:
     provenance: Mapping[str, Any] = field(default_factory=dict)
     """Design, fidelity, air, frequencies and versions that the transfer functions come from, as JSON can hold them."""
     own_noise: NoiseSpectrum | None = None
-    """Noise of the design's microphone; None where there is no design."""
+    """Noise of the design's microphone; None without a design."""
     ambient_response: NDArray[np.complex128] | None = None
     """Pressure at a microphone per pressure outside, the same on all membranes; (n_microphone, n_freq) complex128,
-    Pa/Pa; None where there is no design."""
+    Pa/Pa; None without a design."""
     sealed: bool = False
     """True if all pressures of the array are equal at 0 Hz, as those of a design are; if not, the spline is left to
     itself there."""
     vent_ratio: NDArray[np.complex128] | None = None
     """Admittance of the microphone's compliances over that of its vent, see
-    :func:`acoustic_fem.network.microphone.vent_ratio`; (n_freq,) complex128; None where there is no design."""
+    :func:`acoustic_fem.network.microphone.vent_ratio`; (n_freq,) complex128; None without a design."""
     cavity_response: NDArray[np.complex128] | None = None
     """Pressure in the touched cavity per force on its membrane, on the patch of
-    :attr:`acoustic_fem.Library.force_response`; (n_point, n_freq) complex128, Pa/N; None where there is no design."""
+    :attr:`acoustic_fem.Library.force_response`; (n_point, n_freq) complex128, Pa/N; None without a design."""
     position: NDArray[np.float64] | None = None
     """Middle of each membrane in plan, of an array on a cylinder in its plan unrolled at the height of the ports;
-    (n_point, 2) float64, mm; None where there is no design."""
+    (n_point, 2) float64, mm; None without a design."""
     membrane_radius: NDArray[np.float64] | None = None
-    """Radius of the opening that each membrane closes; (n_point,) float64, mm; None where there is no design."""
+    """Radius of the opening that each membrane closes; (n_point,) float64, mm; None without a design."""
 
     def __post_init__(self) -> None:
         h, f = self.transfer_function, self.frequency
@@ -132,7 +132,7 @@ class ArrayResponse:
     @property
     def force_response(self) -> NDArray[np.complex128] | None:
         """Pressure at a microphone per force on a membrane, (n_point, n_microphone, n_freq) complex128, Pa/N, as
-        :attr:`acoustic_fem.Library.force_response`; None where there is no design.
+        :attr:`acoustic_fem.Library.force_response`; None without a design.
         """
         return None if self.cavity_response is None else self.transfer_function * self.cavity_response[:, None]
 
@@ -160,7 +160,7 @@ class ArrayResponse:
     def of_sensor(self, transfer_function: NDArray[np.complex128], frequency: NDArray[np.float64]) -> ArrayResponse:
         """The array with the transfer functions of another sensor, at frequencies of their own.
 
-        What else is known at the frequencies before, of sound around, vents and forces, is left out.
+        Other data at the former frequencies, on ambient sound, vents and forces, are left out.
 
         Args:
             transfer_function: (n_point, n_microphone, n) complex128, Pa/Pa.
@@ -182,7 +182,7 @@ class ArrayResponse:
         """Noise that is added to every microphone: white, in Pa rms over 0 to 500 Hz, or that of the design.
 
         Raises:
-            Refusal: "design" where there is none, or a number that is not finite or below zero.
+            Refusal: "design" without a design, or a number that is not finite or below zero.
         """
         if choice == "design":
             if self.own_noise is None:
@@ -299,9 +299,9 @@ def interpolation(
 def interpolation_from_zero(
     grid: NDArray[np.float64], frequency: NDArray[np.float64], sealed: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Matrices as of :func:`interpolation`, for values that :func:`from_zero` has put that at 0 Hz before.
+    """Matrices as of :func:`interpolation`, for values to which :func:`from_zero` has prepended the value at 0 Hz.
 
-    That value counts below the grid alone.
+    The value at 0 Hz counts only below the grid.
 
     Args:
         grid: (n_freq,) float64, Hz, increasing, above zero.
@@ -343,13 +343,14 @@ class UncoveredWarning(UserWarning):
 def warn_of_uncovered(response: ArrayResponse) -> None:
     """Warn, before a localizer is made of it, of a library that ends below half the sample rate of the signals.
 
-    A measured one ends with the sweep that was played, which is usual and told where it is calibrated.
+    There is no warning for a measured library: it usually ends with the sweep that was played, which the calibration
+    reports.
     """
     last, half = response.frequency[-1], SAMPLE_RATE / 2
     if last < half - 1e-6 and response.provenance.get("fidelity") != MEASURED:
         warnings.warn(
             f"{response.name}: its library ends at {last:g} Hz, touches may reach {half:g} Hz: above {last:g} Hz every "
-            f"touch is taken to be silent, and what is heard there to be noise; 1:{half:g}:{half:g} covers all",
+            f"touch is taken to be silent, and any signal to be noise; 1:{half:g}:{half:g} covers all",
             UncoveredWarning,
             stacklevel=2,
         )

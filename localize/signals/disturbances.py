@@ -31,7 +31,7 @@ MAINS = (50.0, 60.0)
 """Frequencies of mains, Hz: their hum comes in by cables, not through the array."""
 ROOM_LEVELS = (30.0, 95.0)
 """Lowest and highest level of the sound of rooms that localizers are trained in, dB SPL: the paper's 90 dB are not the
-edge of what was heard."""
+edge of the range in training."""
 SOUND_LINES = SAMPLE_LENGTH // 2
 """Number of lines of the sound, 1 Hz apart: it repeats after a second, the length of a sample."""
 

@@ -78,7 +78,7 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
 
 
 def _refuse_channels(batch: NDArray[np.float64], microphones: Sequence[str], batched: bool) -> None:
-    """Refuse the first channel that is not finite, or else that never changes; an infinite span alone is none."""
+    """Refuse the first channel that is not finite, or else that never changes; an infinite span alone is allowed."""
     for broken, what in (
         (~np.isfinite(batch).all(-1), "holds values that are not finite"),
         (batch.max(-1) == batch.min(-1), "is silent: its value never changes"),

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Locator:
-    """Localizer of any kind: it names the touched point of signals, and keeps nothing of what it has heard.
+    """Localizer of any kind: it classifies signals by the touched point, and keeps nothing of earlier signals.
 
     A localizer that follows its sensor over the touches hands its next state back: see :meth:`follow`.
     """
@@ -118,7 +118,7 @@ class Locator:
 
     @property
     def assumptions(self) -> str:
-        """What is assumed of the sensor or of touches, in words."""
+        """Assumptions about the sensor or touches, in words."""
         return "that touches are like those of the training"
 
     @property

@@ -1,14 +1,14 @@
 """From the pressure in the touched cavity to the microphones: exactly, and as the paper does it.
 
 Exactly: the stimulus is periodic in four seconds, its spectral lines are multiplied by the transfer functions and
-transformed back over the whole period. That is the steady state of the array. For a stimulus x that is silent outside
-the first second it is at the same time the linear convolution with the impulse response h, the inverse transform of
-the same transfer functions:
+transformed back over the whole period. The result is the steady state of the array. For a stimulus x that is silent
+outside the first second it is at the same time the linear convolution with the impulse response h, the inverse
+transform of the same transfer functions:
 
     y[n] = sum_m h[n - m] x[m],    0 <= n, m < 1000,
 
-in which n - m lies between -999 and 999, so that no two of these taps fall on the same one of the 4000. What the
-period cannot hold are responses that last longer than two seconds: :func:`late_energy` says how much that is.
+in which n - m lies between -999 and 999, so that no two of these taps fall on the same one of the 4000. The period
+cannot hold responses that last longer than two seconds; :func:`late_energy` gives their fraction of the energy.
 
 Products of short-window transforms alias circularly as soon as the impulse response is longer than the window;
 :func:`short_window_signals` is there to compare with, and never to check an inverse made the same way.

@@ -1,4 +1,4 @@
-"""Multi-sine stimuli: what a touch does to the pressure in a cavity, one random stream per sample.
+"""Multi-sine stimuli: the pressure of a touch in a cavity, one random stream per sample.
 
 A stimulus is the sum of N sinusoids between 1 and 100 Hz with amplitudes U[0.02, 0.1] Pa and random phases,
 divided by its peak where that exceeds 1 Pa, plus white noise of 0.005 Pa rms (Scalable Dynamic Tactile Sensing
@@ -7,7 +7,7 @@ intervals, all equally likely. Three choices are ours: frequencies lie on the li
 a hertz apart, so that the response of a linear array is exact; the sample is the first second of that period; and the
 amplitudes, to which the publication gives no unit, are in Pa.
 
-What fingers do, as opposed to this, is in :mod:`localize.signals.finger_stimuli`.
+Stimuli of fingers are in :mod:`localize.signals.finger_stimuli`.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class Stimuli:
     spectrum: Tensor
     """Complex amplitudes on the lines of the periodic grid; (n, LINE_COUNT) complex64, Pa."""
     interval: Tensor
-    """Index of each sample into ``COMPONENT_INTERVALS``, -1 for what is no sum of sinusoids; (n,) int64."""
+    """Index of each sample into ``COMPONENT_INTERVALS``, -1 for stimuli that are not multi-sine; (n,) int64."""
     components: Tensor
     """Number of sinusoids of each sample; (n,) int64."""
 

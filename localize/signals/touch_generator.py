@@ -48,7 +48,7 @@ class TouchSignals:
     point: Tensor
     """Touched point of each sample, from 1; (n,) int64."""
     interval: Tensor
-    """Index of each sample into ``stimulus.COMPONENT_INTERVALS``, -1 where the stimulus is no sum of sinusoids; (n,)
+    """Index of each sample into ``stimulus.COMPONENT_INTERVALS``, -1 for stimuli that are not multi-sine; (n,)
     int64."""
 
 
@@ -66,7 +66,7 @@ class TouchGenerator:
             the design's microphone, see :mod:`localize.signals.noise_model`.
         source: transfer functions of many sensors in place of those of the array, on frequencies of its own.
         sensors: those of the source that are touched; by default all.
-        stimuli: what the touches are; by default the paper's sums of sinusoids.
+        stimuli: kind of the touches; by default the paper's multi-sine stimuli.
         ambient: lowest and highest level of the sound outside, dB SPL; each sample has its own, evenly spread between
             them. With a source, sound reaches the microphones as in the nominal array.
         mismatch: how unlike the microphones are; each sample is recorded by others.
@@ -77,8 +77,8 @@ class TouchGenerator:
 
     Raises:
         Refusal: as :meth:`ArrayResponse.noise`; a source that covers less than 1 to 100 Hz, holds other points or
-            microphones than the array, or has none of the sensors asked for; ambient sound or a scatter of vents
-            where there is no design to tell what they do; levels out of range; an unknown method.
+            microphones than the array, or lacks the sensors asked for; ambient sound or a scatter of vents without a
+            design, from which their effect follows; levels out of range; an unknown method.
     """
 
     def __init__(

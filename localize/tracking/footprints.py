@@ -1,9 +1,9 @@
-"""Footprints: what the microphones hear of a contact of given radius at any place of the surface.
+"""Footprints: signals at the microphones from a contact of given radius at any place of the surface.
 
-A contact presses all membranes that it covers, each with its share of the force, and the array is linear: what the
-microphones hear of it is the sum of the force responses of these membranes. Places at which the shares stand in the
-same ratios, such as all from which a contact reaches one membrane alone, cannot be told apart by one frame, and share
-a footprint.
+A contact presses all membranes that it covers, each with its fraction of the force. The array is linear, so the signals
+of the contact are the sum of the force responses of these membranes. Places at which the fractions have equal ratios
+cannot be distinguished by one frame, and have one footprint: for example, all places from which a contact reaches one
+membrane alone.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""A contact that moves: which footprint is pressed in each hop, beside what is still heard of those before.
+"""Likelihood of a moving contact: the footprint pressed in each hop, beside the decay of those pressed before.
 
-A finger that writes leaves a membrane within less than a frame, and what it did there is heard for longer than that. A
+A finger that writes leaves a membrane in less than the time of a frame, and the signal from there lasts longer. A
 frame's decimated samples are therefore taken as the sum of sources that last a hop of 16 ms each, the response of each
 footprint to a source being known over time: the hops before, by what has been decided of them; noise; and one footprint
 pressed from the middle of the frame to its end, of unknown power,
@@ -110,7 +110,7 @@ class MovingScorer:
         return self._channels * SAMPLES
 
     def reset(self) -> None:
-        """Forget what was heard."""
+        """Forget all earlier frames."""
         self._heard = np.zeros((self.options.heard_samples, self._count))  # power of past sources
 
     def score(self, frame: Array) -> ScoredHop:

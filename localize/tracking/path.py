@@ -1,7 +1,7 @@
 """Paths of contacts over the surface, from the decisions of a stream.
 
-A path goes from the first hop in which a contact is heard to the last one before a pause. A contact that lies still, or
-is between membranes, is not heard: a short pause does not end a path.
+A path goes from the first hop in which a contact is detected to the last one before a pause. A contact that lies still,
+or is between membranes, is not detected, so a short pause does not end a path.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Track:
     """Speed; (n,) float64, mm/s."""
     force: Array
     """Force on the membranes as far as it changes faster than the high-pass of the stream, by the membranes of the
-    design; (n,) float64, N; not a number where nothing is heard."""
+    design; (n,) float64, N; not a number where no contact is detected."""
     detected: NDArray[np.bool_]
     """True where the contact is detected; between, the path goes on from one membrane to the next; (n,) bool."""
     pitch: float
@@ -80,7 +80,7 @@ class PathTracker:
         """Distance of the points, mm."""
         self._cells = Cells.of(footprints, self.pitch, options)
         inside = (response.frequency >= options.force_band[0]) & (response.frequency <= options.force_band[1])
-        # The source is told along shares of norm 1; their sum is the force on the membranes.
+        # The source is given along fractions of norm 1; their sum is the force on the membranes.
         self._newtons = footprints.fraction.sum(1) / float(pressure_of_force(response)[inside].mean())
         self.tracks: list[Track] = []
         """Paths that have ended."""
@@ -94,7 +94,7 @@ class PathTracker:
 
     @one_thread()
     def take(self, event: object) -> list[TrackedPlace]:
-        """Take the next event of a stream and say where the contact is; nothing of what is no decision."""
+        """Place of the contact after the next event of a stream; empty for events that are not decisions."""
         if not isinstance(event, Decision):
             return []
         time = event.time - self.options.latency
@@ -126,7 +126,7 @@ class PathTracker:
         return [TrackedPlace(time, (float(middle[0]), float(middle[1])), deviation, self.options.latency)]
 
     def finish(self) -> list[TrackedPlace]:
-        """End the path that the stream ends in, if there is one; there is no place to tell then."""
+        """End the path that the stream ends in, if there is one; always empty, because the end adds no place."""
         self._end()
         return []
 
@@ -138,7 +138,7 @@ class PathTracker:
         self._begin()
 
     def _track(self, time: Array, hops: list[ScoredHop]) -> Track | None:
-        """Path of the hops of a contact; None of a few that are heard by chance."""
+        """Path of the hops of a contact; None for a few hops that are detected by chance."""
         gain, power, source = (np.stack([getattr(hop, name) for hop in hops]) for name in ("gain", "power", "source"))
         belief = self._cells.forward_backward(STEP / self.options.ahead * gain)
         amplitude = np.sqrt((belief * power).sum(1))

@@ -1,8 +1,8 @@
 """Gestures by rule, from the path of a contact: taps, double taps and holds of one that stays, swipes and circles of
 one that moves.
 
-What is held quite still is not heard. A contact that stays is told by what it does as it comes down and goes, and while
-a hand holds it: each tap of two begins with a force that rises.
+A contact that is held quite still is not detected. A contact that stays is classified by its signals as it comes down,
+while a hand holds it, and as it goes: each tap of two begins with a force that rises.
 """
 
 from __future__ import annotations

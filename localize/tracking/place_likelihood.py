@@ -1,8 +1,8 @@
-"""Likelihood of any place of a contact, with its slope, by all that a frame holds up to 250 Hz.
+"""Likelihood of any place of a contact, with its slope, from the whole frame up to 250 Hz.
 
-The decoder of points low-passes frames at 115 Hz, which names points as well. A place between two points is told by far
-smaller differences, and half of what tells a tap of 10 to 30 ms lies above: there the bound of Cramér and Rao on its
-place is 0.02 to 0.04 pitch where 115 Hz leave 0.1 to 0.3.
+The decoder of points low-passes frames at 115 Hz, which classifies points as well. Places between two points differ far
+less, and half of the information on a tap of 10 to 30 ms lies above 115 Hz: with it the bound of Cramér and Rao on its
+place is 0.02 to 0.04 pitch, without it 0.1 to 0.3.
 
 A frame x is B(w)^T s + noise: s the contact's sound as white numbers, B(w) the sum over the membranes of the share w of
 each in the contact times what the microphones hear of it. With the noise white the covariance is g B^T B + 1, of
@@ -143,7 +143,7 @@ class PlaceLikelihood:
         return np.array([self.likeliest(place, scaled)[0] for place in places])
 
     def noise_scale(self, place: Array, x: Array) -> Array:
-        """Factor by which noise is more than is told, of each frame, if a contact is at a place (2,) mm; (n,)."""
+        """Factor by which the noise of each frame exceeds the given noise, if a contact is at a place (2,) mm; (n,)."""
         power, energy, rest = self._spectrum(place, x)
         gain = np.outer(self.options.tried_powers[::3], power)
         fit, lost = gain / (1 + gain), np.log1p(gain).sum(1)

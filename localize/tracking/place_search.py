@@ -1,10 +1,11 @@
-"""The likeliest place of a contact, from many places to start from.
+"""Likeliest place of a contact, searched from many starting places.
 
 The likelihood of a loud tap is a curved ridge, a thousandth of a pitch wide and tenths of one long, and no grid meets
 it. So noise is first taken to be a thousandth of the frame's level, where the ridge is wide, and less from stage to
 stage; in each every place follows the slope (Levenberg 1944, Marquardt 1963), and the best go on. In the end places
-along the ridge are tried. Where a library is not that of the sensor, noise is taken to be what the best place leaves;
-and as that is no noise, whose numbers are independent, the place is by as much less certain once more.
+along the ridge are tried. If the library does not match the sensor, the residual of the best place is taken as the
+noise. Samples of that residual are not independent as those of noise are, so the uncertainty of the place grows by the
+same factor once more.
 """
 
 from __future__ import annotations

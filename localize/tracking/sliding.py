@@ -33,7 +33,7 @@ class Slide:
     speed: float
     """Speed, mm/s."""
     point: NDArray[np.int64]
-    """Points that are heard under it, in the order in which they are passed, from 1; (n,) int64."""
+    """Points that are detected under it, in the order in which they are passed, from 1; (n,) int64."""
     time: Array
     """Times at which its middle is nearest to them, s; (n,) float64."""
 
@@ -64,7 +64,7 @@ def straight_slide(
     named = locate(np.ascontiguousarray(frames)).argmax(1)
     level = frames.std(2).max(1)
     level = np.minimum(level, np.quantile(level, options.loudest_quantile))
-    # Points that are named by chance are named in frames in which hardly anything is heard.
+    # Points that are chosen by chance are chosen in frames with hardly any signal.
     counts = np.bincount(named, level**2, len(place))
     points = np.flatnonzero(counts > 0.02 * counts.sum())
     if len(points) < options.fewest_points:

@@ -1,10 +1,10 @@
-"""From footprints, hop by hop, to a path: which one is pressed by a hidden Markov model over the surface, and where the
-contact is between them by a Kalman smoother.
+"""Path of a contact from its footprints, hop by hop: a hidden Markov model over the surface decides which footprint is
+pressed, and a Kalman smoother gives the places between them.
 
 From hop to hop a contact goes to any footprint, the nearer the likelier, on its line or not. Places are then those of
-the footprints that are heard, less sure where a footprint is heard faintly, and a contact keeps its velocity but for
-accelerations that are white noise (Rauch, Tung and Striebel 1965): between membranes, where nothing is heard, it goes
-on from one to the next.
+the detected footprints, with a larger deviation if a footprint is faint. A contact keeps its velocity but for
+accelerations that are white noise (Rauch, Tung and Striebel 1965): between membranes, where no contact is detected, it
+continues from one to the next.
 """
 
 from __future__ import annotations

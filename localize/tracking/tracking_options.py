@@ -24,7 +24,7 @@ class FootprintOptions:
     alike: float = 1e-3
     """Difference of the ratios of force fractions up to which footprints are one."""
     top_frequency: float = 150.0
-    """Frequency up to which footprints are told apart, Hz: above it the decoders' low-pass leaves nothing."""
+    """Frequency up to which footprints are distinguished, Hz: above it the decoders' low-pass leaves nothing."""
 
 
 @dataclass(frozen=True)

@@ -212,4 +212,8 @@ def run(
     with display_on_stderr() as display:
         result = studies.run_design(design, out, allow_overlaps=allow_overlaps, display=display)
     print(studies.run.verdict(result))
+    table = table_of("top-1 accuracy", "trained localizer", "Bayes decoder", "tolerance-aware decoder")
+    for row in studies.run.accuracy_rows(result):
+        table.add_row(row.touches, row.localizer, row.bayes, row.tolerant)
+    show(table)
     print(f"{out / 'report.html'}")

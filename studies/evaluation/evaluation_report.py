@@ -59,7 +59,7 @@ def _verdict(found: FullEvaluation) -> str:
     """The page in three sentences."""
     headlines = [Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.results]
     shares = " and ".join(
-        f"the {each.name} names the right point for {100 * each.overall.top1:.1f} %" for each in found.results
+        f"the {each.name} assigns {100 * each.overall.top1:.1f} % to the correct point" for each in found.results
     )
     hardest = []
     for each in found.results:
@@ -70,7 +70,7 @@ def _verdict(found: FullEvaluation) -> str:
         for pairs in zip(*(each.beside for each in headlines), strict=True)
     ]
     return (
-        f"Of {SIGNALS}, never heard before, {shares}; {', '.join(beside)}. The hardest condition is "
+        f"Held-out {SIGNALS} are classified as follows: {shares}; {', '.join(beside)}. The hardest condition is "
         f"{', '.join(hardest)}."
     )
 

@@ -309,7 +309,7 @@ def _value(column: Column, row: int) -> float | int | str:
 
 
 def unit_of(name: str) -> str:
-    """Unit of a field of the design by dotted name, empty where it has none."""
+    """Unit of a field of the design by dotted name, empty if it is dimensionless."""
     field = _field(name)
     return "" if field is None else field.unit
 
@@ -330,7 +330,7 @@ def _parameter(name: str, values: NDArray[Any], unit: str) -> Column:
 def with_base_metrics(table: ResultTable) -> ResultTable:
     """The table with the figures of the base of a sweep in closed form, which is rarely one of its cases: solved.
 
-    A base outside the atlas has none at that fidelity, as a case has none.
+    At fidelity atlas a base outside the atlas has no figures, like a failed case.
     """
     if table.base_metrics or table.fidelity not in CLOSED_FORMS:
         return table

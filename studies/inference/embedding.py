@@ -29,7 +29,7 @@ class EmbeddedFiles:
     decoder: EmbeddedDecoder
     """Texts of the files, and what the decoder costs."""
     assumptions: str
-    """What the decoder assumes of the sensor, in words."""
+    """Assumptions of the decoder about the sensor, in words."""
 
 
 def embed_decoder(

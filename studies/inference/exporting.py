@@ -24,7 +24,7 @@ class ExportedDecoder:
     microphones: tuple[str, ...]
     """Names of the microphones, in the order of its input."""
     assumptions: str
-    """What it assumes of the sensor or of touches, in words."""
+    """Assumptions about the sensor or the touches, in words."""
 
 
 def export_decoder(

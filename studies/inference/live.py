@@ -67,7 +67,7 @@ class LiveSession:
         self.array: ArrayFacts = model.locator.array
         """Array with the lines and places of its points, and the names of its microphones."""
         self.assumptions = model.assumptions
-        """What the model assumes of the sensor, in words."""
+        """Assumptions of the model about the sensor, in words."""
         self.latencies = Latencies()
         """Latencies of the decisions so far."""
 
@@ -110,7 +110,7 @@ class LiveSummary:
     recordings: tuple[Path, ...]
     """Files that were recorded."""
     assumptions: str
-    """What the model assumes of the sensor, in words."""
+    """Assumptions of the model about the sensor, in words."""
     warning: str | None = None
     """Reason to distrust the touches: the sensor does not fit the library; as of :class:`LocatedTouches`."""
     unrecorded: str = ""

@@ -62,7 +62,7 @@ def read_pulse(
     """
     given = decoding or Decoding()
     table, drawn = (None if each is None else Path(each) for each in (out, picture))
-    kept = None if table is None or is_own_table(table, COLUMNS) else "a table that is none of a pulse"
+    kept = None if table is None or is_own_table(table, COLUMNS) else "a table that does not come from pulse"
     check_new_file(table, ".csv", reads=(*files_of(library), recording), kept=kept)
     check_new_file(drawn, ".png", reads=(*files_of(library), recording), option="picture")
     check_sound_there(recording)

@@ -60,7 +60,7 @@ def recognize_recording(
     Raises:
         Refusal: a file that cannot be read or written; a library of another array than the recognizer's; a point that
             the array does not have; a speed of no use, or of letters a point or a level of sound; a point without a
-            speed; no speed, and what is heard is no straight slide.
+            speed; no speed for a contact that does not slide straight.
     """
     path = None if out is None else Path(out)
     check_new_file(path, ".jsonl", reads=(*files_of(model), *files_of(library), recording))

@@ -67,7 +67,7 @@ def track_recording(
     """
     table, drawn = (None if each is None else Path(each) for each in (out, picture))
     reads = (*files_of(library), recording)
-    kept = None if table is None or is_own_table(table, COLUMNS) else "a table that is none of paths"
+    kept = None if table is None or is_own_table(table, COLUMNS) else "a table that does not come from track"
     check_new_file(table, ".csv", reads=reads, kept=kept)
     check_new_file(drawn, ".png", reads=reads, option="picture")
     check_sound_there(recording)

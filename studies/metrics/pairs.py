@@ -68,7 +68,7 @@ def check_band(frequency: Array, band: tuple[float, float], metric: str) -> None
 def attenuation(transfer_function: xr.DataArray, frequency: float) -> Array:
     """Loss 20 log10 |H| from each cavity to each microphone at one frequency.
 
-    Zero is no loss, negative is weaker. Between the frequencies of the grid the complex values are joined by straight
+    Zero means no loss. Between the frequencies of the grid the complex values are joined by straight
     lines.
 
     Args:

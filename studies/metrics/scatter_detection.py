@@ -45,7 +45,7 @@ from localize.signals.noise_model import microphone_noise
 FREQUENCIES = np.geomspace(1.5, 90.0, 8)
 """Hz, at which responses are compared."""
 UNKNOWN = 0.02
-"""What is never known of a ratio, nepers and radians."""
+"""Uncertainty of a ratio that always remains, nepers and radians."""
 WORST = 0.2
 """Exponent of the worst pairs, by their mean fourth power, beside the mean of all."""
 TOUCH_LEVEL, BINS = 0.25, 25
@@ -74,7 +74,7 @@ def scatter_detection(
         of the worst pairs to the power 0.2 / 1.2.
 
     Raises:
-        Refusal: fewer than two points or microphones, a cavity that is no cylinder, or a pre-stretched membrane with
+        Refusal: fewer than two points or microphones, a cavity that is not a cylinder, or a pre-stretched membrane with
             loss.
     """
     alike: dict[tuple[Topology, Air], list[int]] = {}

@@ -129,7 +129,7 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
     """Optuna's study of a journal.
 
     Raises:
-        StudyError: a line of it is none of a journal.
+        StudyError: a line does not belong to a journal.
     """
     import optuna
     from optuna.storages.journal import JournalFileBackend
@@ -142,7 +142,7 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
             load_if_exists=True,
         )
     except (ValueError, KeyError, TypeError, AttributeError) as error:  # lines of others, beyond what was sealed
-        problem = f"is no journal of a search: {type(error).__name__}: {said_by(error)}"
+        problem = f"is not the journal of a search: {type(error).__name__}: {said_by(error)}"
         raise StudyError(problem, kind=Kind.UNREADABLE, file=path) from None
 
 

@@ -221,7 +221,7 @@ def _check_slopes(objectives: Sequence[Objective], study: Study) -> None:
     """Refuse what cannot be searched along slopes.
 
     Raises:
-        Refusal: several objectives, one without slopes, or a parameter that is no free range of numbers above 0.
+        Refusal: several objectives, one without slopes, or a parameter that is not a free range of numbers above 0.
     """
     if len(objectives) != 1 or objectives[0].metric.slopes is None:
         having = ", ".join(metric.name for metric in METRICS.values() if metric.slopes is not None)

@@ -83,7 +83,7 @@ def check_new_file(
 
     Args:
         path: of the file; none is nothing to write.
-        suffix: such as ``.jsonl``: an earlier file with another end of its name is none of ours, and is kept.
+        suffix: such as ``.jsonl``: an earlier file with another end of its name is not ours and is kept.
         reads: files that are read, whatever names they have there and here.
         kept: what it is, where such a file is never overwritten: a design that somebody may have changed, a library
             that nobody can compute again. By default an earlier file is replaced.
@@ -244,7 +244,7 @@ def replaced_files(folder: Path) -> Iterator[Path]:
     told apart by the list ``files.txt``: whenever a call is stopped, it names all that calls have put there.
 
     Raises:
-        Refusal: the list names what is no file of the folder.
+        Refusal: the list contains a file that is not in the folder.
     """
     fresh, listed = folder / ".files.new", folder / FILES
     earlier = set(read_text(listed, "a list of files", Refusal).splitlines()) if listed.exists() else set()

@@ -136,9 +136,9 @@ def draw_confusion(
 
     Args:
         confusion: (n_point, n_point) int64, touches of the row's point named the column's.
-        points: numbers of the points, or names of what else is told.
+        points: numbers of the points, or names of other classes.
         path: of the PNG, which is handed back.
-        what: what is told.
+        what: name of the classes.
     """
     from matplotlib.colors import LogNorm
 
@@ -175,7 +175,7 @@ def draw_training(loss: Sequence[float], accuracy: Mapping[str, Sequence[float]]
         for name, share in accuracy.items():
             errors = 100 * (1 - np.asarray(share))
             right.semilogy(epoch, np.where(errors > 0, errors, np.nan), label=name)
-        right.set(title="held-out touches; no value: no error", xlabel="epoch", ylabel="named wrong  (%)")
+        right.set(title="held-out touches; no value: no error", xlabel="epoch", ylabel="classified wrongly  (%)")
         if len(accuracy) > 1:
             right.legend()
         return save_figure(figure, path)

@@ -46,7 +46,7 @@ def addable_tables(design: ArrayDesign) -> dict[str, dict[str, Any]]:
     """Tables that a design does not state and may: with them it has the same parts as without.
 
     Returns:
-        By dotted name what a table would state: a tube, or a pattern of kinds, for each line that has none of its own,
+        By dotted name what a table would state: a tube, or a pattern of kinds, for each line without one of its own,
         a further kind of points or of tubes, and a material of one's own.
     """
     found: dict[str, dict[str, Any]] = {}

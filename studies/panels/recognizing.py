@@ -44,7 +44,7 @@ def store_recognizer(content: bytes, folder: str) -> dict[str, Any]:
     for name, data in written.items():
         if not _FILES.fullmatch(name):
             raise Refusal(
-                "is no file of a recognizer",
+                "is not a file of a recognizer",
                 kind=Kind.UNREADABLE,
                 file=name[:60],
                 remedy="choose recognizer.json and the weights beside it",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,15 +14,11 @@ from geometry.design.design_file import write_design
 from geometry.ground.refusal import counted
 from geometry.layout.size import array_size
 from localize.signals.stimulus import BAND
-from studies.evaluation.full_evaluation import RIG_GROUP
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
 from studies.run.run_result import RunResult
-
-if TYPE_CHECKING:
-    from studies.evaluation.headline import Headline
 
 #: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
 AGREEMENT = (0.015, 1.0)
@@ -44,17 +40,31 @@ class KeyFigure:
     """Explanation of the value; may be empty."""
 
 
+@dataclass(frozen=True)
+class AccuracyRow:
+    """Top-1 accuracies of three decoders on some touches; of several sensors their mean, with the worst."""
+
+    touches: str
+    """Touches, and the sensors that they are on."""
+    localizer: str
+    """Accuracy of the trained localizer."""
+    bayes: str
+    """Accuracy of the Bayes decoder of the nominal library, without training."""
+    tolerant: str
+    """Accuracy of the decoder that models manufacturing tolerances; "not known" if the design's are not known."""
+
+
 def verdict(result: RunResult) -> str:
-    """Verdict on a run in three sentences."""
+    """Verdict on a run: accuracy, the hardest pair, printing; :func:`accuracy_rows` has the other accuracies."""
     design, network = result.design, result.network
     lines = len(design.lines)
     found = (
         f"{counted(design.point_count, 'point')} on {counted(lines, 'line')} between "
-        f"{counted(len(design.microphones), 'microphone')}: of {network.signals}, never heard before, the localizer "
-        f"names the right point for {_percent(network.top1)} ({_percent(network.top2)} within its first two), the "
-        f"training-free Bayes decoder for {_percent(result.bayes.top1)}. {beside_sentence(result)}"
-        f"{_tolerant_sentence(result)}"
+        f"{counted(len(design.microphones), 'microphone')}: the trained localizer assigns {_percent(network.top1)} of "
+        f"held-out {network.signals} to the correct point."
     )
+    if network.unscattered:
+        found += f" As-built sensors are left out: {network.unscattered}."
     (first, second), *others = result.separability.equally_hard
     level, phase, _ = result.separability.between(first, second)
     hardest = f"Hardest to tell apart are points {first} and {second}"
@@ -66,33 +76,25 @@ def verdict(result: RunResult) -> str:
     return f"{found} {hardest} {printing_sentence(result)}"
 
 
-def beside_sentence(result: RunResult) -> str:
-    """Sentence on what the headline figures do not promise: taps, and sensors that are not made as designed."""
-    (name, share, worst), *others = _beside(result)
-    text = f"Of {name} the two name {share} right{worst}"
-    text += "".join(f", of {name} {share}{worst}" for name, share, worst in others)
-    unscattered = result.network.unscattered
-    return f"{text}." + (f" As-built sensors are left out: {unscattered}." if unscattered else "")
+def accuracy_rows(result: RunResult) -> list[AccuracyRow]:
+    """Rows of the table of accuracies: touches and sensors, the headline's first, each with every decoder."""
+    headlines = (result.network, result.bayes, result.tolerant)
 
+    def cells(row: int) -> tuple[str, ...]:
+        found = []
+        for each in headlines:
+            if each is None:
+                found.append("not known")
+            elif row < 0:
+                found.append(_percent(each.top1))
+            else:
+                outcome = each.outcomes[row]
+                worst = "" if outcome.worst is None else f" (worst sensor {_percent(outcome.worst)})"
+                found.append(_percent(outcome.top1) + worst)
+        return tuple(found)
 
-def _tolerant_sentence(result: RunResult) -> str:
-    """Sentence on the decoder that a sensor without calibration is decoded with; empty where there is none."""
-    if result.tolerant is None:
-        return ""
-    text = f" The decoder that knows the tolerances names {_percent(result.tolerant.top1)} on the nominal sensor"
-    made = _as_built(result.tolerant)
-    return f"{text}, {made}." if made else f"{text}."
-
-
-def _as_built(headline: Headline) -> str:
-    """Accuracies on as-built sensors, in words; empty if they are left out."""
-    found = [
-        f"{_percent(each.top1)} on {'virtual rigs' if each.group == RIG_GROUP else 'as-built ones'} (the worst of them "
-        f"{_percent(each.worst)})"
-        for each in headline.outcomes
-        if each.worst is not None
-    ]
-    return ", ".join(found)
+    names = (result.network.signals, *(name for name, _ in result.network.beside))
+    return [AccuracyRow(name, *cells(row)) for row, name in enumerate(names, -1)]
 
 
 def printing_sentence(result: RunResult) -> str:
@@ -118,7 +120,7 @@ def confusion_sentence(result: RunResult) -> str:
         "touches. "
     )
     if named in result.separability.equally_hard:
-        return text + "That is the hardest pair by distance too."
+        return text + "They are also the hardest pair by distance."
     rank = 1 + result.separability.hardest_pairs.index(named)
     return text + (
         f"By distance this pair is number {rank} of {len(result.separability.hardest_pairs)}, hardest first. The two "
@@ -186,8 +188,8 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     *sides, height = array_size(design, result.layout)
     first, second = result.separability.equally_hard[0]
     level, phase, distance = result.separability.between(first, second)
-    network, bayes = result.network, result.bayes
-    noise = f"never heard before, {network.samples / 1000:g} s each, {network.noise_in_words}"
+    network = result.network
+    noise = f"held out, {network.samples / 1000:g} s each, {network.noise_in_words}"
     figures = [
         KeyFigure("points", f"{design.point_count}", counted(len(design.lines), "line")),
         KeyFigure("microphones", f"{len(design.microphones)}", design.microphone.model),
@@ -203,16 +205,6 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
         ),
         KeyFigure("localizer, top-1", _percent(network.top1), f"{network.touches} {network.signals}, {noise}"),
         KeyFigure("localizer, top-2", _percent(network.top2), f"within one place: {_percent(network.within_one)}"),
-        KeyFigure("Bayes decoder, top-1", _percent(bayes.top1), "no training, the same touches"),
-        *(
-            [KeyFigure("tolerant decoder, top-1", _percent(result.tolerant.top1), _as_built(result.tolerant))]
-            if result.tolerant is not None
-            else []
-        ),
-        *(
-            KeyFigure(f"{name}, top-1", share, f"localizer and Bayes decoder{worst}")
-            for name, share, worst in _beside(result)
-        ),
         KeyFigure(
             "hardest pair",
             f"points {first} and {second}",
@@ -307,6 +299,7 @@ def write_results(result: RunResult, path: Path) -> None:
         "program": "acoustic-fem run",
         "created": result.created.isoformat(timespec="seconds"),
         "verdict": verdict(result),
+        "accuracy": [asdict(row) for row in accuracy_rows(result)],
         "key_figures": [asdict(figure) for figure in key_figures(result)],
         "design": {"name": result.design.name, "toml": write_design(result.design.completed())},
         "points": point_rows(result),
@@ -354,17 +347,6 @@ def write_results(result: RunResult, path: Path) -> None:
         },
     }
     write_json(path, content)
-
-
-def _beside(result: RunResult) -> list[tuple[str, str, str]]:
-    """Signals beside the headline, accuracies of localizer and decoder on them, and the worst ones."""
-    found = []
-    for (name, own), other in zip(result.network.beside, result.bayes.outcomes, strict=True):
-        share, worst = f"{_percent(own.top1)} and {_percent(other.top1)}", ""
-        if own.worst is not None and other.worst is not None:
-            worst = f" (not calibrated; the worst of them {_percent(own.worst)} and {_percent(other.worst)})"
-        found.append((name, share, worst))
-    return found
 
 
 def _numbers(result: RunResult, pair: tuple[int, int, float]) -> tuple[int, int]:

@@ -65,7 +65,7 @@ def convert_library(library: PathLike, out: PathLike) -> Library:
         out: the file to write, with another such suffix; a measured library is kept.
 
     Raises:
-        Refusal: a file that is no library, or cannot be written.
+        Refusal: a file that is not a library, or cannot be written.
     """
     path = Path(out)
     check_new_library(path, FORMATS, reads=(library,))

@@ -77,7 +77,7 @@ def export_parts(
 
     Raises:
         Refusal: parts are in each other's way, a part cannot be built or written, an unknown process or format, or the
-            folder's list of files names what is none of its own.
+            folder's list of files contains a file that is not its own.
         OSError: the folder cannot be written.
     """
     check_system_libraries()

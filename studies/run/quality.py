@@ -1,4 +1,4 @@
-"""How good a design is, in figures of seconds: points told apart, nominal and mis-made, the hardest pair, cost."""
+"""Quality of a design, in seconds: accuracy of the nominal and of as-built sensors, the hardest pair, cost."""
 
 from __future__ import annotations
 
@@ -163,7 +163,7 @@ def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.Pat
         axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")
         figure.suptitle(
             f"{design.name}: predicted to be classified correctly {100 * quality.named:.1f} % on the nominal sensor"
-            + (f", {100 * quality.mis_made:.1f} % on mis-made ones" if quality.sensors else "")
+            + (f", {100 * quality.mis_made:.1f} % on as-built ones" if quality.sensors else "")
         )
         figure.legend(loc="outside lower center", ncols=2)
         return save_figure(figure, path)

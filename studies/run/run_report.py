@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import base64
-import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -23,6 +22,7 @@ from studies.output.display import number
 from studies.run.check import cell_uses
 from studies.run.findings import (
     SENSITIVITY_AT,
+    accuracy_rows,
     agreement_sentence,
     confusion_sentence,
     key_figures,
@@ -65,6 +65,7 @@ def render(result: RunResult) -> str:
         design=result.design,
         band=BAND,
         verdict=verdict(result),
+        accuracies=accuracy_rows(result),
         figures=key_figures(result),
         pictures={name: _inlined(path) for name, path in result.figures.items()},
         confusion=confusion_sentence(result),
@@ -137,13 +138,24 @@ def _assumptions(result: RunResult) -> list[str]:
         "pushes the air in the shape of its first mode; its material: "
         f"{design.membrane.material}, {membrane.law_in_words} ({membrane.source}).",
         noise_sentence(result),
-        "One point is touched at a time. But where as-built sensors are named, the made sensor is exactly the designed "
-        "one. As-built ones have the scatter of bores, lengths, cavities and membranes of a careful workshop and are "
-        "not calibrated; calibration is what removes this loss. Virtual rigs are not calibrated either, and have "
-        "besides what no decoder knows: a rubber of another slope and loss, microphones, and the air of another place.",
+        "One point is touched at a time. The nominal sensor is exactly as designed. As-built sensors have the "
+        "tolerances of bores, lengths, cavities and membranes of a careful workshop. They are not calibrated: "
+        "calibration removes most of their loss. Virtual rigs are not calibrated either. Their rubber, microphones "
+        "and air also differ from the design in ways that no decoder is given.",
         f"Multi-sine touches have 1 to 100 components from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are "
-        "pulses of 5 to 100 ms. A network names only what it was trained on, here multi-sine touches.",
+        "pulses of 5 to 100 ms. A network recognizes only the touches that it was trained on, here multi-sine touches.",
     ]
+
+
+def _rows(name: str, value: object) -> Iterator[tuple[str, str]]:
+    """Rows of a nested record, each a dotted name with its value."""
+    if isinstance(value, Mapping):
+        for key, part in value.items():
+            yield from _rows(f"{name}.{key}", part)
+    elif isinstance(value, (list, tuple)):
+        yield name, ", ".join(map(str, value))
+    else:
+        yield name, "" if value is None else str(value)
 
 
 def _provenance(result: RunResult) -> list[tuple[str, str]]:
@@ -161,8 +173,8 @@ def _provenance(result: RunResult) -> list[tuple[str, str]]:
             f"{medium.density:.4f} kg/m³, viscosity {medium.viscosity:.4g} Pa s, "
             f"sound speed {medium.sound_speed:.1f} m/s",
         ),
-        ("library", json.dumps(own)),
-        ("localizer", json.dumps(result.localizer_provenance["localizer"])),
-        ("training", json.dumps(result.training["plan"])),
+        *_rows("library", own),
+        *_rows("localizer", result.localizer_provenance["localizer"]),
+        *_rows("training", result.training["plan"]),
         ("seconds", ", ".join(f"{name} {seconds:.1f}" for name, seconds in result.seconds.items())),
     ]

@@ -45,8 +45,8 @@ class RunResult:
     bayes: Headline
     """Results of the model-based decoder on the same touches."""
     tolerant: Headline | None
-    """Results of the decoder that knows the tolerances of manufacturing on the same touches; None where it is not known
-    how the design scatters."""
+    """Results of the decoder that models manufacturing tolerances on the same touches; None if the tolerances of the
+    design are not known."""
     training: Mapping[str, Any]
     """Record of the training: plan, losses and accuracies by epoch."""
     localizer_provenance: Mapping[str, Any]

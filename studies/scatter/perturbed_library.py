@@ -140,7 +140,7 @@ class PerturbedLibrary:
     :class:`localize.signals.touch_generator.TransferFunctionSource`.
 
     Raises:
-        Refusal: the path is no such store, was written by another version, or is damaged; names the file.
+        Refusal: the path is not such a store, was written by another version, or is damaged; names the file.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:

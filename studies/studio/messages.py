@@ -23,7 +23,7 @@ def text_of(message: Mapping[str, Any], key: str) -> str:
     """A text of a message.
 
     Raises:
-        MessageError: it is none, or longer than any text of ours.
+        MessageError: it is not a text, or longer than any text of ours.
     """
     value = message.get(key)
     if not isinstance(value, str) or len(value) > 300:
@@ -35,7 +35,7 @@ def read_message(text: str) -> dict[str, Any]:
     """A message of a page.
 
     Raises:
-        MessageError: it is no table of JSON, or holds what no text and no number of ours can be.
+        MessageError: it is not a table of JSON, or holds what no text and no number of ours can be.
     """
     try:
         message = json.loads(text, parse_int=_whole, parse_constant=_no_number)
@@ -58,11 +58,11 @@ def _whole(text: str) -> int:
 
 
 def _no_number(name: str) -> None:
-    raise MessageError(f"{name} is no number", kind=Kind.WRONG_TYPE)
+    raise MessageError(f"{name} is not a number", kind=Kind.WRONG_TYPE)
 
 
 def written(message: Mapping[str, Any]) -> str:
-    """A message to a page; a figure that is no number is null, which JSON can hold."""
+    """A message to a page; a figure that is not a number is null, which JSON can hold."""
     try:
         return json.dumps(message, separators=(",", ":"), allow_nan=False)
     except ValueError:
@@ -86,7 +86,7 @@ def place_of(message: Mapping[str, Any], key: str) -> tuple[float, float]:
     """A place in plan, x and y.
 
     Raises:
-        MessageError: it is none.
+        MessageError: it is not a place.
     """
     value = message.get(key)
     if not isinstance(value, list) or len(value) != 2 or not all(map(is_number, value)):

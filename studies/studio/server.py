@@ -70,7 +70,7 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         try:
             text = content.decode("utf-8")
         except UnicodeDecodeError:
-            return _refused(f"{name}: is no text in UTF-8", 400)
+            return _refused(f"{name}: is not a text in UTF-8", 400)
         found = await _handed_in(workplace.upload(text, name))
         return found if isinstance(found, Response) else JSONResponse(found)
 
@@ -130,7 +130,7 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
 
 
 async def _body(request: Request, most: int) -> bytes | None:
-    """What is handed in; None as soon as it is more than ``most`` bytes."""
+    """Content that is handed in; None as soon as it is more than ``most`` bytes."""
     content = bytearray()
     async for chunk in request.stream():
         content += chunk
@@ -140,7 +140,7 @@ async def _body(request: Request, most: int) -> bytes | None:
 
 
 async def _handed_in(work: Awaitable[Any]) -> Any:
-    """What is made of something that was handed in, or an answer that says why nothing is."""
+    """Result of some uploaded content, or an answer that says why there is none."""
     try:
         return await work
     except Refusal as error:

@@ -112,7 +112,7 @@ class Session:
         """Do what the page asks for.
 
         Raises:
-            MessageError: it is no message of a page of ours.
+            MessageError: it is not a message of a page of ours.
         """
         kind = message.get("do")
         action = _ACTIONS.get(kind) if isinstance(kind, str) else None

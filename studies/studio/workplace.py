@@ -125,7 +125,7 @@ class Workplace:
         return None if found is None else found["glb"]
 
     async def upload(self, text: str, name: str) -> dict[str, Any]:
-        """What a design file states that somebody handed in; it waits for no check of a design."""
+        """Content of an uploaded design file; it waits for no check of a design."""
         return await self.in_thread("touch", lambda: self._decoder.run(read_upload, (text, name)))
 
     async def touch(
@@ -203,7 +203,7 @@ class Workplace:
         return await self.in_thread("save", work)
 
     async def study(self, design: ArrayDesign, text: str, notify: Callable[[str], None], task: object) -> FoundDesigns:
-        """What a study found, run in a process of its own, one after the other; stopped, what it has found so far."""
+        """Result of a study, run in a process of its own, one after the other; if stopped, the result so far."""
 
         def work() -> FoundDesigns:
             with self._process("study", "the process that runs studies") as process:
@@ -255,7 +255,7 @@ class Workplace:
         self._folder.cleanup()
 
     async def in_thread(self, name: str, work: Callable[[], Any]) -> Any:
-        """What some work returns, done in the thread of a stage."""
+        """Result of some work, done in the thread of a stage."""
         return await asyncio.get_running_loop().run_in_executor(self._threads[name], work)
 
     async def _in_turn(self, name: str, work: Callable[[], Any], task: object) -> Any:

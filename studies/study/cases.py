@@ -76,7 +76,7 @@ def check_base(study: Study) -> None:
     """Refuse a study whose base cannot be built: all other designs of a sweep or a search are compared with it.
 
     Raises:
-        OverlapError: parts of the base are in each other's way; says what would mend it.
+        OverlapError: parts of the base are in each other's way; the message says what would fix it.
     """
     refuse_unbuildable(study.base)
 
@@ -141,7 +141,7 @@ def _sampled(study: Study) -> NDArray[np.float64]:
 
 
 def sobol_note(study: Study) -> str:
-    """Note on a Sobol sample whose number of cases is no power of two; empty where there is nothing to tell."""
+    """Note on a Sobol sample whose number of cases is not a power of two; empty where there is nothing to tell."""
     lower = 1 << (study.cases.bit_length() - 1) if study.cases else 0
     if study.sampling != "sobol" or study.cases == lower:
         return ""

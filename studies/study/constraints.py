@@ -67,7 +67,7 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
         base: a design that knows all names of it.
 
     Raises:
-        Refusal: it cannot be read, is no condition, or holds a name that the design does not know.
+        Refusal: it cannot be read, is not a condition, or holds a name that the design does not know.
     """
 
     def refuse(problem: str, kind: Kind = Kind.WRONG_TYPE, remedy: str = "") -> NoReturn:

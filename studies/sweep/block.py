@@ -53,7 +53,7 @@ _LONGEST_REASON = 500
 #: refusals). All else is a mistake of the program, but for what the machine lacks.
 FAILURES = (Refusal, np.linalg.LinAlgError, ArithmeticError)
 LACKS = (OSError, MemoryError, NotInstalled)
-"""What stops a sweep, because its machine lacks something: the case at hand is not to blame, and waits."""
+"""Errors that stop a sweep because its machine lacks something; the case at hand keeps waiting."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +85,7 @@ class SolvedCell:
     cached: bool = False
     """True if it came from the cache."""
     record: CellRecord | None = None
-    """What the cache keeps of it, for the cache of another machine."""
+    """Record of the cell, for the cache of another machine."""
     mistake: str = ""
     """Traceback, where a mistake of the program is the reason."""
 

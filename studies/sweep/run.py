@@ -71,8 +71,8 @@ class Summary:
 
     @property
     def objection(self) -> str | None:
-        """Why the sweep is no success, in one line; None where it is: a case that its design keeps from being computed
-        is a result, unless all are.
+        """Reason for which the sweep failed, in one line; None if it did not. A case that cannot be computed because of
+        its design is a result, unless all are.
         """
         if wrong := self.program_errors:
             return (

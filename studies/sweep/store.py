@@ -251,7 +251,7 @@ class Sweep:
         return self.records.metrics
 
     def units(self, name: str) -> str:
-        """Unit of a variable, "1" for ratios; empty where it has none."""
+        """Unit of a variable, "1" for ratios; empty if it is dimensionless."""
         return self.records.layout.variables[name].attributes.get("units", "")
 
     @cached_property
@@ -347,5 +347,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
         raise StudyError.of(error, remedy=remedy) from None
     for name in records.metrics:
         if name not in METRICS:
-            raise StudyError("is no metric of this version", kind=Kind.UNKNOWN, file=path, field="metrics", value=name)
+            raise StudyError(
+                "is not a metric of this version", kind=Kind.UNKNOWN, file=path, field="metrics", value=name
+            )
     return Sweep(records, values)

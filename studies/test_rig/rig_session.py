@@ -44,7 +44,7 @@ class RigSession:
     """Manifest of the touches with their points and parts, for :func:`studies.train_localizer`; each file of it is one
     for :func:`studies.locate_recording` and :func:`studies.recalibrate`."""
     truth: Path
-    """What was hidden: parameters, seed, versions and design, JSON."""
+    """Hidden truth: parameters, seed, versions and design, JSON."""
     library: Path
     """Library of the sensor as it is, which a perfect calibration would find."""
     full_scale: float

@@ -1,6 +1,6 @@
 """Touches of the virtual rig's sensor as recordings, of the paper's four parts, with their manifest.
 
-A finger is no loudspeaker: its spectrum is not flat and differs from touch to touch, its force follows its movement
+A finger is not a loudspeaker: its spectrum is not flat and differs from touch to touch, its force follows its movement
 with hysteresis, and it presses slowly while it rubs. No decoder knows any of that.
 """
 

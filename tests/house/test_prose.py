@@ -25,7 +25,7 @@ def test_a_planted_fault_is_found(text: str, tmp_path: Path, monkeypatch: pytest
 
 
 def test_code_links_and_tables_are_not_read_as_sentences() -> None:
-    text = "# Of a heading\n\n| Of | a table |\n\n```sh\nOf code it is.\n```\n\nRead `Of this` on [a page](of-it.md) today.\n"
+    text = "# Of a heading\n\n| Of | a table |\n\n```sh\nOf code.\n```\n\nRead `Of this` on [a page](of-it.md) today.\n"
     assert prose.sentences_of(prose.prose_of(text)) == ["Read CODE on a page today."]
 
 

@@ -265,8 +265,8 @@ def test_the_browser_finds_what_is_too_wide_and_what_axe_core_calls_serious(site
     found = capsys.readouterr().err
     assert "good" not in found
     assert "bad, 390 px, dark: 4" in found
-    assert "bad, 1280 px, light: image-alt (critical): img" in found
-    assert "bad, 1280 px, light: 4" not in found
+    assert "bad, 1440 px, light: image-alt (critical): img" in found
+    assert "bad, 1440 px, light: 4" not in found
 
 
 def test_without_chromium_the_site_is_not_looked_at_and_that_is_said(site, tmp_path: Path, capsys, monkeypatch) -> None:

@@ -5,7 +5,7 @@ export async function handIn(address: string, asked: Record<string, string>, bod
   try {
     const answer = await fetch(`${address}?${new URLSearchParams(asked)}`, { method: "POST", body });
     if (answer.ok) return answer;
-    why = `The studio refused it (${answer.status}).`;
+    why = `The studio rejected it (${answer.status}).`;
     why = (await answer.json()).message;
   } catch { /* gone, or an answer without a reason */ }
   throw new Error(why);

@@ -19,9 +19,9 @@ import { StudyPanel } from "./study";
 const LONGEST = 300000;
 const STATES: Record<State, string> = {
   open: "",
-  lost: "The link to the studio was lost; it is being made again. The design is kept.",
-  gone: "The studio does not answer: it has ended, or was stopped. Start it again with “acoustic-fem studio”; the design is kept on this page and goes on from here.",
-  locked: "The studio was started anew, with a new key: open the address that it printed, in this browser. This page then goes on with its design.",
+  lost: "The connection to the studio was lost and is being restored. The design is kept.",
+  gone: "The studio does not answer: it has ended. Start it again with “acoustic-fem studio”. This page keeps the design and continues with it.",
+  locked: "The studio was restarted with a new key. Open the address that it printed in this browser, then this page continues with its design.",
 };
 let session: string | null = null;
 let stated: any = null;
@@ -64,7 +64,7 @@ const inSight = new Set<string>(), cardsInSight = new Set<HTMLElement>();
 
 /** Changes go one at a time and in their order; of one gesture that waits, the last is kept. */
 function change(message: any): void {
-  if (JSON.stringify(message).length > LONGEST) return notice("That is too long for a design.");
+  if (JSON.stringify(message).length > LONGEST) return notice("This text is too long for a design.");
   const last = waiting.at(-1);
   if (message.gesture && message.gesture === last?.gesture) waiting[waiting.length - 1] = message;
   else waiting.push(message);
@@ -157,7 +157,7 @@ async function figures(message: any): Promise<void> {
     try {
       await own;
     } catch {
-      return failed({ stage, message: "The array could not be fetched from the studio; change the design and it is drawn again." });
+      return failed({ stage, message: "The array could not be fetched from the studio. Change the design to draw it again." });
     }
   }
   if (stage === "points") { table.take(found); compare.figures(null); }
@@ -341,14 +341,14 @@ async function recognizer(files: File[]): Promise<void> {
   problem.textContent = "";
   try {
     const found = await handInFolder("/recognizers", { session: session ?? "" }, files);
-    byId("answer").textContent = `A recognizer of ${found.subject} on ${found.design} tells: ${found.labels.join(", ")}.`;
+    byId("answer").textContent = `A recognizer of ${found.subject} on ${found.design} recognizes: ${found.labels.join(", ")}.`;
   } catch (error) {
     problem.textContent = (error as Error).message;
   }
 }
 
 function save(): void {
-  if (!link?.send({ do: "export", name: "design.toml" })) notice("The studio does not answer: nothing was saved yet; this page keeps the design.");
+  if (!link?.send({ do: "export", name: "design.toml" })) notice("The studio does not answer, so nothing was saved yet. This page keeps the design.");
 }
 
 function ask(file: string): void {
@@ -439,7 +439,7 @@ async function addressed(): Promise<any | null> {
   try {
     return await designInAddress();
   } catch {
-    notice("The address holds no design that can be read: it may have been cut off.");
+    notice("The address does not hold a readable design. It may have been cut off.");
     return null;
   }
 }

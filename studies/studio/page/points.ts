@@ -36,7 +36,7 @@ export class PointsPanel {
 
   misMade(found: { sensors: number; mean: number; worst: number; fidelity: string }): void {
     byId("mis-made").textContent =
-      `Of ${found.sensors} sensors made with the scatter of a workshop, not calibrated: ${words(100 * found.mean, 3)} % named right, ` +
+      `Top-1 accuracy of ${found.sensors} as-built sensors, not calibrated: mean ${words(100 * found.mean, 3)} %, ` +
       `${words(100 * found.worst, 3)} % on the worst of them; fidelity ${found.fidelity}.`;
   }
 

@@ -193,11 +193,11 @@ export class TouchPanel {
   private finish(heard: Heard, seconds: number): void {
     const told = heard.touches.map(([start, stop, point, probability]) =>
       `point ${point} from ${words(start, 3)} to ${words(stop, 3)} s (${words(100 * probability, 2)} %)`);
-    const begin = heard.touched === null ? `${heard.kind === "slide" ? "A slide" : heard.kind === "letter" ? "A letter" : heard.kind}: ` : `A ${heard.kind} on point ${heard.touched}; named: `;
+    const begin = heard.touched === null ? `${heard.kind === "slide" ? "A slide" : heard.kind === "letter" ? "A letter" : heard.kind}: ` : `A ${heard.kind} on point ${heard.touched}; located: `;
     const paths = (heard.paths ?? []).filter((each) => each.length > 0).map((each) => `${each.gesture}, ${words(each.length, 3)} mm`);
-    byId("answer").textContent = begin + (told.length ? told.join(", ") : "no touch was heard") + (paths.length ? `; path: ${paths.join("; ")}` : "");
-    if (heard.kinds) byId("answer").textContent += `; told: ${heard.kinds.map((each) => `${each[3]} (${words(100 * each[4], 2)} %)`).join(", ") || "nothing"}`;
-    else if (heard.line) byId("answer").textContent += "; which letter it is, a recognizer of this array tells";
+    byId("answer").textContent = begin + (told.length ? told.join(", ") : "no touch was detected") + (paths.length ? `; path: ${paths.join("; ")}` : "");
+    if (heard.kinds) byId("answer").textContent += `; recognized: ${heard.kinds.map((each) => `${each[3]} (${words(100 * each[4], 2)} %)`).join(", ") || "nothing"}`;
+    else if (heard.line) byId("answer").textContent += "; to recognize the letter, load a recognizer of this array";
     byId("answer").dataset.pictures = String(Math.round(this.pictures / seconds));
     byId("answer").dataset.lit = this.lightings.join(",");
     byId("answer").dataset.named = heard.touches.map((each) => each[2]).join(",");

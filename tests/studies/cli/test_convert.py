@@ -101,7 +101,7 @@ def test_the_other_verbs_have_the_same_reader(
     for name in ("library.txt", "touches.csv"):
         Path(name).write_bytes(b"\0\1\2\3")
     refused = CliRunner().invoke(app, [*arguments, "--out", "made"])
-    assert str(refused.exception) == "library.txt: holds neither netCDF, SOFA, NPZ nor CSV: it is no library"
+    assert str(refused.exception) == "library.txt: holds neither netCDF, SOFA, NPZ nor CSV: it is not a library"
 
 
 @pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".csv"])

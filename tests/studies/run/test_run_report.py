@@ -19,6 +19,7 @@ from studies.evaluation.headline import SIGNALS
 from studies.metrics.pairs import Disagreement
 from studies.metrics.separation import Separability
 from studies.run.findings import (
+    accuracy_rows,
     agreement_sentence,
     confusion_sentence,
     key_figures,
@@ -125,19 +126,29 @@ def test_the_key_figures_are_those_of_the_run() -> None:
     assert found["weakest signal at 100 Hz"] == f"{weakest:z.1f} dB".replace("-", "−")
 
 
-def test_the_headline_says_whose_signals_it_is_of_and_what_taps_and_mis_made_sensors_cost(page: Page) -> None:
+def test_the_headline_names_its_signals_and_a_table_has_taps_and_as_built_sensors(page: Page) -> None:
     result = small_run()
     text, figures = verdict(result), {figure.name: figure for figure in key_figures(result)}
     assert text in page.text
-    assert text.index(SIGNALS) < text.index(" %")
+    assert SIGNALS in text
+    assert text.count("%") == 1
     assert SIGNALS in figures["localizer, top-1"].remark
-    for name in (
+    rows = accuracy_rows(result)
+    assert [row.touches for row in rows] == [
+        SIGNALS,
         "taps on the nominal sensor",
         "multi-sine touches on 8 as-built sensors",
         "multi-sine touches on 8 virtual rigs",
+    ]
+    assert result.tolerant is not None
+    for row, own, other, tolerant in zip(
+        rows[1:], result.network.outcomes, result.bayes.outcomes, result.tolerant.outcomes, strict=True
     ):
-        assert f"of {name}" in text.replace("Of", "of")
-        assert figures[f"{name}, top-1"].value in text
+        for cell, outcome in ((row.localizer, own), (row.bayes, other), (row.tolerant, tolerant)):
+            assert float(cell.split(" %")[0]) == pytest.approx(100 * outcome.top1, abs=0.06)
+            assert ("worst sensor" in cell) == (outcome.worst is not None)
+        assert f"{row.touches} {row.localizer} {row.bayes} {row.tolerant}" in page.text
+    assert {row.tolerant for row in accuracy_rows(replace(result, tolerant=None))} == {"not known"}
     for each in (result.network, result.bayes):
         taps, made, rigs = each.outcomes
         assert (taps.group, taps.name, taps.worst) == ("stimulus", "taps", None)
@@ -172,7 +183,7 @@ def test_what_the_localizer_confuses_is_set_against_the_distances() -> None:
     i, j = pairs[0]
     wrong[i - 1, j - 1] = 10
     assert f"points {i} and {j} for each other: 4.8 %" in judged(wrong)
-    assert "the hardest pair by distance too" in judged(wrong)
+    assert "also the hardest pair by distance" in judged(wrong)
     other = np.diag([100, 100, 100])
     i, j = pairs[-1]
     other[j - 1, i - 1] = 10

@@ -173,7 +173,7 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     page.locator("#touch-points button").nth(2).click()
     until(page, "document.getElementById('answer').dataset.named")
     (start, end, point, probability, _level) = heard["touches"][0]
-    said = page.locator("#answer").inner_text().split("named: ")[1]
+    said = page.locator("#answer").inner_text().split("located: ")[1]
     assert said.startswith(f"point {point} from ")
     assert numbers(said.replace("(", " "))[:4] == pytest.approx([point, start, end, 100 * probability], rel=2e-2)
     shown = np.array([row[1:3] for row in table(page, "#touch-csv", tmp_path)], float)
@@ -286,7 +286,7 @@ def test_a_letter_is_written_and_its_line_is_drawn(page: Any) -> None:
     until(page, "document.getElementById('answer').dataset.pictures", 240)
     said = page.locator("#answer").inner_text()
     assert said.startswith("A letter: ")
-    assert said.endswith("which letter it is, a recognizer of this array tells")
+    assert said.endswith("to recognize the letter, load a recognizer of this array")
     assert lit(page.locator("#plan").screenshot()).sum() > before + 30
 
 
