@@ -22,8 +22,6 @@ from localize.signals.random_streams import Purpose, random_words, uniform
 
 RADII = (0.05, 100.0)
 """Smallest and largest radius of a contact, mm."""
-MOVING = 5.0
-"""Radius of a contact that moves where none is given, mm: a finger."""
 GRAIN = (0.25, 4.0)
 """Shortest and longest wave of a rough contact along its path, mm: about half and eight times the ridges of a finger,
 which lie 0.4 to 0.5 mm apart; ours."""

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import localize
 from geometry.ground.refusal import Kind, Refusal
-from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import ROOM_LEVELS, MicrophoneMismatch, check_ambient
-from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import StimulusSource
 
 if TYPE_CHECKING:
     from localize.learned.features import FeatureChoice
+    from localize.signals.array_response import ArrayResponse
+    from localize.signals.noise_model import NoiseChoice
 
 PLANS = ("usual", "paper")
 """Names of the plans of :meth:`TrainingPlan.of`."""

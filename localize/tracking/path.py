@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 
 from acoustic_fem import Library
 from geometry.ground.typed import Array
-from localize.contacts.contact import MOVING
 from localize.live.events import Decision, TrackedPlace
-from localize.live.stream_options import HIGH_PASS
+from localize.live.stream_options import HIGH_PASS, MOVING
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread

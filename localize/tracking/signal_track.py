@@ -6,11 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
-from localize.contacts.contact import MOVING
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.surroundings import sound_levels
 from localize.live.stream import TouchStream
-from localize.live.stream_options import StreamOptions
+from localize.live.stream_options import MOVING, StreamOptions
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice
 from localize.tracking.path import PathTracker, Track

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from acoustic_fem.quantities.fidelity import Fidelity
+import studies
+from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from studies.bending.bending_rig import BendingRig
-from studies.bending.bending_run import bending_study
-from studies.bending.solution import Bending
-from studies.cli.options import Frequencies, defaults_of, display_on_stderr
+from studies.cli.options import Frequencies, display_on_stderr
 from studies.cli.terminal_tables import show, table_of
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
 
-_FIDELITY: Fidelity = defaults_of(bending_study)["fidelity"]
+if TYPE_CHECKING:
+    from studies.bending.solution import Bending
+
 _ANGLES = ",".join(f"{angle:g}" for angle in BendingRig.angles)
 
 
@@ -45,7 +46,7 @@ def bend(
     fidelity: Annotated[
         Fidelity,
         typer.Option(help="navier-stokes is the reference; helmholtz makes the change 13 times too large."),
-    ] = _FIDELITY,
+    ] = ONE_DESIGN,
     frequencies: Frequencies = FREQUENCIES,
 ) -> None:
     """Compute how much less a tube transmits when it is bent.
@@ -58,7 +59,7 @@ def bend(
     """
     rig = BendingRig(bore, length, diameter, outside, _angles(angles), end.value)
     with display_on_stderr() as display:
-        study = bending_study(out, rig, fidelity=fidelity, frequency=frequencies, display=display)
+        study = studies.bending_study(out, rig, fidelity=fidelity, frequency=frequencies, display=display)
     _show_bending(study.result)
     for file in study.files:
         print(file)

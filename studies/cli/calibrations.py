@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from acoustic_fem.quantities.fidelity import Fidelity
-from acoustic_fem.quantities.local_air import LocalAir
+import acoustic_fem
+import localize
+import studies
+from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from geometry.ground.refusal import counted
-from localize.recalibration.rejections import numbers
 from localize.signals.stimulus import BAND
 from studies.cli.options import (
     Altitude,
@@ -22,34 +23,29 @@ from studies.cli.options import (
     Pressure,
     Temperature,
     Tolerances,
-    defaults_of,
     display_on_stderr,
     noise_choice,
 )
 from studies.cli.terminal_tables import show, show_library, table_of, tell
+from studies.output.call_defaults import MANIFEST, SEED
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
-from studies.run.library_files import convert_library
-from studies.test_rig.calibrating import MANIFEST, SensorCalibration, calibrate_sensor
-from studies.test_rig.recalibrating import recalibrate as recalibrate_sensor
-from studies.test_rig.rig_session import record_rig
-from studies.test_rig.virtual_rig import HiddenScatter
+
+if TYPE_CHECKING:
+    from studies.test_rig.calibrating import SensorCalibration
 
 #: s, from which on a delay that the fit found is told.
 _NOTED_DELAY = 3e-4
-_FIDELITY: Fidelity = defaults_of(calibrate_sensor)["fidelity"]
-_SEED = defaults_of(recalibrate_sensor)["seed"]
-_RIG_SEED = defaults_of(record_rig)["seed"]
 
 
 def rig(
     design: Design,
     out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
-    seed: Annotated[int, typer.Option(help="Seed of the simulated sensor.", min=0)] = _RIG_SEED,
+    seed: Annotated[int, typer.Option(help="Seed of the simulated sensor.", min=0)] = SEED,
     altitude: Annotated[float, typer.Option(metavar="M", help="Height of its place above the design's.")] = 0.0,
     modulus: Annotated[
         float, typer.Option(metavar="FACTOR", help="Modulus of its membranes relative to the design's; 0.85 is softer.")
     ] = 1.0,
-    fidelity: Annotated[Fidelity, typer.Option(help="Fidelity of the sensor's transfer functions.")] = _FIDELITY,
+    fidelity: Annotated[Fidelity, typer.Option(help="Fidelity of the sensor's transfer functions.")] = ONE_DESIGN,
 ) -> None:
     """Simulate recordings of an as-built sensor, to practise before you have a real one.
 
@@ -62,9 +58,9 @@ def rig(
 
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
-    scatter = HiddenScatter(altitude=altitude, modulus=modulus)
+    scatter = studies.HiddenScatter(altitude=altitude, modulus=modulus)
     with display_on_stderr() as display:
-        made = record_rig(design, out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
+        made = studies.record_rig(design, out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
         print(path)
     tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")
@@ -85,7 +81,7 @@ def calibrate(
     ],
     fidelity: Annotated[
         Fidelity, typer.Option(help="Fidelity of the design's transfer functions, used for points without a recording.")
-    ] = _FIDELITY,
+    ] = ONE_DESIGN,
     frequencies: Frequencies = CALIBRATION_FREQUENCIES,
     tolerances: Tolerances = None,
     pressure: Pressure = None,
@@ -103,9 +99,9 @@ def calibrate(
 
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
-    air = LocalAir(pressure, altitude, temperature)
+    air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     with display_on_stderr() as display:
-        found = calibrate_sensor(
+        found = studies.calibrate_sensor(
             recordings, out, fidelity=fidelity, frequency=frequencies, tolerances=tolerances, air=air, display=display
         )
     calibration = found.calibration
@@ -176,7 +172,7 @@ def recalibrate(
     out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file.", show_default=False)],
     full_scale: FullScale = None,
     noise: Noise = None,
-    seed: Annotated[int, typer.Option(help="Seed that chooses the held-out touches.", min=0)] = _SEED,
+    seed: Annotated[int, typer.Option(help="Seed that chooses the held-out touches.", min=0)] = SEED,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
@@ -189,9 +185,9 @@ def recalibrate(
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
-    air, level = LocalAir(pressure, altitude, temperature), noise_choice(noise)
+    air, level = acoustic_fem.LocalAir(pressure, altitude, temperature), noise_choice(noise)
     with display_on_stderr() as display:
-        found = recalibrate_sensor(
+        found = studies.recalibrate(
             library, recordings, out, full_scale=full_scale, microphone_noise=level, seed=seed, air=air, display=display
         ).found
     print(
@@ -199,9 +195,8 @@ def recalibrate(
         f"per held-out frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
     )
     if len(found.untouched):
-        print(
-            f"no touch was assigned to point {numbers(found.untouched)}, so it is the least certain: touch it next time"
-        )
+        points = localize.recalibration.numbers(found.untouched)
+        print(f"no touch was assigned to point {points}, so it is the least certain: touch it next time")
 
 
 def convert(
@@ -221,4 +216,4 @@ def convert(
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """
-    show_library(out, convert_library(library, out))
+    show_library(out, studies.convert_library(library, out))

@@ -7,9 +7,10 @@ from typing import Annotated
 
 import typer
 
-from acoustic_fem.quantities.fidelity import Fidelity
-from acoustic_fem.quantities.local_air import LocalAir
-from geometry import resolve_design
+import acoustic_fem
+import geometry
+import studies
+from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from geometry.formats.part_files import FORMATS
 from studies.cli.options import (
     Altitude,
@@ -17,21 +18,12 @@ from studies.cli.options import (
     Frequencies,
     Pressure,
     Temperature,
-    defaults_of,
     display_on_stderr,
 )
 from studies.cli.terminal_tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
 from studies.output.frequencies import LIBRARY_FREQUENCIES
-from studies.run.check import check_design
-from studies.run.findings import accuracy_rows, verdict
-from studies.run.library_files import solve_library
-from studies.run.part_folder import export_parts
-from studies.run.pipeline import run_design
-from studies.run.wiring import wiring_table
-from studies.studio.serving import serve_studio
 
 AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Continue although parts overlap.")]
-_FIDELITY: Fidelity = defaults_of(solve_library)["fidelity"]
 
 
 def studio(
@@ -61,7 +53,7 @@ def studio(
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
     """
-    serve_studio(resolve_design(design), port=port, host=host, token=token, browser=browser)
+    studies.serve_studio(geometry.resolve_design(design), port=port, host=host, token=token, browser=browser)
 
 
 def check(
@@ -91,7 +83,7 @@ def check(
     if design is None:
         raise typer.BadParameter("give a DESIGN, or --fields")
     with display_on_stderr() as display:
-        found = check_design(design, out, picture=picture, display=display)
+        found = studies.check_design(design, out, picture=picture, display=display)
     show_check(found)
     if picture is not None:
         print(picture)
@@ -116,7 +108,7 @@ def wiring(
 
     Example: [bold]acoustic-fem wiring 4 36 --out wiring.png[/bold]
     """
-    found = wiring_table(microphones, points, out)
+    found = studies.wiring_table(microphones, points, out)
     table = table_of(
         "lines", "points", "against one transducer per point", "against rows + columns", numbers=(0, 1, 2, 3)
     )
@@ -144,7 +136,7 @@ def solve(
             help="lumped: closed forms, instant; atlas: corrected by a table of 3-D solutions; helmholtz: scalar 3-D "
             "cells, a cross-check; navier-stokes: 3-D cells, the reference."
         ),
-    ] = _FIDELITY,
+    ] = ONE_DESIGN,
     frequencies: Frequencies = LIBRARY_FREQUENCIES,
     pressure: Pressure = None,
     altitude: Altitude = None,
@@ -160,9 +152,9 @@ def solve(
 
     Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped[/bold]
     """
-    air = LocalAir(pressure, altitude, temperature)
+    air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     with display_on_stderr() as display:
-        library = solve_library(design, out, fidelity=fidelity, frequency=frequencies, air=air, display=display)
+        library = studies.solve_library(design, out, fidelity=fidelity, frequency=frequencies, air=air, display=display)
     show_library(out, library)
 
 
@@ -194,7 +186,7 @@ def parts(
         if word not in FORMATS:
             raise typer.BadParameter(f"--format: {word!r} must be of {', '.join(FORMATS)}, with commas")
     with display_on_stderr() as display:
-        made = export_parts(
+        made = studies.export_parts(
             design, out, formats=formats, process=process, allow_overlaps=allow_overlaps, display=display
         )
     show_parts(made)
@@ -218,10 +210,10 @@ def run(
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """
     with display_on_stderr() as display:
-        result = run_design(design, out, allow_overlaps=allow_overlaps, display=display)
-    print(verdict(result))
+        result = studies.run_design(design, out, allow_overlaps=allow_overlaps, display=display)
+    print(studies.run.verdict(result))
     table = table_of("top-1 accuracy", "trained localizer", "Bayes decoder", "tolerance-aware decoder")
-    for row in accuracy_rows(result):
+    for row in studies.run.accuracy_rows(result):
         table.add_row(row.touches, row.localizer, row.bayes, row.tolerant)
     show(table)
     print(f"{out / 'report.html'}")

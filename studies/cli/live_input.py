@@ -7,28 +7,31 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
-from typing import Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Self
 
 import typer
 from rich.console import Console
 
-from acoustic_fem.quantities.local_air import LocalAir
+import acoustic_fem
+import localize
+import studies
 from geometry.ground.refusal import Kind, Refusal, counted
-from localize.live.listener import Heard
-from localize.live.sound_device import input_devices
-from studies.cli.live_display import LivePicture
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
 from studies.cli.options import Altitude, Model, Pressure, Temperature, noise_choice
 from studies.cli.terminal_tables import show, table_of
-from studies.inference.live import LiveInput, LiveSession, LiveSummary, listen
-from studies.inference.recorded import Decoding
+from studies.output.call_defaults import FULL_SCALE
+
+if TYPE_CHECKING:
+    from localize.live.listener import Heard
+    from studies.cli.live_display import LivePicture
+    from studies.inference.live import LiveSession, LiveSummary
 
 
 def _list_devices(wanted: bool) -> None:
     if not wanted:
         return
     table = table_of("device", "name", "audio system", "channels", "rate (Hz)", "", numbers=(0, 3, 4))
-    for each in input_devices():
+    for each in localize.live.input_devices():
         default = "default" if each.default else ""
         table.add_row(str(each.number), each.name, each.host, str(each.channels), f"{each.rate:g}", default)
     show(table)
@@ -54,7 +57,7 @@ def live(
     ] = None,
     full_scale: Annotated[
         float, typer.Option(help="Pressure at full scale of the sound card or file, Pa.")
-    ] = LiveInput.full_scale,
+    ] = FULL_SCALE,
     replay: Annotated[
         Path | None,
         typer.Option(
@@ -101,12 +104,14 @@ def live(
 
     Example: [bold]acoustic-fem live library.nc --device USB --record touches.wav --out touches.jsonl[/bold]
     """
+    from studies.inference.live import listen
+
     if device is not None and replay is not None:
         raise typer.BadParameter("--device must not be given beside --replay")
     wanted = int(device) if device is not None and device.isdecimal() else device
-    source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
-    air = LocalAir(pressure, altitude, temperature)
-    decoding = Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
+    source = studies.LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
+    air = acoustic_fem.LocalAir(pressure, altitude, temperature)
+    decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
     with _Output(waveform) as output:
         summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
     _print_summary(summary)
@@ -146,6 +151,8 @@ class _Output:
 
     def _shown(self, session: LiveSession) -> LivePicture:
         if self._picture is None:
+            from studies.cli.live_display import LivePicture
+
             self._picture = LivePicture(
                 session.source,
                 session.array,

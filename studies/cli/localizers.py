@@ -8,19 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+import localize
+import studies
 from geometry.ground.refusal import counted
 from localize.learned.training_plan import PLANS, TrainingPlan
-from localize.recognition.recognition_plan import RecognitionPlan
-from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, noise_choice
+from studies.cli.options import LibraryFile, Noise, display_on_stderr, noise_choice
 from studies.cli.terminal_tables import show, table_of, tell
-from studies.evaluation.localizer_evaluation import evaluate_localizer
-from studies.evaluation.localizer_training import train_kinds, train_localizer
+from studies.output.call_defaults import HELD_OUT_TOUCHES, SEED
 
 if TYPE_CHECKING:
     from localize import Localizer
     from studies.evaluation.headline import Headline
-
-_EVALUATION = defaults_of(evaluate_localizer)
 
 
 def train(
@@ -105,7 +103,7 @@ def train(
         stimuli=tuple(stimuli) if stimuli else base.stimuli,
     )
     with display_on_stderr() as display:
-        localizer = train_localizer(library, out, plan=chosen, recordings=recordings, display=display).localizer
+        localizer = studies.train_localizer(library, out, plan=chosen, recordings=recordings, display=display).localizer
     accuracy = localizer.training["held_out_accuracy"][-1]
     short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
     _show_recorded(localizer)
@@ -137,7 +135,7 @@ def _train_kinds(
     for option, is_given in localizer_options.items():
         if is_given:
             raise typer.BadParameter(f"{option} is for localizers and cannot be given with --kind")
-    usual = RecognitionPlan.of(kind)
+    usual = localize.RecognitionPlan.of(kind)
     plan = replace(
         usual,
         epochs=TrainingPlan.epochs if epochs is None else epochs,
@@ -147,7 +145,7 @@ def _train_kinds(
         network=network or usual.network,
     )
     with display_on_stderr() as display:
-        recognizer = train_kinds(library, out, kind, plan=plan, recordings=recordings, display=display)
+        recognizer = studies.train_kinds(library, out, kind, plan=plan, recordings=recordings, display=display)
     record = recognizer.training
     # A long touch makes several windows.
     cut = "letters" if kind == "letters" else "windows"
@@ -169,9 +167,9 @@ def evaluate(
         ),
     ],
     library: LibraryFile,
-    touches: Annotated[int, typer.Option(help="Number of held-out touches of every point.")] = _EVALUATION["touches"],
+    touches: Annotated[int, typer.Option(help="Number of held-out touches of every point.")] = HELD_OUT_TOUCHES,
     noise: Noise = None,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of the touches.")] = _EVALUATION["seed"],
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the touches.")] = SEED,
     out: Annotated[
         Path | None,
         typer.Option(
@@ -191,7 +189,9 @@ def evaluate(
     """
     level = noise_choice(noise)
     with display_on_stderr() as display:
-        results = evaluate_localizer(model, library, out, touches=touches, noise=level, seed=seed, display=display)
+        results = studies.evaluate_localizer(
+            model, library, out, touches=touches, noise=level, seed=seed, display=display
+        )
     _show_evaluations(results)
     if out is not None:
         from studies.evaluation.evaluation_report import FILES

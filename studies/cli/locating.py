@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, cast
+from typing import TYPE_CHECKING, Annotated, cast
 
 import typer
 
-from acoustic_fem.quantities.local_air import LocalAir
+import acoustic_fem
+import studies
 from geometry.ground.refusal import counted
-from localize.contacts.contact import MOVING
-from localize.embedded.decoder_tables import Precision
-from localize.live.events import State
+from localize.live.stream_options import MOVING
 from studies.cli.options import (
     Altitude,
     FullScale,
@@ -23,12 +22,14 @@ from studies.cli.options import (
     noise_choice,
 )
 from studies.cli.terminal_tables import show, table_of, tell
-from studies.inference.embedding import PRECISION, embed_decoder
-from studies.inference.exporting import export_decoder
-from studies.inference.pulse_reading import RecordedPulse, read_pulse
-from studies.inference.recognized import recognize_recording
-from studies.inference.recorded import Decoding, LocatedTouches, locate_recording
-from studies.inference.tracked import TrackedRecording, track_recording
+from studies.output.call_defaults import PRECISION
+
+if TYPE_CHECKING:
+    from localize.embedded.decoder_tables import Precision
+    from localize.live.events import State
+    from studies.inference.pulse_reading import RecordedPulse
+    from studies.inference.recorded import LocatedTouches
+    from studies.inference.tracked import TrackedRecording
 
 DecoderNoise = Annotated[
     float | None,
@@ -95,7 +96,7 @@ def onnx(
 
     Example: [bold]acoustic-fem onnx localizer --out localizer.onnx[/bold]
     """
-    written = export_decoder(model, out, noise=noise_choice(noise), ambient=ambient)
+    written = studies.export_decoder(model, out, noise=noise_choice(noise), ambient=ambient)
     tell(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"
@@ -132,7 +133,7 @@ def embed(
     Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
     """
     chosen = cast("Precision", precision)
-    written = embed_decoder(library, out, precision=chosen, budget=budget, noise=noise_choice(noise))
+    written = studies.embed_decoder(library, out, precision=chosen, budget=budget, noise=noise_choice(noise))
     cost, table = written.decoder.cost, table_of("", "at most", numbers=(1,))
     for name, value in (("flash", cost.flash), ("ram", cost.ram), ("stack", cost.stack)):
         table.add_row(name, f"{value} bytes")
@@ -180,9 +181,9 @@ def locate(
     """
     if waveform and out is None:
         raise typer.BadParameter("--waveform adds to the lines of --out: give --out too")
-    air = LocalAir(pressure, altitude, temperature)
-    decoding = Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
-    found = locate_recording(model, recording, out, picture=picture, full_scale=full_scale, decoding=decoding)
+    air = acoustic_fem.LocalAir(pressure, altitude, temperature)
+    decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
+    found = studies.locate_recording(model, recording, out, picture=picture, full_scale=full_scale, decoding=decoding)
     _show_touches(found)
     names: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}
     seconds = found.seconds_by_state
@@ -240,9 +241,9 @@ def recognize(
 
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
-    air = LocalAir(pressure, altitude, temperature)
-    decoding = Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
-    found = recognize_recording(
+    air = acoustic_fem.LocalAir(pressure, altitude, temperature)
+    decoding = studies.Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
+    found = studies.recognize_recording(
         model, library, recording, out, point=point, speed=speed, full_scale=full_scale, decoding=decoding
     )
     table = table_of("from (s)", "to (s)", "point", "kind", "probability (%)", numbers=(0, 1, 2, 4))
@@ -292,9 +293,9 @@ def track(
 
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
-    air = LocalAir(pressure, altitude, temperature)
-    decoding = Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
-    found = track_recording(
+    air = acoustic_fem.LocalAir(pressure, altitude, temperature)
+    decoding = studies.Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
+    found = studies.track_recording(
         library, recording, out, picture=picture, radius=radius, full_scale=full_scale, decoding=decoding
     )
     _show_paths(found)
@@ -335,8 +336,10 @@ def pulse(
 
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """
-    decoding = Decoding(noise=noise_choice(noise), air=LocalAir(pressure, altitude, temperature))
-    found = read_pulse(library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding)
+    decoding = studies.Decoding(noise=noise_choice(noise), air=acoustic_fem.LocalAir(pressure, altitude, temperature))
+    found = studies.read_pulse(
+        library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding
+    )
     _show_pulse(found)
     tell(f"{recording}: {found.seconds:.1f} s; points are those of the design {found.design}")
     tell(f"the decoder assumes {found.assumptions}")

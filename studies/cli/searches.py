@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+import studies
 from geometry.ground.refusal import counted
 from studies.cli.options import (
     Design,
@@ -16,38 +17,37 @@ from studies.cli.options import (
     Tolerances,
     WorkerCount,
     check_workers,
-    defaults_of,
     display_on_stderr,
     noise_choice,
 )
 from studies.cli.terminal_tables import show, table_of, tell
-from studies.findings.searching import optimize as search
-from studies.optimization.problem import Optimization
-from studies.optimization.search import Candidate
+from studies.output.call_defaults import BASE_SAMPLES, SEED, SENSORS, STORED_SENSORS
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
-from studies.scatter.effects import ACCURACIES
-from studies.scatter.tolerance_run import ToleranceStudy, tolerance_study
+
+if TYPE_CHECKING:
+    from studies.optimization.problem import Optimization
+    from studies.optimization.search import Candidate
+    from studies.scatter.tolerance_run import ToleranceStudy
 
 #: Rows of the front that are printed.
 _SHOWN = 10
-_SCATTER = defaults_of(tolerance_study)
 
 
 def tolerance(
     design: Design,
     out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
-    samples: Annotated[int, typer.Option(help="Number of as-built sensors.")] = _SCATTER["samples"],
+    samples: Annotated[int, typer.Option(help="Number of as-built sensors.")] = SENSORS,
     base: Annotated[
         int, typer.Option(help="Base samples of the Sobol indices; each costs ten sensors, 0 leaves them out.")
-    ] = _SCATTER["base_samples"],
+    ] = BASE_SAMPLES,
     library: Annotated[
         int,
         typer.Option(help="Sensors to store in OUT/library.zarr, for training; 0 leaves it out.", show_default=True),
-    ] = _SCATTER["library_size"],
+    ] = STORED_SENSORS,
     tolerances: Tolerances = None,
     noise: Noise = None,
-    seed: Annotated[int, typer.Option(help="Seed of all draws.")] = _SCATTER["seed"],
+    seed: Annotated[int, typer.Option(help="Seed of all draws.")] = SEED,
     frequencies: Frequencies = FREQUENCIES,
 ) -> None:
     """Compute how manufacturing scatter spreads the accuracy, and which tolerance matters most.
@@ -58,7 +58,7 @@ def tolerance(
     Example: [bold]acoustic-fem tolerance array-2x6 --out scatter --library 2000[/bold]
     """
     with display_on_stderr() as display:
-        study = tolerance_study(
+        study = studies.tolerance_study(
             design,
             out,
             samples=samples,
@@ -79,7 +79,7 @@ def _show_scatter(study: ToleranceStudy) -> None:
     result = study.result
     table = table_of("predicted top-1 (%)", "mean", "5 %", "median", "95 %", numbers=(1, 2, 3, 4))
     summary = result.summary()
-    for name, title in ACCURACIES.items():
+    for name, title in studies.scatter.ACCURACIES.items():
         spread = summary["accuracy"][name]
         table.add_row(title, *(number(100 * spread[key], 1) for key in ("mean", "q05", "median", "q95")))
     show(table)
@@ -114,7 +114,7 @@ def optimize(
     """
     check_workers(workers, scheduler)
     with display_on_stderr() as display:
-        found = search(study, out, workers=workers, scheduler=scheduler, display=display)
+        found = studies.optimize(study, out, workers=workers, scheduler=scheduler, display=display)
     result = found.result
     _show_front(found.problem, (result.base, *result.front[:_SHOWN]))
     print(f"{counted(len(result.candidates), 'design')} computed, {sum(count for _, count in result.refused)} refused, "

@@ -11,19 +11,18 @@ import typer
 import studies
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.ground.refusal import Kind, counted
-from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
+from studies.cli.options import Scheduler, check_workers, display_on_stderr
 from studies.cli.terminal_tables import show, table_of, tell
-from studies.findings.reporting import BestDesigns, best_designs, save_best_design, sweep_report
+from studies.output.call_defaults import BEST_DESIGNS
 from studies.output.display import duration, number
-from studies.study.file import load_study
 
 if TYPE_CHECKING:
+    from studies.findings.reporting import BestDesigns
     from studies.sweep.plan import Plan
     from studies.sweep.run import Summary
 
 #: Kinds of reasons for failures that are listed; all are in the store.
 _LISTED = 10
-_COUNT = defaults_of(best_designs)["count"]
 Results = Annotated[
     Path,
     typer.Argument(
@@ -64,7 +63,7 @@ def sweep(
         raise typer.BadParameter("--out is missing: the store to write, such as results.zarr")
     check_workers(workers, scheduler)
     if dry_run:
-        given = load_study(study)
+        given = studies.load_study(study)
         _print_plan(studies.plan_sweep(given, workers), given.fidelity)
         return
     assert out is not None
@@ -87,7 +86,7 @@ def report(
     Example: [bold]acoustic-fem report results.zarr --out report.html[/bold]
     """
     with display_on_stderr() as display:
-        table = sweep_report(results, out, display=display)
+        table = studies.sweep_report(results, out, display=display)
     tell(
         f"{out}: {counted(len(table.number), 'design')}, {sum(count for _, count in table.failures)} failed, "
         f"{table.waiting} not computed yet"
@@ -108,7 +107,7 @@ def best(
             show_default=False,
         ),
     ] = None,
-    count: Annotated[int, typer.Option(help="Number of designs to list.")] = _COUNT,
+    count: Annotated[int, typer.Option(help="Number of designs to list.")] = BEST_DESIGNS,
 ) -> None:
     """List the best designs of a sweep or a search, or write the file of one.
 
@@ -121,9 +120,9 @@ def best(
         )
         raise typer.BadParameter(f"{missing}; DESIGN must be a number of the list; give both or neither")
     if design is None or out is None:
-        _show_best(best_designs(results, by, count))
+        _show_best(studies.best_designs(results, by, count))
         return
-    save_best_design(results, design, out)
+    studies.save_best_design(results, design, out)
     print(out)
 
 

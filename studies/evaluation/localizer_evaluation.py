@@ -16,6 +16,7 @@ from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.same_array import check_same_array, design_difference
 from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
+from studies.output.call_defaults import HELD_OUT_TOUCHES, SEED
 from studies.output.display import Display
 from studies.output.folders import check_folder
 
@@ -31,9 +32,9 @@ def evaluate_localizer(
     library: ModelSource,
     out: str | os.PathLike[str] | None = None,
     *,
-    touches: int = 200,
+    touches: int = HELD_OUT_TOUCHES,
     noise: NoiseChoice = "design",
-    seed: int = 0,
+    seed: int = SEED,
     display: Display | None = None,
 ) -> dict[str, Headline]:
     """Evaluations of a localizer on touches that it was not trained on, the Bayes decoder beside it.

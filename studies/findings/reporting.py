@@ -10,6 +10,7 @@ import studies
 from geometry import save_design
 from geometry.ground.refusal import Kind, Refusal, counted
 from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep, with_base_metrics
+from studies.output.call_defaults import BEST_DESIGNS
 from studies.output.display import Display
 from studies.output.folders import check_new_file
 from studies.sweep.store import is_sweep, open_sweep
@@ -69,7 +70,7 @@ def sweep_report(
     return table
 
 
-def best_designs(results: str | os.PathLike[str], by: str | None = None, count: int = 10) -> BestDesigns:
+def best_designs(results: str | os.PathLike[str], by: str | None = None, count: int = BEST_DESIGNS) -> BestDesigns:
     """Best designs of a sweep or a search by one metric.
 
     Args:

@@ -13,10 +13,9 @@ from localize.embedded.decoder_tables import Precision
 from localize.model.opened_model import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice
+from studies.output.call_defaults import PRECISION
 from studies.output.folders import check_folder, replaced_files
 
-PRECISION: Precision = "float32"
-"""Precision of the large tables where a caller names none."""
 #: By this file a folder is known as one of an earlier call.
 _MARK = "touch_decoder.h"
 

@@ -24,6 +24,7 @@ from localize.live.sources import ReplaySource, Source
 from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.resampling import check_full_scale
+from studies.output.call_defaults import FULL_SCALE
 from studies.output.folders import check_new_file
 
 
@@ -37,7 +38,7 @@ class LiveInput:
     """WAV file to play in real time instead of listening."""
     channels: Mapping[str, int] | None = None
     """Channel of each microphone, from 1; by default the first ones, in the order of the design."""
-    full_scale: float = 1.0
+    full_scale: float = FULL_SCALE
     """Pressure at full scale of the sound card or file, Pa."""
 
     def __post_init__(self) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.whole_files import write_text
-from localize.contacts.contact import MOVING
+from localize.live.stream_options import MOVING
 from localize.model.located_touches import RecordingResult
 from localize.model.opened_model import Decoding, ModelSource, files_of, opened_as_designed
 from localize.recordings.recording import read_recording

@@ -21,8 +21,9 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from localize import Decision, gesture_of, read_recording, touches_of
 from localize.contacts import Contact
-from localize.contacts.contact import MOVING, surface_of
+from localize.contacts.contact import surface_of
 from localize.contacts.finger_gestures import double_tap, press, slide, tap
+from localize.live.stream_options import MOVING
 from localize.model.opened_model import Model, open_model, opened_as_designed
 from localize.signals.array_response import response_of
 from localize.tracking import tracks_of

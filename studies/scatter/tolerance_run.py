@@ -17,6 +17,7 @@ from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import PathLike
 from localize.signals.noise_model import NoiseChoice
+from studies.output.call_defaults import BASE_SAMPLES, SEED, SENSORS, STORED_SENSORS
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.frequencies import FREQUENCIES
@@ -44,12 +45,12 @@ def tolerance_study(
     design: DesignLike,
     out: PathLike,
     *,
-    samples: int = 256,
-    base_samples: int = 128,
-    library_size: int = 0,
+    samples: int = SENSORS,
+    base_samples: int = BASE_SAMPLES,
+    library_size: int = STORED_SENSORS,
     tolerances: PathLike | Sequence[Tolerance] | None = None,
     microphone_noise: NoiseChoice = "design",
-    seed: int = 0,
+    seed: int = SEED,
     frequency: ArrayLike | str = FREQUENCIES,
     display: Display | None = None,
 ) -> ToleranceStudy:

@@ -24,14 +24,12 @@ from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import PathLike
 from localize.signals import BAND
+from studies.output.call_defaults import MANIFEST
 from studies.output.display import Display
 from studies.output.folders import check_new_file
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
 from studies.test_rig.calibration_figures import draw_calibration
 from studies.test_rig.priors import fit_priors, model_deviation
-
-#: The manifest of a folder of recordings.
-MANIFEST = "calibration.toml"
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,6 +23,7 @@ from localize.recordings.same_take import find_same_take
 from localize.signals.array_response import response_of
 from localize.signals.frames import FRAME, cut_frames
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
+from studies.output.call_defaults import SEED
 from studies.output.display import Display
 from studies.output.folders import check_new_file
 
@@ -49,7 +50,7 @@ def recalibrate(
     *,
     full_scale: float | None = None,
     microphone_noise: NoiseChoice = "design",
-    seed: int = 0,
+    seed: int = SEED,
     air: LocalAir | None = None,
     display: Display | None = None,
 ) -> Recalibration:

@@ -16,9 +16,9 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.design_file import DesignLike, write_design
 from geometry.ground.typed import PathLike
+from studies.output.call_defaults import MANIFEST, SEED
 from studies.output.display import Display
 from studies.output.folders import check_folder, make_folder, replaced_folder, write_json
-from studies.test_rig.calibrating import MANIFEST
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import RIG_MARK, HiddenScatter, Recorder, Rig
 
@@ -55,7 +55,7 @@ def record_rig(
     design: DesignLike,
     out: PathLike,
     *,
-    seed: int = 0,
+    seed: int = SEED,
     fidelity: str = ONE_DESIGN,
     scatter: HiddenScatter | None = None,
     recorder: Recorder | None = None,

@@ -93,7 +93,7 @@ def test_a_recording_that_was_stopped_by_a_full_disk_ends_with_code_1(
 ) -> None:
     stopped = "a.wav: cannot be written: No space left on device"
     summary = LiveSummary(1.0, {}, 0, {"recording stopped": 1}, 0, Latencies(), (), "that nothing", None, stopped)
-    monkeypatch.setattr("studies.cli.live_input.listen", lambda *_, **__: summary)
+    monkeypatch.setattr("studies.inference.live.listen", lambda *_, **__: summary)
     told = command("live", "model")
     assert (told.code, told.err.splitlines()[-1].startswith(f"acoustic-fem: {stopped}")) == (1, True)
 

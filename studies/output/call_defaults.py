@@ -1,0 +1,20 @@
+"""Defaults of calls that the help of a verb shows too: ``--help`` reads them here and imports no call."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+SEED = 0
+"""Seed of touches, of simulated sensors and of draws."""
+HELD_OUT_TOUCHES = 200
+"""Number of held-out touches of every point in an evaluation."""
+SENSORS, BASE_SAMPLES, STORED_SENSORS = 256, 128, 0
+"""Numbers of a tolerance study: as-built sensors, base samples of the Sobol indices, and sensors that are stored."""
+BEST_DESIGNS = 10
+"""Number of designs in a list of the best."""
+FULL_SCALE = 1.0
+"""Pressure at full scale of live input, Pa."""
+PRECISION: Literal["float32"] = "float32"
+"""Numbers of the tables of an exported decoder."""
+MANIFEST = "calibration.toml"
+"""Manifest that a folder of calibration recordings must contain."""
