@@ -62,11 +62,11 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
         quality = design_quality(design)
         assert quality is not None
         picture = draw_quality(design, quality, PICTURES / f"{name}.png")
-        made = f"{100 * quality.mis_made:.1f} ({100 * quality.worst:.1f})" if quality.sensors else "not computed"
+        made = f"{100 * quality.as_built:.1f} ({100 * quality.worst:.1f})" if quality.sensors else "not computed"
         words = design.description.rstrip(".")
         rows.append(
             f"| [{name}](#{name}) | {words} | {design.point_count} | {len(design.microphones)} "
-            f"| {100 * quality.named:.1f} | {made} "
+            f"| {100 * quality.nominal:.1f} | {made} "
             f"| {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
             f"| {quality.cost:.2f} |"
         )

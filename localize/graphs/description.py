@@ -40,7 +40,7 @@ class Strict(BaseModel):
     model_config = ConfigDict(strict=True, extra="forbid", allow_inf_nan=False)
 
 
-class Array(Strict):
+class ArrayDescription(Strict):
     """The array that a localizer is of."""
 
     design: Annotated[str, Field(min_length=1, max_length=200)]
@@ -65,7 +65,7 @@ class Array(Strict):
         return self
 
 
-class GraphDescription(Array):
+class GraphDescription(ArrayDescription):
     """Description in the metadata of an ONNX file."""
 
     format: str

@@ -100,7 +100,7 @@ def _check_shape(value: ValueInfoProto, shape: tuple[str | int, ...], stated: bo
         )
 
 
-def doubt(model: ModelProto) -> str | None:
+def fault_of_graph(model: ModelProto) -> str | None:
     """Why it is not known that a graph ends in little time and memory, in words; None where it is.
 
     Args:

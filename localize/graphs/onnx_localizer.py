@@ -21,7 +21,7 @@ from localize.graphs.description import (
     described,
 )
 from localize.graphs.foreign_graph import ForeignGraph
-from localize.graphs.graph_check import BATCH, INPUT, OUTPUTS, check_interface, doubt
+from localize.graphs.graph_check import BATCH, INPUT, OUTPUTS, check_interface, fault_of_graph
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.frames import FRAME, combined_probability, cut_frames
 from localize.signals.locator import Locator
@@ -71,7 +71,9 @@ class OnnxLocalizer(Locator):
         except Refusal as error:
             raise LocalizerError.of(error, file=path) from None
         self._path = path
-        self._graph = ForeignGraph(content, str(path), LocalizerError) if doubt(model) else _OwnGraph(content, path)
+        self._graph = (
+            ForeignGraph(content, str(path), LocalizerError) if fault_of_graph(model) else _OwnGraph(content, path)
+        )
         self._try()
 
     def _try(self) -> None:

@@ -47,7 +47,7 @@ class Track:
 
 
 class PathTracker:
-    """Tracker of paths from the decisions of a stream whose ``listening`` keeps its frames.
+    """Tracker of paths from the decisions of a stream with ``StreamOptions(frames=True)``.
 
     Args:
         library: with a design, as of :class:`localize.BayesDecoder`.

@@ -50,7 +50,7 @@ def tracks_of(stream: TouchStream, tracker: PathTracker, signals: NDArray[np.flo
     """Paths that a tracker finds behind a stream, both new.
 
     Args:
-        stream: whose ``listening`` keeps its frames.
+        stream: with ``StreamOptions(frames=True)``.
         tracker: of the same array.
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
     """

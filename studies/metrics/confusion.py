@@ -32,7 +32,7 @@ from geometry.ground.typed import Array, ComplexArray
 from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import shape_error
-from studies.metrics.filtered_touches import Listener, ear_of, noise_of_filters, standard_noise
+from studies.metrics.filtered_touches import Listener, touch_filter, noise_of_filters, standard_noise
 
 POWERS = 10.0 ** np.arange(-4.0, 2.1)
 """Values of g that are tried."""
@@ -107,21 +107,23 @@ def predict_confusions(
     _check(h, grid, touches)
     designs, points, microphones, _ = h.shape
     powers = [noise_of_filters(noise, designs, listener) for noise in noises]
-    ear = ear_of(grid.tobytes(), listener, touches, seed)
+    touches_filtered = touch_filter(grid.tobytes(), listener, touches, seed)
     standard = standard_noise(points, microphones, listener, touches, seed)
-    common = () if assumed is None else tuple(ear.covariance(_assumed(assumed, h)))
+    common = () if assumed is None else tuple(touches_filtered.covariance(_assumed(assumed, h)))
     shape = designs, points, points
     found = [PredictedConfusion(np.zeros(shape), np.zeros(shape), touches) for _ in powers]
-    room = _Room(points, microphones, ear.shape)
+    room = _Room(points, microphones, touches_filtered.shape)
     weights: dict[tuple[int, int], list[Array]] = {}
     for first in range(0, designs, room.designs):
         part = slice(first, first + room.designs)
-        own = ear.covariance(h[part])[:, None] if assumed is None else ()
+        own = touches_filtered.covariance(h[part])[:, None] if assumed is None else ()
         if assumed is None or max(map(len, powers)) > 1:
             weights.clear()
         for start in range(0, points, room.points):
             touched = slice(start, start + room.points)
-            for number, frames in enumerate(ear.frames(h[part, touched], room.frames_of(h[part, touched])), first):
+            for number, frames in enumerate(
+                touches_filtered.frames(h[part, touched], room.frames_of(h[part, touched])), first
+            ):
                 for level, (result, power) in enumerate(zip(found, powers, strict=True)):
                     noise = power[min(number, len(power) - 1)]
                     key = level, number if assumed is None or len(power) > 1 else 0

@@ -69,7 +69,7 @@ def _passed_noise(listener: Listener) -> Array:
     return np.asarray((np.abs(forth) ** 2 + np.abs(back) ** 2) / 2)
 
 
-class Ear:
+class TouchFilter:
     """Linear map from transfer functions on one grid to the filtered frames of the simulated touches."""
 
     def __init__(self, grid: Array, listener: Listener, touches: int, seed: int) -> None:
@@ -135,9 +135,9 @@ class Ear:
 
 
 @lru_cache(maxsize=4)
-def ear_of(grid: bytes, listener: Listener, touches: int, seed: int) -> Ear:
-    """The ear of a listener for a grid of frequencies, the bytes of (n_freq,) float64, Hz, made once."""
-    return Ear(np.frombuffer(grid, np.float64), listener, touches, seed)
+def touch_filter(grid: bytes, listener: Listener, touches: int, seed: int) -> TouchFilter:
+    """The filter of a listener for a grid of frequencies, the bytes of (n_freq,) float64, Hz, made once."""
+    return TouchFilter(np.frombuffer(grid, np.float64), listener, touches, seed)
 
 
 @lru_cache(maxsize=4)

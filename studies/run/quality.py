@@ -42,11 +42,11 @@ _MOST_POINTS = 256
 class DesignQuality:
     """Predicted quality of a design: multi-sine touches, the noise of the design's microphone."""
 
-    named: float
+    nominal: float
     """Share of touches on the nominal sensor whose point a trained localizer is predicted to name, 0 to 1."""
     sensors: int
     """Number of as-built sensors; 0 where the batch does not take the design, or it has over 256 points."""
-    mis_made: float
+    as_built: float
     """The same share on sensors with a workshop's scatter, not calibrated, by their mean; NaN without sensors."""
     worst: float
     """The same of the worst of these sensors; NaN without sensors."""
@@ -64,7 +64,7 @@ class DesignQuality:
     """Cost of the materials of one array, molds left out, at assumed prices, USD."""
     fidelity: QuickFidelity
     """Fidelity of the nominal sensor's transfer functions: the atlas, or 3-D and why."""
-    made_fidelity: QuickFidelity | None
+    as_built_fidelity: QuickFidelity | None
     """Fidelity of the as-built sensors' transfer functions; None without sensors."""
     per_point: NDArray[np.float64] = field(repr=False)
     """Share of the touches of each point on the nominal sensor that name it; (n_point,) float64."""
@@ -73,13 +73,13 @@ class DesignQuality:
     def lines(self) -> tuple[tuple[str, str, str], ...]:
         """Rows of a table: what, value, and what the value is of."""
         first, second = self.hardest
-        made = f"{100 * self.mis_made:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
+        made = f"{100 * self.as_built:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
         of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "told by acoustic-fem tolerance"
-        fidelities = {"nominal sensor": self.fidelity, "as-built sensors": self.made_fidelity}
+        fidelities = {"nominal sensor": self.fidelity, "as-built sensors": self.as_built_fidelity}
         return (
             (
                 "classified correctly, nominal sensor",
-                f"{100 * self.named:.1f} %",
+                f"{100 * self.nominal:.1f} %",
                 "multi-sine touches, predicted for a localizer",
             ),
             ("classified correctly, as-built sensors", made, of),
@@ -93,7 +93,7 @@ class DesignQuality:
         """Figures as JSON can hold them."""
         known = {**asdict(self), "per_point": self.per_point.tolist(), "hardest": list(self.hardest)}
         known["fidelity"] = self.fidelity.words
-        known["made_fidelity"] = self.made_fidelity and self.made_fidelity.words
+        known["as_built_fidelity"] = self.as_built_fidelity and self.as_built_fidelity.words
         return {name: None if value != value else value for name, value in known.items()}
 
 
@@ -117,11 +117,11 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
     predicted = SharedFigures(Responses.of_library(library)).confusion(None)
     limits = np.asarray(detection_limits(library, BAND)["force"].values)
     weakest = int(np.argmax(limits))
-    made, made_fidelity = _as_built(design)
+    made, as_built_fidelity = _as_built(design)
     return DesignQuality(
-        named=float(predicted.top1[0]),
+        nominal=float(predicted.top1[0]),
         sensors=len(made),
-        mis_made=float(made.mean()) if len(made) else float("nan"),
+        as_built=float(made.mean()) if len(made) else float("nan"),
         worst=float(made.min()) if len(made) else float("nan"),
         hardest=hardest,
         level=level,
@@ -130,7 +130,7 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
         force=float(limits[weakest]),
         cost=float(cost(design)),
         fidelity=fidelity,
-        made_fidelity=made_fidelity,
+        as_built_fidelity=as_built_fidelity,
         per_point=np.diagonal(predicted.confusion[0]).copy(),
     )
 
@@ -162,8 +162,8 @@ def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.Pat
         _plan(axes, design, quality)
         axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")
         figure.suptitle(
-            f"{design.name}: predicted to be classified correctly {100 * quality.named:.1f} % on the nominal sensor"
-            + (f", {100 * quality.mis_made:.1f} % on as-built ones" if quality.sensors else "")
+            f"{design.name}: predicted to be classified correctly {100 * quality.nominal:.1f} % on the nominal sensor"
+            + (f", {100 * quality.as_built:.1f} % on as-built ones" if quality.sensors else "")
         )
         figure.legend(loc="outside lower center", ncols=2)
         return save_figure(figure, path)

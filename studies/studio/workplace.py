@@ -47,7 +47,7 @@ class Workplace:
         # One thread a stage: a slow one delays no other, and none works on two designs at once.
         self._threads = {
             name: ThreadPoolExecutor(1, f"studio-{name}")
-            for name in ("curves", "points", "mis_made", "cad", "save", "export", "live", "study", "touch")
+            for name in ("curves", "points", "as_built", "cad", "save", "export", "live", "study", "touch")
         }
         self.cad = TaskProcess(_warm_up)
         self._decoder = TaskProcess(_import_decoder, "the decoder", in_background=False)
@@ -92,7 +92,7 @@ class Workplace:
         """Result of a job of any stage but that of the curves.
 
         Args:
-            job: of the stage "points", "pinned_points", "mis_made", "surface",
+            job: of the stage "points", "pinned_points", "as_built", "surface",
                 "model" or "check".
             notify: called from another thread with each line on what is being done.
         """
@@ -106,9 +106,9 @@ class Workplace:
             elif stage == "surface":
                 self._threads["touch"].submit(self._decoder.start)  # the first touch is not far
                 found = await self.in_thread("points", lambda: membranes(job.design))
-            elif stage == "mis_made":
+            elif stage == "as_built":
                 found = await self.in_thread(
-                    "mis_made", lambda: self._predictor.run(as_built_figures, (job.design,), task=job)
+                    "as_built", lambda: self._predictor.run(as_built_figures, (job.design,), task=job)
                 )
             elif stage == "model":
                 found = await self.in_thread("cad", lambda: self.cad.run(model_of_array, (job.design,), task=job))

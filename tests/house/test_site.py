@@ -136,8 +136,8 @@ def test_the_gallery_says_what_check_says() -> None:
     quality = design_quality(geometry.load_design(examples / "wristband-16.toml"))
     row = next(line for line in page.splitlines() if line.startswith("| [wristband-16]"))
     named, made = (cell.strip() for cell in row.split("|")[5:7])
-    assert named == f"{100 * quality.named:.1f}", "python docs/make_gallery.py"
-    assert made == f"{100 * quality.mis_made:.1f} ({100 * quality.worst:.1f})"
+    assert named == f"{100 * quality.nominal:.1f}", "python docs/make_gallery.py"
+    assert made == f"{100 * quality.as_built:.1f} ({100 * quality.worst:.1f})"
 
 
 def test_no_group_of_the_side_bar_is_longer_than_a_glance() -> None:

@@ -162,7 +162,7 @@ async function figures(message: any): Promise<void> {
   }
   if (stage === "points") { table.take(found); compare.figures(null); }
   if (stage === "pinned_points") compare.figures(found.figures);
-  if (stage === "mis_made") table.misMade(found);
+  if (stage === "as_built") table.asBuilt(found);
   if (stage === "check") check.take(found);
   if (stage === "surface") touch.take(found, message.revision);
   if (stage === "study") study.found(found);
@@ -281,7 +281,7 @@ function points(fields: any[] | null): void {
 /** What is shown of an earlier design is grey. */
 function stale(): void {
   grey(byId("plots"), curves.revision !== revision);
-  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["points", "compared-figures"], ["mis_made", "mis-made-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
+  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["points", "compared-figures"], ["as_built", "as-built-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
     grey(byId(place), shownRevision[stage] !== revision);
   }
 }

@@ -34,8 +34,8 @@ export class PointsPanel {
     this.matrix();
   }
 
-  misMade(found: { sensors: number; mean: number; worst: number; fidelity: string }): void {
-    byId("mis-made").textContent =
+  asBuilt(found: { sensors: number; mean: number; worst: number; fidelity: string }): void {
+    byId("as-built").textContent =
       `Top-1 accuracy of ${found.sensors} as-built sensors, not calibrated: mean ${words(100 * found.mean, 3)} %, ` +
       `${words(100 * found.worst, 3)} % on the worst of them; fidelity ${found.fidelity}.`;
   }

@@ -15,7 +15,7 @@ import localize
 from geometry import Kind
 from localize.graphs import KEY, foreign_graph
 from localize.graphs.foreign_graph import ForeignGraph
-from localize.graphs.graph_check import LARGEST_VALUES, doubt
+from localize.graphs.graph_check import LARGEST_VALUES, fault_of_graph
 
 POINTS = 5
 
@@ -119,13 +119,13 @@ def grown():
 
 def test_a_graph_of_the_exporter_runs_in_this_process(own, monkeypatch):
     monkeypatch.setattr(ForeignGraph, "__init__", lambda *_: pytest.fail("a process was started"))
-    assert doubt(onnx.load(own)) is None
+    assert fault_of_graph(onnx.load(own)) is None
     assert localize.OnnxLocalizer(own).point_count == POINTS
 
 
 def test_another_graph_runs_in_a_process_of_its_own(own, tmp_path):
     path = foreign(own, tmp_path / "foreign.onnx")
-    assert "it holds the operator" in doubt(onnx.load(path))
+    assert "it holds the operator" in fault_of_graph(onnx.load(path))
     read = localize.OnnxLocalizer(path)
     assert isinstance(read._graph, ForeignGraph)
     signals = np.random.default_rng(1).standard_normal((100, 2, 250))
@@ -140,7 +140,7 @@ def test_a_graph_that_does_not_end_is_stopped(own, tmp_path, monkeypatch):
     monkeypatch.setattr(foreign_graph, "LONGEST", 2.0)
     nodes, constants = endless()
     path = foreign(own, tmp_path / "endless.onnx", *nodes, constants=constants)
-    assert "Loop" in doubt(onnx.load(path))
+    assert "Loop" in fault_of_graph(onnx.load(path))
     with refused(Kind.STOPPED, file="endless.onnx", error=localize.LocalizerError):
         localize.OnnxLocalizer(path)
 
@@ -148,7 +148,7 @@ def test_a_graph_that_does_not_end_is_stopped(own, tmp_path, monkeypatch):
 def test_a_graph_that_takes_more_memory_than_it_may_is_refused(own, tmp_path):
     nodes, constants = enormous()
     path = foreign(own, tmp_path / "large.onnx", *nodes, constants=constants)
-    assert "ConstantOfShape" in doubt(onnx.load(path))
+    assert "ConstantOfShape" in fault_of_graph(onnx.load(path))
     with pytest.raises(localize.LocalizerError, match=r"large\.onnx: its graph (cannot be run|ended the process)"):
         localize.OnnxLocalizer(path)
 
@@ -162,7 +162,7 @@ def test_values_that_grow_by_plain_operators_are_seen_before_they_are_made(own, 
             node.op_type = "ReduceSum"
         elif node.op_type == "Identity":
             node.op_type = "Abs"
-    found = doubt(model)
+    found = fault_of_graph(model)
     assert "bytes" in found
     assert float(found.split()[3]) > LARGEST_VALUES
 

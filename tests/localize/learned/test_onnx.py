@@ -15,7 +15,7 @@ from refusals import refused
 import localize
 from geometry import Kind
 from localize.graphs import KEY
-from localize.graphs.graph_check import doubt
+from localize.graphs.graph_check import fault_of_graph
 from localize.learned.onnx import OPSET
 
 QUICK = localize.TrainingPlan(seconds_per_point=10, epochs=2, microphone_noise=1e-2)
@@ -98,7 +98,7 @@ def test_a_file_is_valid_and_says_what_it_is(array, pair):
     assert said["noise_rms"] == pytest.approx(1e-2)
     assert said["versions"]["libraries"]["onnx"] == onnx.__version__
     assert said["provenance"]["made by"] == "tests/support/rc_line.py"
-    assert doubt(model) is None  # and it runs in this process
+    assert fault_of_graph(model) is None  # and it runs in this process
     read = localize.OnnxLocalizer(path)
     assert (read.design, read.point_count, read.noise_rms) == ("rc-line-20", 20, localizer.noise_rms)
 

@@ -34,7 +34,7 @@ def library():
     return acoustic_fem.solve(small_design(), np.arange(1.0, 201.0), "lumped")
 
 
-def test_mis_made_sensors_scatter_around_the_library_whatever_its_fidelity(library):
+def test_as_built_sensors_scatter_around_the_library_whatever_its_fidelity(library):
     response = response_of(library)
     sets = sensor_sets(library, response, seed=0, count=6)
     spread = [np.abs(np.log(made / response.transfer_function)).std() for _, _, made in sets]

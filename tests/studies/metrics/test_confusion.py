@@ -83,11 +83,13 @@ def test_three_microphones_are_scored_by_their_likelihood() -> None:
     h = np.concatenate([line(4), late[:, :, :1]], axis=2)
     noise, touches = 0.3, 8
     found = predict_confusion(h, GRID, noise, touches=touches)
-    ear = filtered_touches.ear_of(GRID.tobytes(), "network", touches, 0)
+    touches_filtered = filtered_touches.touch_filter(GRID.tobytes(), "network", touches, 0)
     scale = np.sqrt(noise_of_filters(noise, 1, "network")[0])
-    parts = ear.frames(h)[0] / scale[:, None] + filtered_touches.standard_noise(4, 3, "network", touches, 0)
+    parts = touches_filtered.frames(h)[0] / scale[:, None] + filtered_touches.standard_noise(
+        4, 3, "network", touches, 0
+    )
     x = np.moveaxis(parts[:, :, 0] + 1j * parts[:, :, 1], 1, -1)  # (point, filter, touch, microphone)
-    own = np.moveaxis(ear.covariance(h)[0], -1, 1) / scale[:, None, None] ** 2
+    own = np.moveaxis(touches_filtered.covariance(h)[0], -1, 1) / scale[:, None, None] ** 2
     score = np.full((4, touches, 4), -np.inf)
     for power in POWERS:
         s = np.eye(3) + power * own  # (hypothesis, filter, microphone, microphone)
@@ -107,8 +109,8 @@ def test_more_noise_is_never_better() -> None:
 @pytest.mark.parametrize("listener", ["network", "model"])
 def test_simulated_frames_are_the_filtered_signals_of_the_localizer(listener: str) -> None:
     response = rc_line(3, GRID)
-    ear = filtered_touches.ear_of(GRID.tobytes(), listener, 5, 7)
-    parts = ear.frames(response.transfer_function[None])[0]
+    touches_filtered = filtered_touches.touch_filter(GRID.tobytes(), listener, 5, 7)
+    parts = touches_filtered.frames(response.transfer_function[None])[0]
     frames = (parts[:, :, 0] + 1j * parts[:, :, 1]).swapaxes(-1, -2)
     lines = stimulus.lines_within((1.0, 100.0))
     spectrum = stimulus.multi_sines(7, "evaluation", 0, 5, (1.0, 100.0)).spectrum[:, : lines.stop]
@@ -129,7 +131,7 @@ def test_white_noise_behind_a_filter_is_its_energy() -> None:
 def test_the_covariance_is_that_of_many_flat_touches() -> None:
     """Against simulated sources of flat spectrum, seen through one microphone pair."""
     h = rc_line(2, GRID).transfer_function[None]
-    covariance = np.moveaxis(filtered_touches.ear_of(GRID.tobytes(), "model", 4, 0).covariance(h)[0, 0], -1, 0)
+    covariance = np.moveaxis(filtered_touches.touch_filter(GRID.tobytes(), "model", 4, 0).covariance(h)[0, 0], -1, 0)
     random = np.random.default_rng(0)
     frequency = np.arange(1.0, 100.01, 0.25)
     at = rc_line(2, GRID).at(frequency)[0]

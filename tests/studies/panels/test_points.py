@@ -61,7 +61,7 @@ def test_what_cannot_be_built_is_said_with_its_mend() -> None:
     assert found["mend"].startswith("set ")
 
 
-def test_mis_made_sensors_are_those_of_python() -> None:
+def test_as_built_sensors_are_those_of_python() -> None:
     design = prototype("array-2x6")
     expected = scattered_accuracy(design, np.linspace(1, 100, 64), sensors=64, fidelity="atlas")
     found = as_built_figures(design)

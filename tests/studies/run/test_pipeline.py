@@ -76,7 +76,7 @@ def test_the_results_are_those_of_the_library() -> None:
     assert found["network"]["top1"] == pytest.approx(np.trace(found["network"]["confusion"]) / 3000)
 
 
-def test_taps_and_mis_made_sensors_stand_beside_the_headline() -> None:
+def test_taps_and_as_built_sensors_stand_beside_the_headline() -> None:
     for each in (results()["network"], results()["bayes"]):
         assert each["signals"] == "multi-sine touches on the nominal sensor"
         assert [(own["group"], own["name"]) for own in each["conditions"]] == [

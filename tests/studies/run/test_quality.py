@@ -24,12 +24,12 @@ def test_the_figures_are_those_of_the_metrics(tmp_path):
     grid = frequency_grid(studies.output.FREQUENCIES)
     library = studies.solve_library(design, tmp_path / "library.nc", fidelity="atlas", frequency="1:100:64")
     metrics = studies.study.METRICS
-    assert found.named == pytest.approx(metrics["predicted_top1"].of_library(library))
+    assert found.nominal == pytest.approx(metrics["predicted_top1"].of_library(library))
     assert found.cost == pytest.approx(metrics["cost"].of_library(library))
-    assert found.per_point.mean() == pytest.approx(found.named)
-    assert (found.fidelity.words, found.made_fidelity.words) == ("atlas", "atlas")
+    assert found.per_point.mean() == pytest.approx(found.nominal)
+    assert (found.fidelity.words, found.as_built_fidelity.words) == ("atlas", "atlas")
     made = scattered_accuracy(design, grid, sensors=found.sensors, fidelity="atlas")
-    assert (found.mis_made, found.worst) == (pytest.approx(made.mean()), pytest.approx(made.min()))
+    assert (found.as_built, found.worst) == (pytest.approx(made.mean()), pytest.approx(made.min()))
     assert found.sensors == 64
     assert json.loads(json.dumps(found.to_dict()))["hardest"] == list(found.hardest)
 
@@ -42,23 +42,23 @@ def test_a_design_at_the_edge_of_the_atlas_is_solved_in_3d_as_built_and_says_so(
     beyond = small.with_values({"resonator.cavity_height": round(1.1 * tall, 3)})
     found, other = design_quality(edge), design_quality(beyond)
     assert found.fidelity.words == "atlas"
-    assert found.made_fidelity.words.startswith("navier-stokes: lines.0 tube 0 at points of column 0: ")
+    assert found.as_built_fidelity.words.startswith("navier-stokes: lines.0 tube 0 at points of column 0: ")
     assert other.fidelity.words.startswith("navier-stokes: resonator ")
     rows = {what: value for what, value, _ in found.lines}
     assert (rows["fidelity, nominal sensor"], rows["fidelity, as-built sensors"]) == ("atlas", "navier-stokes")
 
 
-def test_a_large_design_has_a_few_mis_made_sensors_and_never_one_alone(monkeypatch):
+def test_a_large_design_has_a_few_as_built_sensors_and_never_one_alone(monkeypatch):
     monkeypatch.setattr(quality, "SENSORS_UP_TO", 0.1)
     found = design_quality(small_design())
     assert found.sensors == 4
-    assert found.worst <= found.mis_made
+    assert found.worst <= found.as_built
 
 
 def test_what_takes_too_long_is_said_not_to_be_known(monkeypatch):
     monkeypatch.setattr(quality, "_MOST_POINTS", 2)
     found = design_quality(small_design())
-    assert (found.sensors, found.to_dict()["mis_made"]) == (0, None)
+    assert (found.sensors, found.to_dict()["as_built"]) == (0, None)
     assert math.isnan(found.worst)
     assert found.lines[1][:2] == ("classified correctly, as-built sensors", "not known")
 

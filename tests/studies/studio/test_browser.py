@@ -42,7 +42,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(
     until(page, f"{ROOT}.revision === '1'")
     page.click("#pin")
     page.set_viewport_size({"width": 1440, "height": 5200})
-    for stage in ("points", "model", "mis_made", "check", "surface"):
+    for stage in ("points", "model", "as_built", "check", "surface"):
         until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision", 240)
     design = prototype(name)
     figures = point_figures(design)
@@ -57,7 +57,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(
     assert page.locator("#verdict").inner_text().startswith("A valid design.")
     assert page.locator("#compared-figures tr").count() == len(figures["figures"])
     assert page.locator("#differences").inner_text() == "no field differs"
-    assert page.locator("#mis-made").inner_text().startswith("Top-1 accuracy of 64 as-built sensors")
+    assert page.locator("#as-built").inner_text().startswith("Top-1 accuracy of 64 as-built sensors")
     page.click("#game")
     mole = int(page.locator("#score").get_attribute("data-mole"))
     page.locator("#touch-points button").nth(mole - 1).click()

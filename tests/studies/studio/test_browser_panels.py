@@ -74,7 +74,7 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     give(page, "tube.length", "14")
     until(page, f"{ROOT}.revision === '2'")
     page.set_viewport_size({"width": 1440, "height": 5200})
-    for stage in ("points", "mis_made", "model", "check"):
+    for stage in ("points", "as_built", "model", "check"):
         until(page, f"{ROOT}.shown_{stage} === '2'")
 
     transfer = quick_library(LONGER)[0].transfer_function
@@ -132,7 +132,7 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     assert sorted(shown_kinds) == sorted(kinds.values())
     made = as_built_figures(LONGER)
     shares = [made["sensors"], 100 * made["mean"], 100 * made["worst"]]
-    assert numbers(page.locator("#mis-made").inner_text()) == pytest.approx(shares, rel=1e-2)
+    assert numbers(page.locator("#as-built").inner_text()) == pytest.approx(shares, rel=1e-2)
     x, y, z = array_size(LONGER, lay_out(LONGER))
     page.check("#dimensions")
     page.evaluate("document.getElementById('exploded').value = 80")

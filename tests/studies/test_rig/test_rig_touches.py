@@ -107,7 +107,7 @@ def test_training_on_recordings_from_the_command_line(library, manifest, tmp_pat
 
 
 @pytest.mark.slow
-def test_recordings_of_a_mis_made_sensor_add_what_its_design_does_not_tell(tmp_path):
+def test_recordings_of_a_as_built_sensor_add_what_its_design_does_not_tell(tmp_path):
     design = geometry.prototype("array-2x6")
     library = acoustic_fem.solve(design, np.arange(1.0, 201.0), "lumped")
     rig = Rig(design, 1, HiddenScatter(batch=0.0, modulus=0.85), fidelity="lumped")
