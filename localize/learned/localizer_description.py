@@ -20,7 +20,7 @@ from geometry.ground.whole_files import whole_file, write_text
 from localize.graphs.description import (
     LARGEST_DESCRIPTION,
     LARGEST_MODEL,
-    Array,
+    ArrayDescription,
     Count,
     Digest,
     Share,
@@ -96,7 +96,7 @@ class Training(Strict):
     device: str
 
 
-class LocalizerDescription(Array):
+class LocalizerDescription(ArrayDescription):
     """Schema of ``localizer.json``."""
 
     format: str

@@ -32,7 +32,7 @@ from geometry.ground.typed import Array, ComplexArray
 from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import shape_error
-from studies.metrics.filtered_touches import Listener, touch_filter, noise_of_filters, standard_noise
+from studies.metrics.filtered_touches import Listener, noise_of_filters, standard_noise, touch_filter
 
 POWERS = 10.0 ** np.arange(-4.0, 2.1)
 """Values of g that are tried."""
