@@ -24,22 +24,23 @@ MADE = {
 FOUND = ("fingertip-12", "graded-line-36", "line-36", "ring-3x12")
 _HEAD = """# Gallery
 
-Pick a design that resembles yours and start from it. The page shows every prototype and some designs of ours, with the
+Pick a design that resembles yours and start from it. This page shows every prototype and some designs of ours, with the
 figures that `acoustic-fem check` predicts.
 
-Accuracies are top-1 of multi-sine touches with the noise of the design's microphone, for a localizer that is trained on
-the nominal design. As-built sensors have assumed [tolerances](tolerances.md) and are not calibrated. If the mean of the
-as-built sensors is low, [calibrate](calibration.md) each sensor, because calibration removes most of the loss. The cost
-is that of the materials of one array at assumed prices without molds. In the pictures each point has the colour of its
-own accuracy and the hardest pair is ringed.
+Accuracies are top-1 accuracies for multi-sine touches with the noise of the design's microphone. The localizer is
+trained on the nominal design. As-built sensors have assumed [tolerances](tolerances.md) and are not calibrated. Other
+pages give other means for the same design, because they use more sensors, another fidelity or another decoder. If the
+mean of the as-built sensors is low, [calibrate](calibration.md) each sensor, because calibration removes most of the
+loss. The cost is that of the materials of one array at assumed prices without molds. In the pictures each point is
+coloured by its own accuracy, and rings mark the hardest pair.
 
 `acoustic-fem prototypes NAME` prints the file of a prototype. `acoustic-fem parts NAME --out parts` makes its parts.
 For a design of ours, use the path of its file in place of the name.
 
 <!-- made by python docs/make_gallery.py -->
 
-Each row is a design: top-1 accuracy of the nominal sensor, mean and worst of up to 64 as-built sensors, and the hardest
-pair with its largest level and phase difference.
+Each row is a design, with the top-1 accuracy of the nominal sensor and the mean and worst accuracy of up to 64 as-built
+sensors. The hardest pair is given with its largest level and phase difference.
 """
 
 

@@ -154,7 +154,7 @@ def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp
 def test_a_file_that_is_no_library_is_not_written_over(library: Library, tmp_path: Path, name: str) -> None:
     path = tmp_path / name
     path.write_text("time,A\n0,1\n")
-    with pytest.raises(LibraryError, match="exists, and is no library that can be read; name another file"):
+    with pytest.raises(LibraryError, match="exists, and is not a readable library; name another file"):
         export(library, path)
     assert path.read_text() == "time,A\n0,1\n"
 
@@ -175,7 +175,7 @@ def test_what_cannot_be_computed_again_is_known_by_its_content(
 ) -> None:
     path = tmp_path / "library.nc"
     path.write_bytes(b"CDF, of another program")
-    with pytest.raises(LibraryError, match=r"library\.nc: exists, and is no library that can be read; name another"):
+    with pytest.raises(LibraryError, match=r"library\.nc: exists, and is not a readable library; name another"):
         write(library, path)
     assert path.read_bytes() == b"CDF, of another program"
     path.unlink()

@@ -62,5 +62,5 @@ def test_what_is_no_pulse_is_refused(folder: Path, recording: str, options: dict
 
 def test_a_table_of_another_kind_is_kept(folder: Path, tmp_path: Path) -> None:
     (tmp_path / "mine.csv").write_text("left,right\n1,2\n", encoding="utf-8")
-    with pytest.raises(Refusal, match="a table that is none of a pulse is never overwritten"):
+    with pytest.raises(Refusal, match="a table that does not come from pulse is never overwritten"):
         studies.read_pulse(folder / "library.nc", folder / "pulse.npz", tmp_path / "mine.csv")

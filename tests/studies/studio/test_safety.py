@@ -183,7 +183,7 @@ def post(page: TestClient, content: bytes) -> Any:
     ("content", "status", "message"),
     [
         (b"x" * (MOST_UPLOAD + 1), 413, "the file must be at most 256 kB"),
-        (b"\xff\xfe", 400, "mine.toml: is no text in UTF-8"),
+        (b"\xff\xfe", 400, "mine.toml: is not a text in UTF-8"),
         (b"name = [", 400, "mine.toml: "),
         (b"name = 'a'", 400, "mine.toml: "),
         (b"a = " + b"[" * 5000, 400, "mine.toml: "),
@@ -224,7 +224,7 @@ def test_a_recording_that_is_none_is_refused_in_one_line(
         ("own", b"x" * (MOST_RECOGNIZER + 1), 413, "the recognizer must be at most 16 MB"),
         ("own", b"[" * 5000, 400, "a recognizer is uploaded as a table of its files"),
         ("own", b'{"recognizer.json": "?"}', 400, "a recognizer is uploaded as a table of its files"),
-        ("own", b'{"../a.json": ""}', 400, "../a.json: is no file of a recognizer"),
+        ("own", b'{"../a.json": ""}', 400, "../a.json: is not a file of a recognizer"),
         ("own", b'{"recognizer.json": ""}', 400, "recognizer.json: "),
     ],
 )
