@@ -8,10 +8,10 @@ from benchmarks.verification.report import Check, Subject, Table
 from studies.bending import BendingRig, solve_bending
 
 TEXT = """The publication's rig has {length:g} mm of tube with a bore of {bore:g} mm, wound on {diameter:g} mm. The
-change of the wound part's transfer admittance by a quarter turn is compared with another program's 3-D solve. The
+change of the wound part's transfer admittance by a quarter turn is compared with an independent 3-D solve. The
 target is the last digit of that program."""
 
-#: Frequency (Hz) -> change of the transfer admittance of a quarter turn by another program (physics of the bend).
+#: Frequency (Hz) -> change of the transfer admittance of a quarter turn by an independent solver (physics of the bend).
 _OTHER = {1.0: 4e-5, 100.0: 1.3e-4}
 
 
@@ -29,7 +29,7 @@ def run(_: bool) -> Subject:
     header = ("wound", "level, dB", "phase, °", *(f"Y₁₂ at {f:g} Hz" for f in frequency))
     checks = [
         Check(
-            f"bend {f:g}", f"change of Y₁₂ by a quarter turn, {f:g} Hz", f"{100 * other:g} % by another program",
+            f"bend {f:g}", f"change of Y₁₂ by a quarter turn, {f:g} Hz", f"{100 * other:g} % by an independent solver",
             float(abs(abs(result.bend_change[quarter, list(frequency).index(f)]) - other)), 1e-5,
         )
         for f, other in _OTHER.items()

@@ -1,4 +1,4 @@
-"""The membrane: mixed elasticity against thin plates, another program's rows and its own finest mesh."""
+"""The membrane: mixed elasticity against thin plates, an independent solver's rows and its own finest mesh."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support.reference_data import rows
 
 TEXT = """Membranes are compared with the finest mesh (refinement {finest}; the default is 4), in steps of h/n. Energies
 are of order 4 if the solution is smooth, but the singular stress at the edge of the clamp costs a part of it. Rows of
-another program are good to 5e-4. Kirchhoff's plate is the limit of small h/a."""
+an independent solver are good to 5e-4. Kirchhoff's plate is the limit of small h/a."""
 
 _POISSON = 0.49
 _FINEST = 7
@@ -30,7 +30,7 @@ def _plate_compliance(thickness: float) -> float:
 
 
 def run(quick: bool) -> Subject:
-    """Orders, rows of another program and the ratios to the thin plate."""
+    """Orders, rows of an independent solver and the ratios to the thin plate."""
     studies = []
     for name, shape in (
         ("clamped, h/a = 0.1", DiscShape(0.1, _POISSON, 0.0, 0.0, 0.0, 0.25)),

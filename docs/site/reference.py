@@ -9,7 +9,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import typer
 from make_architecture import Room, read_rooms
 from numpy.typing import ArrayLike
 from public_names import PACKAGES, Face, definition, entries, faces, kind_of, value_of
@@ -19,13 +18,10 @@ from sphinx.pycode import ModuleAnalyzer
 from sphinx.util import logging
 from sphinx.util.typing import stringify_annotation
 
-from studies.cli.app import app as command_line
+from studies.cli.verbs import VERBS, command_of
 
 FOLDER = Path(__file__).parents[1] / "reference" / "made"
 _LOG = logging.getLogger(__name__)
-_GROUP: Any = typer.main.get_command(command_line)
-#: Names of all verbs.
-VERBS = tuple(_GROUP.commands)
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
@@ -168,7 +164,8 @@ def verbs_page() -> str:
         "One verb per job. ``acoustic-fem VERB --help`` says the same in the terminal. Exit codes: 0; 1 with one line "
         "on stderr for what was refused; 2 for a wrong command line. Each is one call of :doc:`studies <studies>`.\n"
     )
-    for name, verb in _GROUP.commands.items():
+    for name in VERBS:
+        verb = command_of(name)
         parts += [f".. _verb-{name}:", "", _title(name, "-"), _usage(name, verb), "", _words(verb.help or ""), ""]
         parts += _parameters(verb)
     return "\n".join(parts) + "\n"

@@ -156,9 +156,7 @@ class _Listed(TyperCommand):
 
     def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> Any:
         """Read the command line as the verb itself does."""
-        alone = typer.Typer(add_completion=False, rich_markup_mode="rich", pretty_exceptions_enable=False)
-        alone.command(self.name, cls=Verb)(verb_named(str(self.name)))
-        return typer.main.get_command(alone).make_context(info_name, args, parent, **extra)
+        return command_of(str(self.name)).make_context(info_name, args, parent, **extra)
 
 
 class VerbGroup(TyperGroup):
@@ -170,6 +168,13 @@ class VerbGroup(TyperGroup):
             name: _Listed(name, help=entry.help, rich_help_panel=entry.group) for name, entry in VERBS.items()
         }
         super().__init__(**settings)
+
+
+def command_of(name: str) -> Any:
+    """Command of a verb of :data:`VERBS`, with its arguments and options; its module is imported."""
+    alone = typer.Typer(add_completion=False, rich_markup_mode="rich", pretty_exceptions_enable=False)
+    alone.command(name, cls=Verb)(verb_named(name))
+    return typer.main.get_command(alone)
 
 
 def verb_named(name: str) -> Callable[..., None]:
@@ -196,12 +201,7 @@ _OPTIONS = {
 
 def option_names(verb: str) -> dict[str, str]:
     """How a verb writes the arguments of the call that it makes: ``--full-scale`` for ``full_scale``."""
-    alone = typer.Typer(add_completion=False)
-    alone.command(verb)(verb_named(verb))
-    options = {
-        str(each.name): max(each.opts, key=len)
-        for each in typer.main.get_command(alone).params
-        if each.param_type_name == "option"
-    }
+    parameters = command_of(verb).params
+    options = {str(each.name): max(each.opts, key=len) for each in parameters if each.param_type_name == "option"}
     others = {field: options[name] for field, name in _OPTIONS.items() if name in options}
     return {**others, **options}

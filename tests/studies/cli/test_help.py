@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import typer
 from command import Command
 from typer.main import get_command
 
@@ -21,9 +20,7 @@ ROOT = Path(__file__).parents[3]
 
 def parsed(verb: str) -> Any:
     """The command of a verb, with its help and its options, as click has it."""
-    alone = typer.Typer(add_completion=False)
-    alone.command(verb, cls=verbs.Verb)(verbs.verb_named(verb))
-    return typer.main.get_command(alone)
+    return verbs.command_of(verb)
 
 
 def options(verb: str) -> set[str]:

@@ -176,7 +176,7 @@ def test_a_studio_that_was_killed_loses_no_design_and_says_what_happened(browser
         first.kill()
         until(page, "document.getElementById('lost').textContent.includes('does not answer')")
     with studio(port=first.port) as second:
-        until(page, "document.getElementById('lost').textContent.includes('open the address')")
+        until(page, "document.getElementById('lost').textContent.includes('Open the address')")
         other = context.new_page()
         other.goto(second.address)
         until(page, f"document.getElementById('lost').hidden && {PAINTED}")

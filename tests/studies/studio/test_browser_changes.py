@@ -125,7 +125,7 @@ def test_a_studio_that_was_started_again_shows_all_panels_of_the_design_and_the_
         give(page, "membrane.thickness", "0.6")  # while nobody hears it
         until(page, "document.getElementById('lost').textContent.includes('does not answer')")
     with studio(port=first.port) as second:
-        until(page, "document.getElementById('lost').textContent.includes('open the address')")
+        until(page, "document.getElementById('lost').textContent.includes('Open the address')")
         other = context.new_page()
         other.goto(second.address)
         until(page, f"document.getElementById('lost').hidden && {PAINTED} && {KEPT}.membrane.thickness === 0.6")
