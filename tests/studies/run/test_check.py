@@ -68,9 +68,9 @@ def test_a_tube_that_cannot_be_drawn_is_a_misfit_not_the_end_of_the_check(monkey
     )
 
 
-@pytest.mark.parametrize("call", [export_parts, run_design])
+@pytest.mark.parametrize(("call", "drawing"), [(export_parts, "array_model"), (run_design, "draw_parts")])
 def test_parts_in_each_others_way_are_refused_before_anything_is_drawn_unless_they_are_allowed(
-    call, tmp_path, monkeypatch
+    call, drawing, tmp_path, monkeypatch
 ):
     narrow = prototype("array-2x6").with_values(NARROW)
     out = tmp_path / "out"
@@ -86,6 +86,6 @@ def test_parts_in_each_others_way_are_refused_before_anything_is_drawn_unless_th
     def draw(*_, **__):
         raise Drawn
 
-    monkeypatch.setattr(f"{call.__module__}.array_model", draw)
+    monkeypatch.setattr(f"{call.__module__}.{drawing}", draw)
     with pytest.raises(Drawn):
         call(narrow, out, allow_overlaps=True)
