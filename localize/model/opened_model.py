@@ -14,7 +14,7 @@ import acoustic_fem
 import localize
 from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.quantities.checks import in_range
-from acoustic_fem.quantities.local_air import LocalAir
+from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import RADII
@@ -83,6 +83,7 @@ class Decoding:
     """True if a computed library is decoded with manufacturing tolerances."""
 
     def __post_init__(self) -> None:
+        checked_air(self.air)
         if self.rejected_fraction is not None:
             StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
 

@@ -19,7 +19,7 @@ from acoustic_fem.calibration.measured_library import calibrate
 from acoustic_fem.calibration.model_updating import update
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
-from acoustic_fem.quantities.local_air import LocalAir
+from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import PathLike
@@ -84,6 +84,7 @@ def calibrate_sensor(
         Refusal: a file that exists or cannot be written, a manifest or tolerances that cannot be read, a bad frequency,
             or no good recording.
     """
+    checked_air(air)
     path, show = Path(out), display or Display()
     picture = path.with_suffix(".png")
     if path.suffix.lower() != ".nc":
