@@ -37,7 +37,8 @@ def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
     Raises:
         DesignError: no such file, not a text in UTF-8, not TOML, or not a valid design.
     """
-    return read_design(read_text(path, "a design file", DesignError), str(Path(path)))
+    text = read_text(path, "a design file", DesignError)
+    return read_design(text, str(Path(path)))
 
 
 def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
@@ -164,14 +165,21 @@ def stated_prototype(name: str) -> StatedArray:
     return StatedArray.model_validate(parse_toml(prototype_text(name), f"{name}.toml", DesignError))
 
 
-def resolve_design(argument: DesignLike) -> ArrayDesign:
+def resolve_design(argument: DesignLike, field: str = "design") -> ArrayDesign:
     """The design that a caller gives: itself, a prototype by its name, or a file by its path.
 
+    Args:
+        argument: the design, its name or its path.
+        field: name of the argument.
+
     Raises:
-        DesignError: neither a prototype nor a file that can be read, or not a valid design.
+        DesignError: none of these types; neither a prototype nor a file that can be read, or not a valid design.
     """
     if isinstance(argument, ArrayDesign):
         return argument
+    if not isinstance(argument, (str, os.PathLike)):
+        allowed = "a design, the path of its file, or the name of a prototype"
+        raise DesignError(kind=Kind.WRONG_TYPE, field=field, value=argument, allowed=allowed)
     text = os.fspath(argument)
     names = prototype_names()
     if text in names:

@@ -39,8 +39,11 @@ def ordinary_file(path: str | os.PathLike[str], what: str, refusal: type[Refusal
         largest: most bytes that it may have; by default any number.
 
     Raises:
-        Refusal: of that class: no such file, a folder, pipe, socket or device, not readable, or too large.
+        Refusal: of that class: not the path of a file, no such file, a folder, pipe, socket or device, not readable,
+            or too large.
     """
+    if not isinstance(path, (str, os.PathLike)):
+        raise refusal(kind=Kind.WRONG_TYPE, field="path", value=path, allowed=f"the path of {what}")
     path = Path(path)
     try:
         status = path.stat()
