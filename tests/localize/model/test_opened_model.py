@@ -123,6 +123,24 @@ def test_tracks_pulses_and_exports_take_what_is_in_memory(folder: Path, tmp_path
     assert judged["model-based decoder"].top1 == judged["Bayes decoder"].top1
 
 
+def test_a_model_that_holds_its_library_is_evaluated_with_it(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[object] = []
+    load = acoustic_fem.load
+    monkeypatch.setattr(acoustic_fem, "load", lambda path: read.append(path) or load(path))
+    path = folder / "library.nc"
+    alone = studies.evaluate_localizer(path, touches=5, noise=NOISE)
+    beside = studies.evaluate_localizer(path, str(path), touches=5, noise=NOISE)
+    assert len(read) == 2
+    opened = studies.evaluate_localizer(localize.open_model(calibrated(), noise=NOISE), touches=5, noise=NOISE)
+    assert len({each["Bayes decoder"].top1 for each in (alone, beside, opened)}) == 1
+    with refused(Kind.MISSING, "library"):
+        studies.evaluate_localizer(folder / "decoder.onnx", touches=5)
+    with refused(Kind.WRONG_TYPE, "model", 3):
+        studies.evaluate_localizer(3)  # type: ignore[arg-type]
+    with refused(Kind.OUT_OF_RANGE, "noise", -1):
+        studies.evaluate_localizer(path, touches=5, noise=-1)
+
+
 @pytest.mark.parametrize(
     ("name", "state"), [pytest.param("glove", "no touch", marks=pytest.mark.slow), ("array-2x6", "unreadable")]
 )
