@@ -19,6 +19,7 @@ from tomlkit.items import AbstractTable, Item
 import geometry
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
+from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Kind
 from geometry.ground.text_files import parse_toml, read_text
 from geometry.ground.whole_files import check_own_kind, write_text
@@ -177,9 +178,8 @@ def resolve_design(argument: DesignLike, field: str = "design") -> ArrayDesign:
     """
     if isinstance(argument, ArrayDesign):
         return argument
-    if not isinstance(argument, (str, os.PathLike)):
-        allowed = "a design, the path of its file, or the name of a prototype"
-        raise DesignError(kind=Kind.WRONG_TYPE, field=field, value=argument, allowed=allowed)
+    allowed = "a design, the path of its file, or the name of a prototype"
+    check_type(field, argument, (str, os.PathLike), allowed, DesignError)
     text = os.fspath(argument)
     names = prototype_names()
     if text in names:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -14,7 +13,7 @@ from localize.signals.array_response import ArrayResponse, warn_of_uncovered
 from localize.signals.disturbances import SOUND_LEVELS, check_sound_level
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 
-Ambient: TypeAlias = float | Sequence[float | None] | None
+Ambient: TypeAlias = float | list[float | None] | tuple[float | None, ...] | None
 """Sound around: none, a level in dB SPL, or several, of which each frame takes the likeliest."""
 
 
@@ -56,7 +55,7 @@ class Surroundings:
         """
         check_noise(microphone_noise)
         warn_of_uncovered(response)
-        levels = tuple(ambient) if isinstance(ambient, Sequence) and not isinstance(ambient, str) else (ambient,)
+        levels = tuple(ambient) if isinstance(ambient, (list, tuple)) else (ambient,)
         if not levels:
             raise Refusal(kind=Kind.MISSING, field="ambient", allowed="one or more levels, dB SPL, or None for quiet")
         for level in levels:

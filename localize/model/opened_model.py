@@ -14,6 +14,7 @@ import acoustic_fem
 import localize
 from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
+from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
@@ -284,9 +285,8 @@ def opened(source: ModelSource, decoding: Decoding | None = None, name: str = "m
     if isinstance(source, Model):
         _refuse_other_choices(source, given)
         return source
-    if not isinstance(source, (str, os.PathLike, Library, Locator)):
-        allowed = "the path of a model, or a library, a localizer or an open model in memory"
-        raise Refusal(kind=Kind.WRONG_TYPE, field=name, value=source, allowed=allowed)
+    allowed = "the path of a model, or a library, a localizer or an open model in memory"
+    check_type(name, source, (str, os.PathLike, Library, Locator), allowed)
     content = file_content(Path(source)) if isinstance(source, (str, os.PathLike)) else None
     is_library = isinstance(source, Library) or content is FileContent.LIBRARY
     library = open_library(source, given.air) if is_library else None
@@ -332,10 +332,9 @@ def open_library(source: ModelSource, air: LocalAir | None = None) -> Library:
         found = source
     elif isinstance(source, (Model, Locator)):
         raise Refusal("is no library", kind=Kind.UNSUITABLE, field="library")
-    elif not isinstance(source, (str, os.PathLike)):
-        allowed = "the path of a library, or a library or an open model in memory"
-        raise Refusal(kind=Kind.WRONG_TYPE, field="library", value=source, allowed=allowed)
     else:
+        allowed = "the path of a library, or a library or an open model in memory"
+        check_type("library", source, (str, os.PathLike), allowed)
         found = acoustic_fem.load(source)
     return found if air is None else found.in_air(air)
 

@@ -150,7 +150,7 @@ class Verb(TyperCommand):
             return super().parse_args(ctx, args)
         except typer.BadParameter as error:
             param: Any = getattr(error, "param", None)
-            text = values.get(getattr(param, "name", None))
+            text: Any = values.get(str(getattr(param, "name", "")))
             must = _allowed_words(param, text) if isinstance(text, str) else ""
             if not must:
                 raise

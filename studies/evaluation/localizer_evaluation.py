@@ -96,7 +96,7 @@ def _library_of(opened_model: Model, model: ModelSource, library: ModelSource | 
     """Library from which touches are made; a path that is given as model and as library is read once.
 
     Raises:
-        Refusal: none is given and the model has none, or as :func:`localize.model.opened_model.open_library`.
+        Refusal: none is given and the model holds no library, or as :func:`localize.model.opened_model.open_library`.
     """
     same = isinstance(library, (str, os.PathLike)) and isinstance(model, (str, os.PathLike))
     if library is not None and not (same and Path(str(library)) == Path(str(model))):
