@@ -129,8 +129,7 @@ def load(path: str | os.PathLike[str]) -> Library:
     Raises:
         LibraryError: no such file, cut short, not of this program, or altered; says what.
     """
-    path = Path(path)
-    ordinary_file(path, "a library", LibraryError)
+    path = ordinary_file(path, "a library", LibraryError)
     found = _format_of(path)
     if found == ".nc":
         return load_netcdf(path)

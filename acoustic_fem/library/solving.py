@@ -11,7 +11,7 @@ from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.transfer_functions import Library, library_from_arrays
 from acoustic_fem.quantities.checks import frequency_grid, one_of
 from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
-from acoustic_fem.quantities.local_air import LocalAir, design_air
+from acoustic_fem.quantities.local_air import LocalAir, checked_air, design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import DesignLike, resolve_design
 
@@ -36,10 +36,11 @@ def solve(
         progress: called with what is being done and the fraction done, 0 to 1.
 
     Raises:
-        Refusal: a bad frequency grid, an unknown fidelity, or a design outside the atlas.
+        Refusal: a bad frequency grid, an unknown fidelity, an air of another type, or a design outside the atlas.
     """
     grid = frequency_grid(frequency)
     one_of("fidelity", fidelity, FIDELITIES)
+    checked_air(air, gas=True)
     design = resolve_design(design)
     report = progress or (lambda message, fraction: None)
     if isinstance(air, LocalAir):

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from acoustic_fem.library.other_air import air_ratio
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.touch_pressure import touch_flow, touch_response
-from acoustic_fem.quantities.local_air import LocalAir, design_air
+from acoustic_fem.quantities.local_air import LocalAir, checked_air, design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
@@ -177,6 +177,7 @@ class Library:
             Refusal: a value out of range, pressure and altitude at once, an air beside values of its own, or a library
                 of other air than its design's.
         """
+        checked_air(air)
         stated = LocalAir(pressure, altitude, temperature_c, humidity)
         if air is not None and stated.design_values:
             raise Refusal("must not be given beside values of its own", kind=Kind.CONFLICT, field="air")

@@ -14,6 +14,7 @@ from acoustic_fem.membrane.solved_discs import solved_disc
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
@@ -339,7 +340,7 @@ def disc_compliance(
 
 
 def design_disc(
-    design: ArrayDesign, *, contact_radius: float | None = None, known: KnownDiscs | None = None
+    design: DesignLike, *, contact_radius: float | None = None, known: KnownDiscs | None = None
 ) -> DiscSolution:
     """The membrane of a design, mounted, shaped and stretched as it says; its draft is left out.
 
@@ -353,17 +354,19 @@ def design_disc(
     Raises:
         Refusal: proportions outside what :func:`solve_disc` covers.
     """
+    design = resolve_design(design)
     density = design.material(design.membrane.material).density
     sizes, options = _membrane_of(design, contact_radius)
     return solve_disc(*sizes, density, options, known)
 
 
-def design_shape(design: ArrayDesign) -> DiscShape:
+def design_shape(design: DesignLike) -> DiscShape:
     """Dimensionless numbers on which the solution of :func:`design_disc` depends.
 
     Raises:
         Refusal: proportions outside what :func:`solve_disc` covers.
     """
+    design = resolve_design(design)
     sizes, options = _membrane_of(design, None)
     return shape_of_disc(*sizes, options)[0]
 
@@ -390,12 +393,13 @@ def _membrane_of(
     ), options
 
 
-def design_rubber(design: ArrayDesign) -> Rubber:
+def design_rubber(design: DesignLike) -> Rubber:
     """The law of the material of a design's membranes."""
+    design = resolve_design(design)
     return Rubber.of(design.material(design.membrane.material))
 
 
-def design_compliance(design: ArrayDesign, frequency: ArrayLike, known: KnownDiscs | None = None) -> ComplexArray:
+def design_compliance(design: DesignLike, frequency: ArrayLike, known: KnownDiscs | None = None) -> ComplexArray:
     """Volume compliance of a design's membrane by the law of its material, m^3/Pa.
 
     Args:
@@ -406,5 +410,6 @@ def design_compliance(design: ArrayDesign, frequency: ArrayLike, known: KnownDis
     Returns:
         Complex128 of the shape of the frequency.
     """
+    design = resolve_design(design)
     disc = design_disc(design, known=known)
     return disc.compliance(frequency, design_rubber(design))

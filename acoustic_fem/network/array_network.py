@@ -22,6 +22,7 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell, CellCatalogue, CellUse
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 from geometry.layout.placement import Housings
@@ -47,7 +48,7 @@ class NetworkResponse:
 
 
 def solve_network(
-    design: ArrayDesign,
+    design: DesignLike,
     layout: Housings,
     catalogue: CellCatalogue,
     admittances: Mapping[Cell, ComplexArray],
@@ -70,6 +71,7 @@ def solve_network(
     Raises:
         Refusal: a cell is missing or its admittance has the wrong shape.
     """
+    design = resolve_design(design)
     kinds = [design.of_kind(kind) for kind in design.kinds]
     beside = np.stack(
         [beside_air(kind, design_compliance(kind, frequency, known), frequency, medium) for kind in kinds]

@@ -28,7 +28,7 @@ def numbers(name: str, values: ArrayLike) -> Array:
     else:
         if array.dtype.kind in "biuf":
             return np.asarray(array, dtype=np.float64)
-        kind = {"c": "complex", "U": "text", "S": "text"}.get(array.dtype.kind, f"{array.dtype}")
+        kind = {"c": "complex", "U": "text", "S": "text"}.get(array.dtype.kind, type(values).__name__)
     raise wrong_type(name, f"must be a real number or an array of them, not {kind}", value=values)
 
 

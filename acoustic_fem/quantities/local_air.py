@@ -27,6 +27,23 @@ def standard_pressure(altitude: float) -> float:
     return 101325.0 * (1 - 2.25577e-5 * in_range("altitude", altitude, *ALTITUDES, "m")) ** 5.25588
 
 
+def checked_air(air: object, *, gas: bool = False) -> None:
+    """Refuse an argument ``air`` that is not an air: a text, a mapping or a number would be ignored.
+
+    Args:
+        air: the argument; None stands for the air of the design.
+        gas: whether a :class:`acoustic_fem.Medium` is allowed too.
+
+    Raises:
+        Refusal: neither None nor a :class:`LocalAir`, nor a medium where one is allowed.
+    """
+    if air is None or isinstance(air, LocalAir) or (gas and isinstance(air, Medium)):
+        return
+    allowed = "an acoustic_fem.LocalAir or an acoustic_fem.Medium" if gas else "an acoustic_fem.LocalAir"
+    remedy = "for example LocalAir(altitude=1000)"
+    raise Refusal(kind=Kind.WRONG_TYPE, field="air", value=air, allowed=allowed, remedy=remedy)
+
+
 @dataclass(frozen=True)
 class LocalAir:
     """The air of a place; values that are not given are those of the design."""

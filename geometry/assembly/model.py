@@ -67,7 +67,7 @@ def array_model(
     """
     if isinstance(array, ArrayModel):
         return array
-    design = resolve_design(array)
+    design = resolve_design(array, "array")
     layout = lay_out(design) if layout is None else layout
     return put_together(design, layout, draw_parts(design, layout) if parts is None else parts)
 

@@ -19,6 +19,7 @@ from tomlkit.items import AbstractTable, Item
 import geometry
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
+from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Kind
 from geometry.ground.text_files import parse_toml, read_text
 from geometry.ground.whole_files import check_own_kind, write_text
@@ -37,7 +38,8 @@ def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
     Raises:
         DesignError: no such file, not a text in UTF-8, not TOML, or not a valid design.
     """
-    return read_design(read_text(path, "a design file", DesignError), str(Path(path)))
+    text = read_text(path, "a design file", DesignError)
+    return read_design(text, str(Path(path)))
 
 
 def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
@@ -164,14 +166,20 @@ def stated_prototype(name: str) -> StatedArray:
     return StatedArray.model_validate(parse_toml(prototype_text(name), f"{name}.toml", DesignError))
 
 
-def resolve_design(argument: DesignLike) -> ArrayDesign:
+def resolve_design(argument: DesignLike, field: str = "design") -> ArrayDesign:
     """The design that a caller gives: itself, a prototype by its name, or a file by its path.
 
+    Args:
+        argument: the design, its name or its path.
+        field: name of the argument.
+
     Raises:
-        DesignError: neither a prototype nor a file that can be read, or not a valid design.
+        DesignError: none of these types; neither a prototype nor a file that can be read, or not a valid design.
     """
     if isinstance(argument, ArrayDesign):
         return argument
+    allowed = "a design, the path of its file, or the name of a prototype"
+    check_type(field, argument, (str, os.PathLike), allowed, DesignError)
     text = os.fspath(argument)
     names = prototype_names()
     if text in names:

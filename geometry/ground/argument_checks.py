@@ -70,6 +70,23 @@ def check_choice(
         raise error(**{"kind": Kind.OUT_OF_RANGE, "field": field, "value": value, "allowed": allowed, **more})
 
 
+def check_type(
+    field: str, value: object, types: tuple[type, ...], allowed: str, error: type[Refusal] = Refusal, **more: Any
+) -> None:
+    """Reject a value that is of none of some types.
+
+    Args:
+        field: name of the argument.
+        value: the argument.
+        types: those that are accepted.
+        allowed: the types in words, which follow "must be".
+        error: class of the refusal.
+        more: more of its facts.
+    """
+    if not isinstance(value, types):
+        raise error(**{"kind": Kind.WRONG_TYPE, "field": field, "value": value, "allowed": allowed, **more})
+
+
 def check_shape(
     field: str, values: Any, shape: tuple[int | str, ...], why: str = "", error: type[Refusal] = Refusal, **more: Any
 ) -> None:

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Kind, Refusal, said_by
 
 LARGEST_DATA = 2**29
@@ -39,8 +40,10 @@ def ordinary_file(path: str | os.PathLike[str], what: str, refusal: type[Refusal
         largest: most bytes that it may have; by default any number.
 
     Raises:
-        Refusal: of that class: no such file, a folder, pipe, socket or device, not readable, or too large.
+        Refusal: of that class: not the path of a file, no such file, a folder, pipe, socket or device, not readable,
+            or too large.
     """
+    check_type("path", path, (str, os.PathLike), f"the path of {what}", refusal)
     path = Path(path)
     try:
         status = path.stat()

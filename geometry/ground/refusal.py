@@ -47,7 +47,7 @@ class Kind(StrEnum):
 
 
 class Field(str):
-    """Name of an argument or of a field inside a text of a refusal: a front end shows it by its own name for it."""
+    """Name of an argument inside a text of a refusal, or beside its file: a front end shows it by its own name."""
 
     __slots__ = ()
 
@@ -88,7 +88,8 @@ class Refusal(ValueError):
         self.file = None if file is None else str(fspath(file))
         """The file that holds the field, or that is itself not accepted."""
         self.field = field
-        """Dotted name of the argument or of the file's field; empty where the input as a whole is meant."""
+        """Dotted name of the argument or of the file's field; empty where the input as a whole is meant. An argument
+        that names the file itself, such as ``out``, is a :class:`Field`: front ends show it by their own name."""
         self.value = value
         """The value that was given; ``Refusal.NOT_GIVEN`` where there is none to show."""
         self.unit = unit
@@ -115,9 +116,9 @@ class Refusal(ValueError):
 
         Args:
             names: how a front end writes fields, such as ``--full-scale`` for ``full_scale``. Fields of a file keep
-                the names that they have there.
+                the names that they have there, unless they are a :class:`Field`: an argument that names the file.
         """
-        own = {} if names is None or self.file is not None else names
+        own = {} if names is None or (self.file is not None and not isinstance(self.field, Field)) else names
         subject = own.get(self.field, self.field)
         if self.value is not self.NOT_GIVEN:
             unit = f" {self.unit}" if self.unit and _is_number(self.value) else ""

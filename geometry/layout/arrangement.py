@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.typed import Array
 from geometry.layout.lines_in_plan import End, Run, area_runs, hand_runs, ring_runs, serpentine_runs
 from geometry.layout.placement import (
@@ -27,7 +28,7 @@ from geometry.schema.ports import Port
 _SAME_PLACE = 1e-4
 
 
-def lay_out(design: ArrayDesign) -> ArrayLayout:
+def lay_out(design: DesignLike) -> ArrayLayout:
     """Lay out a design in plan and in space.
 
     ``serpentine``: rows of ``columns`` points, every second row backwards; lines are blocks above each
@@ -48,13 +49,15 @@ def lay_out(design: ArrayDesign) -> ArrayLayout:
 
     Parts that could not be built as drawn are listed by :func:`geometry.layout.overlaps.buildability_notes`.
     """
+    design = resolve_design(design)
     housings, runs, bows = _housed(design)
     tubes = _tubes(design, runs, bows, housings)
     return ArrayLayout(housings.points, housings.microphones, housings.surface, tuple(tubes))
 
 
-def place_housings(design: ArrayDesign) -> Housings:
+def place_housings(design: DesignLike) -> Housings:
     """Shells and microphones placed as by :func:`lay_out`, without the courses of the tubes between them."""
+    design = resolve_design(design)
     return _housed(design)[0]
 
 

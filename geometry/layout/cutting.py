@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
 from geometry.plan.routing import turning
@@ -78,13 +79,14 @@ def cut_lengths(design: ArrayDesign, placed: TubePlacement) -> tuple[float, floa
     return sheath, round(spring_length(tube, sheath, bend), 2) if bend > _STRAIGHT else sheath
 
 
-def cutting_list(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[Cut, ...]:
+def cutting_list(design: DesignLike, layout: ArrayLayout | None = None) -> tuple[Cut, ...]:
     """Every kind of piece with its count, in order of first use, those to microphones before the others.
 
     Args:
         design: the array.
         layout: where its parts lie, where it is known already.
     """
+    design = resolve_design(design)
     layout = lay_out(design) if layout is None else layout
     pieces: dict[tuple[Literal["segment", "microphone"], Tube, str, float, float], list[int]] = {}
     last = [line.points for line in design.lines]

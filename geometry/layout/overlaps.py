@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import counted
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
@@ -31,7 +32,7 @@ class OverlapError(DesignError):
     """A design that cannot be built; ``problems`` has one for every line of :func:`overlaps`."""
 
 
-def refuse_overlaps(design: ArrayDesign, layout: ArrayLayout | None = None) -> None:
+def refuse_overlaps(design: DesignLike, layout: ArrayLayout | None = None) -> None:
     """Refuse a design that cannot be built as it is laid out.
 
     Args:
@@ -41,6 +42,7 @@ def refuse_overlaps(design: ArrayDesign, layout: ArrayLayout | None = None) -> N
     Raises:
         OverlapError: see :func:`overlaps`.
     """
+    design = resolve_design(design)
     if is_wide_apart(design):
         return
     found = overlaps(design, lay_out(design) if layout is None else layout)
@@ -48,7 +50,7 @@ def refuse_overlaps(design: ArrayDesign, layout: ArrayLayout | None = None) -> N
         raise OverlapError.of_notes(design.name, found)
 
 
-def buildability_notes(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, ...]:
+def buildability_notes(design: DesignLike, layout: ArrayLayout) -> tuple[str, ...]:
     """Sentences on what is drawn but could not be built as drawn; measuring it takes longer than laying it out.
 
     Args:
@@ -58,11 +60,13 @@ def buildability_notes(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, .
     Returns:
         Microphones drawn schematically, then :func:`overlaps`.
     """
+    design = resolve_design(design)
     return (*schematic_notes(design, layout), *overlaps(design, layout))
 
 
-def schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, ...]:
+def schematic_notes(design: DesignLike, layout: ArrayLayout) -> tuple[str, ...]:
     """Sentences on the microphones whose tubes are drawn for the eye only: what is studied, not what overlaps."""
+    design = resolve_design(design)
     notes = []
     for microphone in layout.microphones:
         drawn = []

@@ -6,18 +6,19 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.typed import Array
 from geometry.plan.cylinder import Cylinder, Frame, Plane
 from geometry.schema.part_fields import Tube
 from geometry.schema.ports import ANGLE_STEP, Port, in_common_rotation
 
 
-def point_places(design: ArrayDesign) -> tuple[tuple[int, int], ...]:
+def point_places(design: DesignLike) -> tuple[tuple[int, int], ...]:
     """The line and the place along it, both from 0, of every point of a design in the order of the points' numbers.
 
     Points are counted through all lines in order; a layout is not needed for that.
     """
+    design = resolve_design(design)
     return tuple((line, place) for line, each in enumerate(design.lines) for place in range(each.points))
 
 

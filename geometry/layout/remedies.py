@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import value_of
+from geometry.design.design_file import DesignLike, resolve_design, value_of
 from geometry.ground.refusal import Text
 from geometry.layout.overlaps import OverlapError, refuse_overlaps
 from geometry.layout.placement import ArrayLayout
@@ -19,7 +19,7 @@ _GROWTH, _STEPS = 1.1, 14
 _WALLS = (0.95, 0.8, 0.6, 0.4)
 
 
-def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, unless: Text = "") -> None:
+def refuse_unbuildable(design: DesignLike, layout: ArrayLayout | None = None, unless: Text = "") -> None:
     """Refuse a design that cannot be built as it is laid out, with a change that fixes it.
 
     Args:
@@ -30,6 +30,7 @@ def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, u
     Raises:
         OverlapError: see :func:`geometry.layout.overlaps.overlaps`.
     """
+    design = resolve_design(design)
     try:
         refuse_overlaps(design, layout)
     except OverlapError as error:
@@ -39,13 +40,14 @@ def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, u
         raise OverlapError.of(error, others=error.others, remedy=remedy) from None
 
 
-def fix_for(design: ArrayDesign) -> str:
+def fix_for(design: DesignLike) -> str:
     """The change of a design after which it can be built, in words; empty where none of those tried does it.
 
     Tried in turn, each by laying the changed design out: tubes that lie straight at the stated pitch, with thinner
     walls where these are in the way; straight tubes at their own pitch; a larger cylinder, palm or spread, longer
     tubes; thinner walls.
     """
+    design = resolve_design(design)
     return next((words for words, values in _changes(design) if _can_be_built(design, values)), "")
 
 

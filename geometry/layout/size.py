@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.design.shell_rules import FOOT_EDGE, ledge_height, membrane_top
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
@@ -17,7 +18,7 @@ from geometry.plan.routing import unit
 from geometry.schema.ports import foot_directions
 
 
-def array_size(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[float, float, float]:
+def array_size(design: DesignLike, layout: ArrayLayout | None = None) -> tuple[float, float, float]:
     """Extent of an array in space along x, y and z, mm: shells with their feet, membranes, housings, boards and tubes.
 
     Tubes that are drawn schematically do not count, for their way is not real; nor do raised digits and carriers.
@@ -26,6 +27,7 @@ def array_size(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[
         design: the array.
         layout: where its parts lie, where it is known already.
     """
+    design = resolve_design(design)
     if layout is None and not design.shell.feet and is_wide_apart(design):
         return straight_size(design)
     return laid_out_size(design, lay_out(design) if layout is None else layout)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 import geometry
-from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.molds.mold_plan import MoldPlan, plan_mold
 
 if TYPE_CHECKING:
@@ -40,27 +40,30 @@ class Mold:
         return [cq.Workplane(turned_over.moved(cq.Location(cq.Vector(x, y, 0)))) for x, y in self.plan.centres]
 
 
-def mold_kinds(design: ArrayDesign) -> dict[str, MoldKind]:
+def mold_kinds(design: DesignLike) -> dict[str, MoldKind]:
     """Kind of each part of the mold, by the names of :func:`build_mold`."""
+    design = resolve_design(design)
     if design.mold.kind == "open-face":
         return {"mold-base": "mold-base", "mold-scraper": "mold-scraper"}
     shims = [f"mold-shim-{step}" for step in range(1, design.mold.shim_count + 1)]
     return {"mold-base": "mold-base", "mold-lid": "mold-lid", **dict.fromkeys(shims, "mold-shim")}
 
 
-def mold_counts(design: ArrayDesign) -> dict[str, int]:
+def mold_counts(design: DesignLike) -> dict[str, int]:
     """How many of each part one mold has, by the names of :func:`build_mold`."""
+    design = resolve_design(design)
     kinds = mold_kinds(design)
     shims = len(plan_mold(design).pins) if "mold-shim" in kinds.values() else 0
     return {name: shims if kind == "mold-shim" else 1 for name, kind in kinds.items()}
 
 
-def build_mold(design: ArrayDesign) -> Mold:
+def build_mold(design: DesignLike) -> Mold:
     """Draw the mold of a design's membranes, two-part or open-face as ``mold.kind`` says.
 
     Raises:
         Refusal: a part is not one valid solid.
     """
+    design = resolve_design(design)
     from geometry.molds.mold_parts import base_block, lid, mark, mark_text, scraper, shim, with_pins, with_rails
 
     plan = plan_mold(design)

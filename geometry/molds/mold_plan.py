@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.schema.manufacture import Molding
 from geometry.solids.membrane import membrane_profile
 
@@ -66,8 +66,9 @@ class MoldPlan:
         return math.tan(math.radians(self.mold.draft))
 
 
-def plan_mold(design: ArrayDesign) -> MoldPlan:
+def plan_mold(design: DesignLike) -> MoldPlan:
     """Lay out the mold of a design's membranes."""
+    design = resolve_design(design)
     mold = design.mold
     profile = tuple((radius * mold.scale, -height * mold.scale) for radius, height in membrane_profile(design))
     radius = max(r for r, _ in profile)

@@ -22,8 +22,9 @@ from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force, surface_of
 from localize.signals.array_response import ArrayResponse, interpolated, interpolated_from_zero, response_of
+from localize.signals.disturbances import steady_sound
 from localize.signals.finger_stimuli import top_faded
-from localize.signals.noise_model import NoiseChoice
+from localize.signals.noise_model import NoiseChoice, check_noise_choice
 from localize.signals.random_streams import Purpose
 from localize.signals.stimulus import (
     LINE_COUNT,
@@ -104,6 +105,7 @@ class ContactRecorder:
         self.sample_rate, self.seed, self.purpose = float(sample_rate), seed, purpose
         self._place, _ = surface_of(self.response)
         self._background: TouchGenerator | None = None
+        check_noise_choice(microphone_noise)
         if ambient is not None or microphone_noise != 0.0:
             if sample_rate != SAMPLE_RATE:
                 raise Refusal(
@@ -120,7 +122,7 @@ class ContactRecorder:
                 purpose,
                 microphone_noise,
                 stimuli=_silence,
-                ambient=None if ambient is None else (ambient, ambient),
+                ambient=steady_sound(ambient),
             )
         self._taps = self._impulse_responses()
         self._length = 0

@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 
 from geometry.ground.refusal import Kind, Refusal
 from localize.signals.array_response import ArrayResponse, interpolation
-from localize.signals.disturbances import LOWEST_SOUND, MAINS, REFERENCE
+from localize.signals.disturbances import LOWEST_SOUND, MAINS, REFERENCE, check_sound_level
 from localize.signals.frames import FRAME
-from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, check_noise_choice
 from localize.signals.stimulus import BAND, NOISE, SAMPLE_RATE
 
 DECIMATION = 4
@@ -50,15 +50,17 @@ SourceDensity = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 """Power density of a touch, Pa^2/Hz, from frequencies in Hz, both of shape (n_freq,)."""
 
 
-def check_noise(choice: NoiseChoice) -> None:
+def check_noise(choice: NoiseChoice, field: str = "microphone_noise") -> None:
     """Refuse a noise that nothing can be divided by.
+
+    Args:
+        choice: white, Pa rms over 0 to 500 Hz, or "design".
+        field: name of the argument.
 
     Raises:
         Refusal: neither "design" nor 1e-9 to 10 Pa.
     """
-    if choice != "design" and not 1e-9 <= choice <= 10.0:
-        allowed = "between 1e-9 and 10 Pa, or 'design'"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="microphone_noise", value=choice, unit="Pa", allowed=allowed)
+    check_noise_choice(choice, field, 1e-9, 10.0, "between 1e-9 and 10 Pa, or 'design'")
 
 
 def low_pass() -> NDArray[np.float64]:
@@ -193,17 +195,8 @@ def check_level(response: ArrayResponse, level: float | None, field: str = "ambi
     Raises:
         Refusal: a level outside 0 to 140 dB SPL, or an array without a design.
     """
-    if level is None:
-        return
-    if not 0 <= level <= 140:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field=field,
-            value=level,
-            unit="dB SPL",
-            allowed="between 0 and 140, or None for quiet",
-        )
-    if response.ambient_response is None:
+    check_sound_level(level, field)
+    if level is not None and response.ambient_response is None:
         problem = "needs a library with a design, which says how sound comes in"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field=field, value=level, unit="dB SPL")
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -11,9 +10,10 @@ import numpy as np
 from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.frame_covariance import check_level, check_noise
 from localize.signals.array_response import ArrayResponse, warn_of_uncovered
+from localize.signals.disturbances import SOUND_LEVELS, check_sound_level
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 
-Ambient: TypeAlias = float | Sequence[float | None] | None
+Ambient: TypeAlias = float | list[float | None] | tuple[float | None, ...] | None
 """Sound around: none, a level in dB SPL, or several, of which each frame takes the likeliest."""
 
 
@@ -21,10 +21,14 @@ def sound_levels(loudest_db: float | None) -> tuple[float | None, ...]:
     """Levels that cover sound up to the loudest, dB SPL, quiet (None) among them; quiet alone where none is given.
 
     15 dB apart from 40 on: 10 apart was tried on line-2, better at some levels and worse at others by up to 1.7 %.
+
+    Raises:
+        Refusal: not one number, or outside 0 to 140 dB SPL.
     """
+    check_sound_level(loudest_db)
     if loudest_db is None:
         return (None,)
-    return (None, *(float(level) for level in np.arange(40.0, loudest_db + 7.5, 15.0)))
+    return (None, *(min(float(level), SOUND_LEVELS[1]) for level in np.arange(40.0, loudest_db + 7.5, 15.0)))
 
 
 ROOM = sound_levels(90.0)
@@ -51,7 +55,7 @@ class Surroundings:
         """
         check_noise(microphone_noise)
         warn_of_uncovered(response)
-        levels = tuple(ambient) if isinstance(ambient, Sequence) else (ambient,)
+        levels = tuple(ambient) if isinstance(ambient, (list, tuple)) else (ambient,)
         if not levels:
             raise Refusal(kind=Kind.MISSING, field="ambient", allowed="one or more levels, dB SPL, or None for quiet")
         for level in levels:

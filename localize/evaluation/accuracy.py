@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from acoustic_fem import Library
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.disturbances import steady_sound
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -185,9 +186,8 @@ def evaluate(
     """
     response = response_of(library)
     check_evaluation(localizer, response, touches_per_point, microphone_noise, samples)
-    levels = None if ambient is None else (ambient, ambient)
     touches = TouchGenerator(
-        response, seed, "evaluation", microphone_noise, stimuli=stimuli, ambient=levels
+        response, seed, "evaluation", microphone_noise, stimuli=stimuli, ambient=steady_sound(ambient)
     )  # fmt: skip
     probability, point, interval = [], [], []
     for part in touches.stream(0, touches_per_point * response.point_count):

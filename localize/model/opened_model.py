@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike
 import acoustic_fem
 import localize
 from acoustic_fem.library.transfer_functions import Library
-from acoustic_fem.quantities.checks import in_range
-from acoustic_fem.quantities.local_air import LocalAir
+from acoustic_fem.quantities.local_air import LocalAir, checked_air
+from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
-from localize.contacts.contact import RADII
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder, check_drift
+from localize.decoders.frame_covariance import check_noise
 from localize.decoders.judgement import ResidualTest
 from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.reconstruct import Reconstructor
@@ -39,6 +39,7 @@ from localize.model.file_contents import FileContent, file_content
 from localize.model.located_touches import LocatedTouches
 from localize.recordings.recording import Recording, read_recording
 from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.disturbances import check_sound_level
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
@@ -83,6 +84,9 @@ class Decoding:
     """True if a computed library is decoded with manufacturing tolerances."""
 
     def __post_init__(self) -> None:
+        checked_air(self.air)
+        check_noise(self.noise, "noise")
+        check_sound_level(self.ambient)
         if self.rejected_fraction is not None:
             StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
 
@@ -204,7 +208,6 @@ class Model:
         if self.library is None:
             problem = "is not a library; paths need one, because it predicts the signals of a contact at any place"
             raise Refusal(problem, kind=Kind.UNSUITABLE, field="model")
-        in_range("radius", radius, *RADII, "mm")
         return PathTracker(self.library, radius, self.decoding.noise, self.decoding.ambient)
 
     def listen(self, source: Source, recorder: LiveRecorder | None = None, radius: float | None = None) -> LiveListener:
@@ -267,17 +270,23 @@ def open_model(
             range.
     """
     decoding = Decoding(noise, library, waveform, ambient, rejected_fraction, air, follow_drift, tolerances)
-    return opened(source, decoding)
+    return opened(source, decoding, "source")
 
 
-def opened(source: ModelSource, decoding: Decoding | None = None) -> Model:
-    """Model as of :func:`open_model`, with its arguments as one object; a model that is open takes none."""
+def opened(source: ModelSource, decoding: Decoding | None = None, name: str = "model") -> Model:
+    """Model as of :func:`open_model`, with its arguments as one object; a model that is open takes no others.
+
+    Args:
+        source: as of :func:`open_model`.
+        decoding: its other arguments.
+        name: name of the argument that is the source.
+    """
     given = decoding or Decoding()
     if isinstance(source, Model):
-        if given not in (Decoding(), source.decoding):
-            problem = "must be given when the model is opened, to localize.open_model"
-            raise Refusal(problem, kind=Kind.CONFLICT, field="decoding")
+        _refuse_other_choices(source, given)
         return source
+    allowed = "the path of a model, or a library, a localizer or an open model in memory"
+    check_type(name, source, (str, os.PathLike, Library, Locator), allowed)
     content = file_content(Path(source)) if isinstance(source, (str, os.PathLike)) else None
     is_library = isinstance(source, Library) or content is FileContent.LIBRARY
     library = open_library(source, given.air) if is_library else None
@@ -315,7 +324,7 @@ def open_library(source: ModelSource, air: LocalAir | None = None) -> Library:
     """Library of a path, a library in memory, or that of an open model, brought to the air of the place.
 
     Raises:
-        Refusal: a file that cannot be read, a model that has no library, or air out of range.
+        Refusal: a file that cannot be read, a model that has no library, another type, or air out of range.
     """
     if isinstance(source, Model) and source.library is not None:
         found = source.library
@@ -324,6 +333,8 @@ def open_library(source: ModelSource, air: LocalAir | None = None) -> Library:
     elif isinstance(source, (Model, Locator)):
         raise Refusal("is no library", kind=Kind.UNSUITABLE, field="library")
     else:
+        allowed = "the path of a library, or a library or an open model in memory"
+        check_type("library", source, (str, os.PathLike), allowed)
         found = acoustic_fem.load(source)
     return found if air is None else found.in_air(air)
 
@@ -333,6 +344,16 @@ def files_of(source: object) -> tuple[Path, ...]:
     if isinstance(source, Model):
         return source.files
     return (Path(source),) if isinstance(source, (str, os.PathLike)) else ()
+
+
+def _refuse_other_choices(model: Model, given: Decoding) -> None:
+    """Refuse arguments beside an open model that differ from those it was opened with."""
+    for each in fields(Decoding):
+        value = getattr(given, each.name)
+        if value != each.default and value != getattr(model.decoding, each.name):
+            problem = "must be given when the model is opened, to localize.open_model"
+            shown = value if isinstance(value, (str, int, float)) else Refusal.NOT_GIVEN
+            raise Refusal(problem, kind=Kind.CONFLICT, field=each.name, value=shown)
 
 
 def _decoder(library: Library, source: ModelSource, given: Decoding) -> LibraryDecoder:

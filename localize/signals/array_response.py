@@ -23,7 +23,7 @@ from geometry.design.design_file import write_design
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.arrangement import place_housings
 from localize.signals.array_facts import ArrayFacts
-from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, microphone_noise
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, check_noise_choice, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
 
@@ -182,9 +182,11 @@ class ArrayResponse:
         """Noise that is added to every microphone: white, in Pa rms over 0 to 500 Hz, or that of the design.
 
         Raises:
-            Refusal: "design" without a design, or a number that is not finite or below zero.
+            Refusal: "design" without a design, neither "design" nor one number, or a number that is not finite or
+                below zero.
         """
-        if choice == "design":
+        check_noise_choice(choice)
+        if isinstance(choice, str):
             if self.own_noise is None:
                 raise Refusal(
                     "needs a library with a design",
@@ -194,14 +196,6 @@ class ArrayResponse:
                     remedy="give the noise in Pa rms",
                 )
             return self.own_noise
-        if not 0 <= choice < np.inf:
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="microphone_noise",
-                value=choice,
-                unit="Pa",
-                allowed="'design' or a finite number of Pa rms, zero or above",
-            )
         return float(choice)
 
     def at(self, frequency: NDArray[np.float64]) -> NDArray[np.complex128]:

@@ -16,6 +16,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from acoustic_fem.quantities.checks import in_range, numbers
+from geometry.ground.argument_checks import wrong_type
 from geometry.ground.refusal import Kind, Refusal
 from localize.signals.random_streams import Purpose, between, complex_normal, random_words, uniform
 from localize.signals.stimulus import SAMPLE_LENGTH, SAMPLE_RATE, Device
@@ -32,6 +34,10 @@ MAINS = (50.0, 60.0)
 ROOM_LEVELS = (30.0, 95.0)
 """Lowest and highest level of the sound of rooms that localizers are trained in, dB SPL: the paper's 90 dB are not the
 edge of the range in training."""
+SOUND_LEVELS = (0.0, 140.0)
+"""Lowest and highest level of sound that a decoder can assume, dB SPL."""
+SIMULATED_LEVELS = (-100.0, 140.0)
+"""Lowest and highest level of simulated sound, dB SPL: down to what no microphone records."""
 SOUND_LINES = SAMPLE_LENGTH // 2
 """Number of lines of the sound, 1 Hz apart: it repeats after a second, the length of a sample."""
 
@@ -86,13 +92,43 @@ class MicrophoneMismatch:
         return gain * (1 + vent_ratio) / (vent + vent_ratio)
 
 
+def check_sound_level(level: float | None, field: str = "ambient") -> None:
+    """Refuse a level of sound that no decoder can assume; None stands for a quiet room.
+
+    Args:
+        level: dB SPL.
+        field: name of the argument.
+
+    Raises:
+        Refusal: not one number, or outside 0 to 140 dB SPL.
+    """
+    if level is not None:
+        in_range(field, level, *SOUND_LEVELS, "dB SPL")
+
+
+def steady_sound(ambient: float | None) -> tuple[float, float] | None:
+    """Lowest and highest level of a simulated sound of one level, dB SPL; None for silence.
+
+    Raises:
+        Refusal: not one number, or outside -100 to 140 dB SPL.
+    """
+    if ambient is None:
+        return None
+    level = in_range("ambient", ambient, *SIMULATED_LEVELS, "dB SPL")
+    return level, level
+
+
 def check_ambient(ambient: tuple[float, float]) -> None:
     """Refuse levels of ambient sound, dB SPL, that are no range.
 
     Raises:
-        Refusal: levels that do not ascend from -100 to 140 dB SPL.
+        Refusal: not two numbers, or levels that do not ascend from -100 to 140 dB SPL.
     """
-    if not -100 <= ambient[0] <= ambient[1] <= 140:
+    levels = numbers("ambient", ambient)
+    if levels.shape != (2,):
+        raise wrong_type("ambient", "must be two numbers, the lowest and the highest level, dB SPL", value=ambient)
+    low, high = SIMULATED_LEVELS
+    if not low <= levels[0] <= levels[1] <= high:
         raise Refusal(
             kind=Kind.OUT_OF_RANGE,
             field="ambient",

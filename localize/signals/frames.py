@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import softmax
 
+from acoustic_fem.quantities.checks import numbers
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -43,12 +44,12 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
         (n, n_microphone, n_sample) float64, and whether the batch dimension was there.
 
     Raises:
-        Refusal: wrong number of dimensions or channels, fewer than 250 samples, a value that is not finite, or a
-            channel that never changes.
+        Refusal: no real numbers, wrong number of dimensions or channels, fewer than 250 samples, a value that is not
+            finite, or a channel that never changes.
     """
     # Tensors may lie on another device, or keep what their gradients need.
     given = signals.numpy(force=True) if hasattr(signals, "numpy") else signals
-    batch = np.ascontiguousarray(given, np.float64)
+    batch = np.ascontiguousarray(numbers("signals", given))
     if batch.ndim not in (2, 3):
         raise Refusal(
             f"has shape {batch.shape}, must be (n_microphone, n_sample) or (n, n_microphone, n_sample)",

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem import network
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.part_fields import Microphone
 
 #: White noise of so many Pa rms over 0 to 500 Hz, or the noise of the design's microphone.
@@ -28,6 +29,33 @@ NoiseChoice = float | Literal["design"]
 NOISE_BAND = (1.0, 500.0)
 """Band in which a microphone's noise is taken, Hz: from the lowest frequency of the stimuli to half the sample rate."""
 _STEPS_PER_HERTZ = 20
+
+
+def check_noise_choice(
+    choice: object,
+    field: str = "microphone_noise",
+    low: float = 0.0,
+    high: float = np.inf,
+    allowed: str = "'design' or a finite number of Pa rms, zero or above",
+) -> None:
+    """Refuse a noise of the microphones that is neither "design" nor a number of Pa in a range.
+
+    Args:
+        choice: the argument.
+        field: name of the argument.
+        low: least noise, Pa rms.
+        high: largest noise, Pa rms, which must be finite.
+        allowed: both in words.
+
+    Raises:
+        Refusal: another text, no single number, or a number outside the range.
+    """
+    if isinstance(choice, str) and choice == "design":
+        return
+    if isinstance(choice, bool) or not isinstance(choice, (int, float, np.number)):
+        raise Refusal(kind=Kind.WRONG_TYPE, field=field, value=choice, unit="Pa", allowed=allowed)
+    if not (low <= choice <= high and choice < np.inf):
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field=field, value=float(choice), unit="Pa", allowed=allowed)
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from enum import Enum
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 import typer
 from typer.core import TyperCommand, TyperGroup
 
 from geometry.ground.extras import check_extras
+from geometry.ground.refusal import quoted
 
 
 class Entry(NamedTuple):
@@ -131,7 +133,8 @@ class Verb(TyperCommand):
         """Read the command line.
 
         Raises:
-            typer.BadParameter: a value is empty, or an option that takes one value is given twice.
+            typer.BadParameter: a value is empty, not of its type, out of its range or not one of its choices, or an
+                option that takes one value is given twice.
         """
         values, _, order = self.make_parser(ctx).parse_args(list(args))
         given: set[str] = set()
@@ -143,7 +146,48 @@ class Verb(TyperCommand):
             given.add(name)
             if "" in (values[name] if isinstance(values[name], (list, tuple)) else [values[name]]):
                 raise typer.BadParameter(f"{label} is empty", ctx=ctx)
-        return super().parse_args(ctx, args)
+        try:
+            return super().parse_args(ctx, args)
+        except typer.BadParameter as error:
+            param: Any = getattr(error, "param", None)
+            text: Any = values.get(str(getattr(param, "name", "")))
+            must = _allowed_words(param, text) if isinstance(text, str) else ""
+            if not must:
+                raise
+            label = param.opts[-1] if param.param_type_name == "option" else str(param.metavar)
+            shown = text if _is_number(text) else quoted(text)
+            raise typer.BadParameter(f"{label} = {shown} must be {must}", ctx=ctx) from None
+
+
+def _allowed_words(param: Any, text: str) -> str:
+    """Words that follow "must be" where the text of an option is refused; empty where the option's type says nothing.
+
+    The parser's own sentences differ between its versions, and quote the library that it checks types with.
+    """
+    kind = getattr(getattr(param, "type_descriptor", None), "annotation", None)
+    older = getattr(param, "type", None)  # of versions before 0.29
+    choices = getattr(older, "choices", None) or get_args(kind)
+    if isinstance(kind, type) and issubclass(kind, Enum):
+        choices = [each.value for each in kind]
+    if choices:
+        return f"one of: {', '.join(str(getattr(each, 'value', each)) for each in choices)}"
+    is_whole = kind is int or getattr(older, "name", "").startswith("integer")
+    if not (is_whole or kind is float or getattr(older, "name", "").startswith("float")):
+        return ""
+    low, high = (getattr(param, name, getattr(older, name, None)) for name in ("min", "max"))
+    number = "a whole number" if is_whole else "a number"
+    if low is None and high is None:
+        return number
+    bounds = f"at least {low}" if high is None else f"at most {high}" if low is None else f"between {low} and {high}"
+    return bounds if _is_number(text) and not (is_whole and not text.lstrip("+-").isdigit()) else f"{number} {bounds}"
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def in_paragraphs(text: str) -> str:

@@ -7,13 +7,15 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from acoustic_fem.library.transfer_functions import Library
+from geometry.ground.refusal import Kind, Refusal
 from localize import evaluation
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.tolerant import tolerant_decoder
-from localize.model.opened_model import ModelSource, files_of, open_library, opened
+from localize.model.opened_model import Model, ModelSource, files_of, open_library, opened
 from localize.signals.array_response import response_of
 from localize.signals.locator import Locator
-from localize.signals.noise_model import NoiseChoice
+from localize.signals.noise_model import NoiseChoice, check_noise_choice
 from localize.signals.same_array import check_same_array, design_difference
 from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
 from studies.output.call_defaults import HELD_OUT_TOUCHES, SEED
@@ -29,7 +31,7 @@ LEAST_NOISE = 1e-6
 
 def evaluate_localizer(
     model: ModelSource,
-    library: ModelSource,
+    library: ModelSource | None = None,
     out: str | os.PathLike[str] | None = None,
     *,
     touches: int = HELD_OUT_TOUCHES,
@@ -44,7 +46,8 @@ def evaluate_localizer(
 
     Args:
         model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
-        library: from which touches are made: its path, or a library or an open model in memory.
+        library: from which touches are made: its path, or a library or an open model in memory. By default the library
+            of the model, where it has one.
         out: a folder for ``evaluation.json`` and ``evaluation.html``: with it, both are also judged under other noise,
             ambient sound, touches and lengths, and on as-built sensors.
         touches: held-out touches of every point.
@@ -57,19 +60,21 @@ def evaluate_localizer(
         and where the library is not that of a measured sensor ``"tolerant decoder"``.
 
     Raises:
-        Refusal: a folder that cannot be written, a file that cannot be read, a localizer of another array, or a value
-            out of range.
+        Refusal: no library for a model without one, a folder that cannot be written, a file that cannot be read, a
+            localizer of another array, or a value out of range.
     """
     from studies.evaluation.evaluation_report import JSON_FILE, write_evaluation
     from studies.evaluation.headline import TOLERANT, Headline, evaluate_headlines
 
+    check_noise_choice(noise, "noise")
     folder = None if out is None else Path(out)
     if folder is not None:
         check_folder(folder, "evaluate", JSON_FILE, reads=(*files_of(model), *files_of(library)))
-    localizer, solved = opened(model).locator, open_library(library)
+    found_model = opened(model)
+    localizer, solved = found_model.locator, _library_of(found_model, model, library)
     response = response_of(solved)
     evaluation.check_evaluation(localizer, response, touches, noise)
-    source = ", ".join(map(str, files_of(library))) or "library"
+    source = ", ".join(map(str, files_of(model if library is None else library))) or "library"
     check_same_array(localizer.array, response.array, source)
     difference = design_difference(localizer.array, response.array)
     if difference:
@@ -86,3 +91,18 @@ def evaluate_localizer(
         report("report", 1.0)
         write_evaluation(found, folder)
     return {each.name: Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.results}
+
+
+def _library_of(opened_model: Model, model: ModelSource, library: ModelSource | None) -> Library:
+    """Library from which touches are made; a path that is given as model and as library is read once.
+
+    Raises:
+        Refusal: none is given and the model holds no library, or as :func:`localize.model.opened_model.open_library`.
+    """
+    same = isinstance(library, (str, os.PathLike)) and isinstance(model, (str, os.PathLike))
+    if library is not None and not (same and Path(str(library)) == Path(str(model))):
+        return open_library(library)
+    if opened_model.library is None:
+        allowed = "the library of the array, because the model holds none and touches are made from it"
+        raise Refusal(kind=Kind.MISSING, field="library", allowed=allowed)
+    return opened_model.library

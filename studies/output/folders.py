@@ -19,7 +19,7 @@ from typing import Any
 import acoustic_fem
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import read_bytes
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.text_files import LARGEST_TEXT, read_text
 from geometry.ground.whole_files import write_text
 
@@ -98,19 +98,19 @@ def check_new_file(
     if path.suffix == ".png":
         check_extras(f"what draws {path}", "plots")
     if path.is_dir():
-        raise Refusal("must be a file, not a folder", kind=Kind.EXISTS, file=path, field=option)
+        raise Refusal("must be a file, not a folder", kind=Kind.EXISTS, file=path, field=Field(option))
     if kept is not None and path.exists():
         problem = f"exists, and {kept} is never overwritten"
-        raise Refusal(problem, kind=Kind.EXISTS, file=path, field=option, remedy=_ANOTHER_FILE)
+        raise Refusal(problem, kind=Kind.EXISTS, file=path, field=Field(option), remedy=_ANOTHER_FILE)
     _check_not_read(path, reads, option)
     if suffix and path.exists() and path.suffix.lower() != suffix:
         problem = f"exists, and only a {suffix} file is replaced"
-        raise Refusal(problem, kind=Kind.EXISTS, file=path, field=option, remedy=_ANOTHER_FILE)
+        raise Refusal(problem, kind=Kind.EXISTS, file=path, field=Field(option), remedy=_ANOTHER_FILE)
     if path.exists() and not path.is_file():
-        raise Refusal("must be an ordinary file, or a new one", kind=Kind.EXISTS, file=path, field=option)
+        raise Refusal("must be an ordinary file, or a new one", kind=Kind.EXISTS, file=path, field=Field(option))
     if not path.parent.is_dir():
         problem = f"must lie in a folder that exists; there is no {path.parent}"
-        raise Refusal(problem, kind=Kind.MISSING, file=path, field=option)
+        raise Refusal(problem, kind=Kind.MISSING, file=path, field=Field(option))
     _check_writable(path, path.parent, option)
 
 
@@ -144,7 +144,7 @@ def check_new_library(path: Path, formats: Sequence[str], reads: Files = ()) -> 
 
     if path.suffix.lower() not in formats and not path.is_dir():
         allowed = f"a library, {' or '.join(formats)}"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field="out", allowed=allowed)
+        raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field("out"), allowed=allowed)
     check_new_file(path, reads=reads)
     check_replaceable(path)
 
@@ -166,18 +166,18 @@ def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files
     place = next(folder for folder in (path, *path.absolute().parents) if folder.exists() or folder.is_symlink())
     if not place.is_dir():
         problem = f"must be a folder; {place} is a {'file' if place.exists() else 'link to nothing'}"
-        raise Refusal(problem, kind=Kind.EXISTS, file=path, field="out")
+        raise Refusal(problem, kind=Kind.EXISTS, file=path, field=Field("out"))
     for read in reads:
         if read is not None and Path(read).exists() and Path(read).resolve().is_relative_to(path.resolve()):
             problem = f"holds {read}, which is read"
-            raise Refusal(problem, kind=Kind.CONFLICT, file=path, field="out", remedy="name another folder")
+            raise Refusal(problem, kind=Kind.CONFLICT, file=path, field=Field("out"), remedy="name another folder")
     is_own = maker is None or not path.is_dir() or any((path / mark).is_file() for mark in marks)
     if not is_own and any(path.iterdir()):
         raise Refusal(
             f"holds files that no {maker} of this program made",
             kind=Kind.EXISTS,
             file=path,
-            field="out",
+            field=Field("out"),
             remedy=f"name a new or empty folder, or one of an earlier {maker}",
         )
     _check_writable(path, place, "out")
@@ -203,7 +203,7 @@ def _check_not_read(path: Path, reads: Files, option: str) -> None:
         if read is not None and path.exists() and Path(read).exists() and path.samefile(read):
             same = "a file that is read" if Path(read) == path else f"the same file as {read}, which is read"
             problem = f"is {same}"
-            raise Refusal(problem, kind=Kind.CONFLICT, file=path, field=option, remedy="name another file")
+            raise Refusal(problem, kind=Kind.CONFLICT, file=path, field=Field(option), remedy="name another file")
 
 
 def _digest(content: bytes) -> str:
@@ -293,7 +293,7 @@ def _check_writable(path: Path, place: Path, option: str) -> None:
     except OSError as error:
         reason = error.strerror or str(error)
         problem = f"cannot be written: {reason}: {place}"
-        raise Refusal(problem, kind=Kind.UNREADABLE, file=path, field=option) from None
+        raise Refusal(problem, kind=Kind.UNREADABLE, file=path, field=Field(option)) from None
 
 
 def _remove(path: Path) -> None:

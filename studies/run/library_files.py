@@ -10,7 +10,7 @@ import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import FORMATS, load, write_library
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
-from acoustic_fem.quantities.local_air import LocalAir
+from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
@@ -41,11 +41,11 @@ def solve_library(
         display: shows what is being done, then a line for each distinct cell.
 
     Raises:
-        Refusal: a file that cannot be written, a bad frequency or fidelity, or a design that cannot be solved.
+        Refusal: a file that cannot be written, a bad frequency, fidelity or air, or a design that cannot be solved.
     """
+    checked_air(air)
     path, show, design = Path(out), display or Display(), resolve_design(design)
     check_new_library(path, (".nc",))
-    design = resolve_design(design)
     if fidelity not in CLOSED_FORMS:
         check_extras("what solves in 3-D", "fem")
         check_system_libraries()

@@ -16,6 +16,7 @@ from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from acoustic_fem.library.noise_floor import detection_limits
 from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
 from localize.signals.stimulus import BAND
@@ -97,7 +98,7 @@ class DesignQuality:
         return {name: None if value != value else value for name, value in known.items()}
 
 
-def design_quality(design: ArrayDesign) -> DesignQuality | None:
+def design_quality(design: DesignLike) -> DesignQuality | None:
     """Predicted quality of a design; None where it has fewer than two points or microphones.
 
     Args:
@@ -106,6 +107,7 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
     Raises:
         Refusal: the design cannot be solved.
     """
+    design = resolve_design(design)
     if design.point_count < 2 or len(design.microphones) < 2:
         return None
     grid = frequency_grid(FREQUENCIES)

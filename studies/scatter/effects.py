@@ -29,6 +29,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals import noise_model
@@ -197,7 +198,7 @@ def scatter_effects(
 
 
 def scattered_accuracy(
-    design: ArrayDesign,
+    design: DesignLike,
     frequency: ArrayLike | str,
     *,
     sensors: int,
@@ -228,12 +229,13 @@ def scattered_accuracy(
     Raises:
         Refusal: a design that the batch does not take, or a grid that does not cover the band.
     """
+    design = resolve_design(design)
     scattered, grid = ScatteredDesign(design, tolerances, known), frequency_grid(frequency)
     return _accuracy(scattered, grid, sensors, _noise(design, microphone_noise), seed, fidelity)
 
 
 def quick_scattered_accuracy(
-    design: ArrayDesign, frequency: ArrayLike | str, *, sensors: int
+    design: DesignLike, frequency: ArrayLike | str, *, sensors: int
 ) -> tuple[Array, QuickFidelity]:
     """:func:`scattered_accuracy` at the fidelity of a quick answer, and which that is.
 
@@ -249,6 +251,7 @@ def quick_scattered_accuracy(
     Raises:
         Refusal: as :func:`scattered_accuracy`.
     """
+    design = resolve_design(design)
     scattered, grid = ScatteredDesign(design), frequency_grid(frequency)
     fidelity = as_built_fidelity(scattered, grid, design_air(design))
     return _accuracy(scattered, grid, sensors, _noise(design, "design"), 0, fidelity.name), fidelity

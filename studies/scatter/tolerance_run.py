@@ -14,7 +14,7 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import PathLike
 from localize.signals.noise_model import NoiseChoice
 from studies.output.call_defaults import BASE_SAMPLES, SEED, SENSORS, STORED_SENSORS
@@ -87,7 +87,7 @@ def tolerance_study(
     grid, scatter = frequency_grid(frequency), tolerances_of(tolerances)
     store = folder / _LIBRARY
     if library_size and store.exists():
-        raise Refusal("exists, and a library is never overwritten", kind=Kind.EXISTS, file=store, field="out")
+        raise Refusal("exists, and a library is never overwritten", kind=Kind.EXISTS, file=store, field=Field("out"))
     with show.stage("Scatter", of=2 if library_size else 1) as report:
         result = scatter_effects(
             design,

@@ -19,9 +19,9 @@ from acoustic_fem.calibration.measured_library import calibrate
 from acoustic_fem.calibration.model_updating import update
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
-from acoustic_fem.quantities.local_air import LocalAir
+from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import PathLike
 from localize.signals import BAND
 from studies.output.call_defaults import MANIFEST
@@ -82,11 +82,12 @@ def calibrate_sensor(
         Refusal: a file that exists or cannot be written, a manifest or tolerances that cannot be read, a bad frequency,
             or no good recording.
     """
+    checked_air(air)
     path, show = Path(out), display or Display()
     picture = path.with_suffix(".png")
     if path.suffix.lower() != ".nc":
         remedy = "the figure of the calibration is written beside it as .png"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field="out", allowed="a library, .nc", remedy=remedy)
+        raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field("out"), allowed="a library, .nc", remedy=remedy)
     check_new_file(path, kept="a measured library")
     check_new_file(picture, kept="the figure of one")
     grid, scatter, source = frequency_grid(frequency), tolerances_of(tolerances), Path(recordings)

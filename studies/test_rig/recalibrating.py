@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 import localize
 from acoustic_fem import Library
-from acoustic_fem.quantities.local_air import LocalAir
+from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from geometry.ground.refusal import Kind
 from geometry.ground.typed import PathLike
 from localize import read_recording
@@ -74,11 +74,12 @@ def recalibrate(
         Refusal: a file that exists or cannot be written, recordings that cannot be read or used, the same take twice,
             or held-out touches that contradict the sensor found.
     """
+    checked_air(air)
     path = Path(out)
     check_new_file(path, ".nc", kept="a calibrated library")
     present = acoustic_fem.load(library)
     if air is not None:
-        present = present.in_air(**asdict(air))
+        present = present.in_air(air)
     response = response_of(present)
     paths = [Path(recording) for recording in recordings]
     heard = [read_recording(recording, response.microphones, full_scale).signals for recording in paths]

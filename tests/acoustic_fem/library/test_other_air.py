@@ -1,6 +1,8 @@
 """A library brought to the air of another place."""
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -8,6 +10,8 @@ from refusals import refused
 
 import acoustic_fem
 import geometry
+import localize
+import studies
 from acoustic_fem.library.transfer_functions import VARIABLES, Library
 from acoustic_fem.quantities.local_air import LocalAir, standard_pressure
 from geometry.ground.refusal import Kind
@@ -85,6 +89,21 @@ def test_air_that_no_place_has_is_refused(library: Library, stated: dict[str, fl
         LocalAir(**stated)
     with refused(kind, field):
         library.in_air(**stated)
+
+
+@pytest.mark.parametrize("air", ["sea", {"altitude": 1}, 1000.0])
+def test_an_air_of_another_type_is_refused(library: Library, tmp_path: Path, air: Any) -> None:
+    calls: list[Callable[[], object]] = [
+        lambda: acoustic_fem.solve("line-4", "1:50:3", fidelity="lumped", air=air),
+        lambda: library.in_air(air),
+        lambda: localize.open_model(library, air=air),
+        lambda: studies.solve_library("line-4", tmp_path / "a.nc", fidelity="lumped", air=air),
+        lambda: studies.calibrate_sensor(tmp_path / "calibration.toml", tmp_path / "b.nc", air=air),
+        lambda: studies.recalibrate(tmp_path / "a.nc", [], tmp_path / "c.nc", air=air),
+    ]
+    for call in calls:
+        with refused(Kind.WRONG_TYPE, "air", air):
+            call()
 
 
 def test_air_is_one_object_or_its_values(library: Library) -> None:

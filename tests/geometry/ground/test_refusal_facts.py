@@ -54,6 +54,10 @@ def test_a_front_end_writes_arguments_in_its_own_way_and_leaves_files_alone() ->
     assert Refusal(kind=Kind.MISSING, file="altitude.csv").sentence(options) == "altitude.csv: no such file"
     of_file = Refusal("is missing", kind=Kind.MISSING, file="a.toml", field="altitude")
     assert of_file.sentence(options) == "a.toml: altitude is missing"
+    # An argument that names the file is one of the command line, whatever the file is called.
+    argument = Refusal("exists", kind=Kind.EXISTS, file="altitude", field=Field("altitude"))
+    assert argument.sentence(options) == "altitude: --altitude exists"
+    assert pickle.loads(pickle.dumps(argument)).sentence(options) == argument.sentence(options)
 
 
 def test_a_refusal_becomes_one_of_another_class_with_the_file_that_it_is_of() -> None:

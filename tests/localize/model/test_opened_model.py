@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,6 +14,7 @@ from refusals import refused
 from shared import solved
 
 import acoustic_fem
+import geometry
 import localize
 import studies
 from acoustic_fem import LocalAir
@@ -120,6 +123,24 @@ def test_tracks_pulses_and_exports_take_what_is_in_memory(folder: Path, tmp_path
     assert judged["model-based decoder"].top1 == judged["Bayes decoder"].top1
 
 
+def test_a_model_that_holds_its_library_is_evaluated_with_it(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[object] = []
+    load = acoustic_fem.load
+    monkeypatch.setattr(acoustic_fem, "load", lambda path: read.append(path) or load(path))
+    path = folder / "library.nc"
+    alone = studies.evaluate_localizer(path, touches=5, noise=NOISE)
+    beside = studies.evaluate_localizer(path, str(path), touches=5, noise=NOISE)
+    assert len(read) == 2
+    opened = studies.evaluate_localizer(localize.open_model(calibrated(), noise=NOISE), touches=5, noise=NOISE)
+    assert len({each["Bayes decoder"].top1 for each in (alone, beside, opened)}) == 1
+    with refused(Kind.MISSING, "library"):
+        studies.evaluate_localizer(folder / "decoder.onnx", touches=5)
+    with refused(Kind.WRONG_TYPE, "model", 3):
+        studies.evaluate_localizer(3)  # type: ignore[arg-type]
+    with refused(Kind.OUT_OF_RANGE, "noise", -1):
+        studies.evaluate_localizer(path, touches=5, noise=-1)
+
+
 @pytest.mark.parametrize(
     ("name", "state"), [pytest.param("glove", "no touch", marks=pytest.mark.slow), ("array-2x6", "unreadable")]
 )
@@ -200,7 +221,7 @@ def test_what_is_for_a_library_alone_is_refused_of_others(folder: Path) -> None:
     assert beside.files == (graph, folder / "library.nc")
     with refused(Kind.UNSUITABLE, "model"):
         localize.open_model(graph).tracker(4.0)
-    with refused(Kind.CONFLICT, "decoding"):
+    with refused(Kind.CONFLICT, "ambient", 70.0):
         studies.locate_recording(beside, folder / "touch.wav", decoding=studies.Decoding(ambient=70.0))
     with refused(Kind.UNSUITABLE, "library"):
         studies.embed_decoder(localize.OnnxLocalizer(graph), folder / "c")
@@ -210,3 +231,86 @@ def test_a_recording_that_is_not_there_is_refused_before_anything_is_opened(tmp_
     for name in ("taps.wav", "taps.mp3"):
         with pytest.raises(Refusal, match=name):
             studies.locate_recording(tmp_path / "library.nc", tmp_path / name)
+
+
+def test_sound_and_noise_that_cannot_be_assumed_are_refused_by_the_name_of_their_argument() -> None:
+    library: Any = solved("array-2x6", GRID)
+    calls: tuple[Callable[[Any], object], ...] = (
+        lambda given: localize.open_model(library, ambient=given),
+        lambda given: studies.Decoding(ambient=given),
+        lambda given: localize.BayesDecoder(library, NOISE, given),
+        lambda given: localize.ResidualTest(library, NOISE, ambient=given),
+        lambda given: localize.tracking.PathTracker(library, ambient=given),
+        lambda given: localize.tracking.track(library, np.zeros((2, 1000)), ambient=given),
+    )
+    for call in calls:
+        for level in (500, -1, "x"):
+            with refused(Kind.WRONG_TYPE if level == "x" else Kind.OUT_OF_RANGE, "ambient", level):
+                call(level)
+        with refused(Kind.OUT_OF_RANGE, "ambient"):
+            call(float("nan"))
+    decoder = localize.BayesDecoder(library, NOISE)
+    simulations: tuple[Callable[[], object], ...] = (
+        lambda: localize.evaluate(decoder, library, 1, NOISE, ambient=500.0),
+        lambda: localize.contacts.ContactRecorder(library, ambient=500.0),
+    )
+    for simulate in simulations:
+        with refused(Kind.OUT_OF_RANGE, "ambient", 500.0):
+            simulate()
+    assert localize.open_model(library, noise=NOISE, ambient=140, tolerances=False).decoding.ambient == 140
+    for noise in (-1, "x", None):
+        kind = Kind.OUT_OF_RANGE if noise == -1 else Kind.WRONG_TYPE
+        with refused(kind, "noise", noise):
+            localize.open_model(library, noise=noise)
+        with refused(kind, "microphone_noise", noise):
+            response_of(library).noise(noise)  # type: ignore[arg-type]
+    with refused(Kind.OUT_OF_RANGE, "noise", 0):
+        localize.open_model(library, noise=0)
+    with refused(Kind.WRONG_TYPE, "noise"):
+        localize.open_model(library, noise=np.ones(3))
+    with refused(Kind.OUT_OF_RANGE, "noise"):
+        localize.open_model(library, noise=float("nan"))
+
+
+@pytest.mark.parametrize("given", [None, 3, geometry.prototype("line-2")])
+def test_what_is_no_model_no_library_and_no_design_is_refused(given: Any) -> None:
+    library = solved("array-2x6", GRID)
+    with refused(Kind.WRONG_TYPE, "source", given):
+        localize.open_model(given)
+    with refused(Kind.WRONG_TYPE, "path", given):
+        acoustic_fem.load(given)
+    if given is not None:
+        with refused(Kind.WRONG_TYPE, "library", given):
+            localize.open_model(library, library=given)
+    if not isinstance(given, geometry.ArrayDesign):
+        for call in (lambda: acoustic_fem.solve(given, GRID), lambda: studies.check_design(given)):
+            with refused(Kind.WRONG_TYPE, "design", given):
+                call()
+
+
+@pytest.mark.parametrize("signals", ["x", None, {"A": 1}, [[1.0, 2.0], [1.0]], np.ones((2, 250), complex)])
+def test_signals_that_are_no_numbers_are_refused(signals: Any) -> None:
+    with refused(Kind.WRONG_TYPE, "signals"):
+        localize.open_model(calibrated(), noise=NOISE).locate(signals)
+
+
+@pytest.mark.parametrize("radius", [float("nan"), 0.0, "x"])
+def test_a_radius_that_no_contact_has_is_refused(radius: Any) -> None:
+    library = solved("array-2x6", GRID)
+    kind = Kind.WRONG_TYPE if radius == "x" else Kind.OUT_OF_RANGE
+    with refused(kind, "radius"):
+        localize.tracking.PathTracker(library, radius)
+    with refused(kind, "radius"):
+        localize.open_model(library).tracker(radius)
+
+
+def test_an_open_model_names_the_argument_that_comes_too_late() -> None:
+    library = calibrated()
+    model = localize.open_model(library, noise=NOISE)
+    assert localize.open_model(model, noise=NOISE) is model
+    for name, value in (("noise", 2e-3), ("ambient", 60.0), ("waveform", True), ("tolerances", False)):
+        given: dict[str, Any] = {name: value}
+        with refused(Kind.CONFLICT, name, value):
+            localize.open_model(model, **given)
+    with refused(Kind.CONFLICT, "air"):
+        localize.open_model(model, air=LocalAir(altitude=1000.0))

@@ -150,6 +150,34 @@ def test_a_wrong_command_line_ends_with_code_2(
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ("locate l.nc r.wav --ambient 500", "--ambient = 500 must be between 0 and 140"),
+        ("locate l.nc r.wav --ambient x", "--ambient = 'x' must be a number between 0 and 140"),
+        ("locate l.nc r.wav --noise x", "--noise = 'x' must be a number"),
+        ("rig array-2x6 --out x --seed 1.5", "--seed = 1.5 must be a whole number at least 0"),
+        ("rig array-2x6 --out x --seed -1", "--seed = -1 must be at least 0"),
+        (
+            "solve array-2x6 --out x.nc --fidelity exact",
+            "--fidelity = 'exact' must be one of: lumped, atlas, helmholtz, navier-stokes",
+        ),
+    ],
+)
+def test_an_option_that_is_not_accepted_is_named_with_what_is(command: Command, words: str, sentence: str) -> None:
+    assert command(*words.split()).refusal(code=2).startswith(f"acoustic-fem: {sentence}; try ")
+
+
+def test_a_file_that_stands_where_the_result_would_go_names_the_option(
+    command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "out").write_text("")
+    assert command("new", "mine").code == 0
+    assert command("new", "mine").refusal().startswith("acoustic-fem: mine.toml: --out exists")
+    assert command("new", "other", "--out", "out").refusal().startswith("acoustic-fem: out: --out exists")
+
+
 def test_names_that_break_or_turn_a_line_are_shown_escaped(command: Command, places: dict[str, Path]) -> None:
     folder = places["folder"] / "a\nb\u202ec\udcff"
     folder.mkdir(exist_ok=True)
