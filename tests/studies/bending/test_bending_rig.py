@@ -135,7 +135,7 @@ def test_a_closed_straight_tube_has_its_exact_transfer_function(monkeypatch, cap
         ("--fidelity lumped", 1, "--fidelity = 'lumped'"),
         ("--frequencies 100:1:5", 1, "--frequencies"),
         ("--frequencies 1:2000:5", 1, "--frequencies = 2000 Hz"),
-        ("--end open", 2, "'--end'"),
+        ("--end open", 2, "--end"),
     ],
 )
 def test_bad_input_ends_in_one_line_before_any_work(monkeypatch, capsys, tmp_path, words, code, option):

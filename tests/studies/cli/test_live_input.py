@@ -239,7 +239,7 @@ def test_lines_into_a_program_that_ends_are_no_error(folder):
         (("--replay", "{folder}/model.onnx"), "cut short or not a WAV file"),
         (
             ("--replay", "{folder}/play.wav", "--record", "{folder}/play.wav"),
-            "play.wav: record exists, and a recording is never overwritten",
+            "play.wav: --record exists, and a recording is never overwritten",
         ),
         (
             ("--replay", "{folder}/play.wav", "--record", "{folder}/model.onnx"),
