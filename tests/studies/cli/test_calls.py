@@ -176,7 +176,10 @@ def test_a_verb_without_options_has_the_defaults_of_its_call(
             value = bound.arguments[name]
             value = tuple(value) if isinstance(value, list) else value
             # a verb may need a file that a call can do without
-            assert value in (parameter.default, BY_DEFAULT.get(name, parameter.default)) or name in ("out", "library"), name
+            assert value in (parameter.default, BY_DEFAULT.get(name, parameter.default)) or name in (
+                "out",
+                "library",
+            ), name
 
 
 def test_arguments_that_a_refusal_names_are_options_on_the_command_line(tmp_path: Path) -> None:
