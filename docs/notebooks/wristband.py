@@ -57,14 +57,14 @@ for outer, wire in springs:
     )
     tried[outer] = design_quality(other)
 figure, axis = plt.subplots(figsize=(6, 3.4), layout="constrained")
-axis.plot(list(tried), [100 * found.named for found in tried.values()], "o-", label="nominal")
-axis.plot(list(tried), [100 * found.mis_made for found in tried.values()], "s-", label="as built, mean")
+axis.plot(list(tried), [100 * found.nominal for found in tried.values()], "o-", label="nominal")
+axis.plot(list(tried), [100 * found.as_built for found in tried.values()], "s-", label="as built, mean")
 axis.set(xlabel="outer diameter of the spring (mm)", ylabel="top-1 accuracy (%)")
 axis.legend()
 plt.show()
-best = max(tried, key=lambda outer: tried[outer].mis_made)
-print(f"spring of {best} mm: {100 * tried[best].mis_made:.1f} % on as-built sensors")
-assert tried[best].mis_made > quality.mis_made
+best = max(tried, key=lambda outer: tried[outer].as_built)
+print(f"spring of {best} mm: {100 * tried[best].as_built:.1f} % on as-built sensors")
+assert tried[best].as_built > quality.as_built
 
 # %% [markdown]
 # Finally, list the parts and their cost. `geometry.export` and `acoustic-fem parts` write the files.

@@ -60,7 +60,7 @@ def test_the_publications_rig_transmits_the_same_however_it_is_bent(monkeypatch,
     assert phase == sorted(phase)
     assert level[-1] < 1e-4
     assert phase[-1] < 3e-4
-    assert f"largest difference to the straight tube: {level[-1]:.3g} dB, {phase[-1]:.3g} degrees" in out
+    assert f"largest difference from the straight tube: {level[-1]:.3g} dB, {phase[-1]:.3g} degrees" in out
     assert "Bending: bent bore, 96 elements a section" in err
 
     # The same from the section of the torus and transmission lines alone, the microphone at the end.

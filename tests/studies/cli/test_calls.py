@@ -278,7 +278,7 @@ def test_touches_in_python_are_those_of_the_verbs(command: Callable[..., str], p
     found = studies.locate_recording(library, "r.wav", "call.jsonl", decoding=studies.Decoding(ambient=60.0))
     assert text("verb.jsonl") == text("call.jsonl")
     assert f"r.wav: {counted(len(found.touches), 'touch')} in 1.0 s" in out
-    assert f"points are those of the design {found.design}, as {library}" in out
+    assert f"points are those of the design {found.design} in {library}" in out
     assert f"the decoder assumes {found.assumptions}" in out
     assert "within manufacturing tolerances" in found.assumptions
 

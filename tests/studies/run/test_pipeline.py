@@ -207,7 +207,7 @@ def test_a_run_from_the_command_line_solves_cells_once_and_says_so(
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "cells"))
     done = subprocess.run(
         [sys.executable, "-m", "studies.cli", "run", str(tmp_path / "row-3.toml"), "--out", str(tmp_path / "out")],
-        cwd=ROOT, capture_output=True, text=True, check=True,
+        cwd=ROOT, capture_output=True, encoding="utf-8", check=True,
     )  # fmt: skip
     assert done.stdout.endswith("report.html\n")
     assert done.stderr.count("unknowns solved at") == 2

@@ -92,7 +92,7 @@ def test_an_address_without_a_design_says_so(browser: Any, running: Studio) -> N
     page = opened(context, running)
     for broken in ("", "%%%", "q1YqSy0qzszPU7JSSk4sTkxPVdJRSsxJTs0rUbKKrlYqS8wpTQUA"):
         page.evaluate(f"location.hash = '#design={broken}'")
-        until(page, "document.getElementById('notice').textContent.includes('no design that can be read')")
+        until(page, "document.getElementById('notice').textContent.includes('not hold a readable design')")
         page.locator("#notice button").click()
     assert page.locator("#name").inner_text() == "array-2x6"
     assert page.problems == []
