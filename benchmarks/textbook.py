@@ -24,7 +24,7 @@ def textbook_transfer_functions(design: geometry.ArrayDesign, frequency: Array) 
     air, omega = design_air(design), 2 * np.pi * frequency
     radius, length = design.tube.inner_diameter / 2e3, design.tube.length / 1e3
     area = np.pi * radius**2
-    resistance = 2 * length * np.sqrt(2 * air.density * air.viscosity * omega) / (radius * area) / 2
+    resistance = length * np.sqrt(2 * air.density * air.viscosity * omega) / (radius * area)
     series = 1 / (resistance + 1j * omega * air.density * length / area)
     stiffness = air.gamma * air.pressure
     cavity = 1j * omega * (design.resonator.cavity_volume * 1e-9 / stiffness + design_disc(design).static_compliance)

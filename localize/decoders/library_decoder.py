@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -145,16 +146,9 @@ class LibraryDecoder(Locator):
 class PointDecoder(LibraryDecoder):
     """Decoder whose points have one covariance each."""
 
-    def __init__(
-        self,
-        response: ArrayResponse,
-        around: Surroundings,
-        touched: Array,
-        options: DecoderOptions,
-        whiten: Whitening = joint_whitening,
-    ) -> None:
-        super().__init__(response, around, touched, options, whiten)
-        self._search = BoundedSearch(self.likelihood)
+    @cached_property
+    def _search(self) -> BoundedSearch:
+        return BoundedSearch(self.likelihood)
 
     @property
     def no_graph(self) -> str:

@@ -136,7 +136,7 @@ def test_a_model_that_holds_its_library_is_evaluated_with_it(folder: Path, monke
     with refused(Kind.MISSING, "library"):
         studies.evaluate_localizer(folder / "decoder.onnx", touches=5)
     with refused(Kind.WRONG_TYPE, "model", 3):
-        studies.evaluate_localizer(3)  # type: ignore[arg-type]
+        studies.evaluate_localizer(3)
     with refused(Kind.OUT_OF_RANGE, "noise", -1):
         studies.evaluate_localizer(path, touches=5, noise=-1)
 
@@ -263,7 +263,7 @@ def test_sound_and_noise_that_cannot_be_assumed_are_refused_by_the_name_of_their
         with refused(kind, "noise", noise):
             localize.open_model(library, noise=noise)
         with refused(kind, "microphone_noise", noise):
-            response_of(library).noise(noise)  # type: ignore[arg-type]
+            response_of(library).noise(noise)
     with refused(Kind.OUT_OF_RANGE, "noise", 0):
         localize.open_model(library, noise=0)
     with refused(Kind.WRONG_TYPE, "noise"):
