@@ -25,7 +25,7 @@ from studies.output.figure_style import figure_in_style, line_colours, save_figu
 from studies.output.folders import check_new_file, is_own_table
 
 #: Columns of the table.
-COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "heard")
+COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "detected")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -73,15 +73,15 @@ def track_recording(
     check_sound_there(recording)
     model = opened_as_designed(library, decoding)
     tracker, array = model.tracker(radius), model.locator.array
-    heard = read_recording(Path(recording), array.microphones, full_scale)
-    tracks = tuple(tracks_of(model.stream(frames=True), tracker, heard.signals))
+    read = read_recording(Path(recording), array.microphones, full_scale)
+    tracks = tuple(tracks_of(model.stream(frames=True), tracker, read.signals))
     if table is not None:
         write_text(table, _rows(tracks))
     if drawn is not None:
         draw_paths(tracks, tracker.response, drawn)
     return TrackedRecording(
         array=array,
-        seconds=heard.seconds,
+        seconds=read.seconds,
         assumptions=model.assumptions,
         tracks=tracks,
         gestures=tuple(map(gesture_of, tracks)),
@@ -105,7 +105,7 @@ def _rows(tracks: tuple[Track, ...]) -> str:
 
 
 def draw_paths(tracks: tuple[Track, ...], response: ArrayResponse, path: str | os.PathLike[str]) -> Path:
-    """Picture of paths on the points of an array: where they are heard, and how sure they are.
+    """Picture of paths on the points of an array: where contacts are detected, with the uncertainty.
 
     Args:
         tracks: the paths.
