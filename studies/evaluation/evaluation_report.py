@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import base64
 import json
-import tempfile
 from importlib import resources
 from pathlib import Path
 
 import studies
 from geometry.ground.refusal import counted
-from geometry.ground.whole_files import write_text
+from geometry.ground.whole_files import temporary_folder, write_text
 from studies.evaluation.evaluation_figures import draw_conditions, draw_reliability
 from studies.evaluation.full_evaluation import SENSORS, FullEvaluation
 from studies.evaluation.headline import SIGNALS, Headline
@@ -76,8 +75,7 @@ def _verdict(found: FullEvaluation) -> str:
 
 
 def _pictures(found: FullEvaluation) -> dict[str, str]:
-    with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder)
+    with temporary_folder() as place:
         paths = {
             "reliability": draw_reliability(found.results, place / "reliability.png"),
             "conditions": draw_conditions(found.results, place / "conditions.png"),

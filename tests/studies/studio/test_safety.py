@@ -183,7 +183,7 @@ def test_of_websockets_over_which_no_secret_comes_the_oldest_make_room(
 ) -> None:
     monkeypatch.setattr(server, "PROOF_WITHIN", 600.0)
     monkeypatch.setattr(server, "MOST_UNPROVEN", 3)
-    with ExitStack() as stack, page:
+    with page, ExitStack() as stack:
         silent = [
             stack.enter_context(page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}))
             for _ in range(4)
