@@ -13,7 +13,7 @@ EXTRAS = {
     "fem": ("gmsh",),
     "onnx": ("onnx", "onnxruntime"),
     "train": ("torch", "safetensors"),
-    "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
+    "studies": ("cloudpickle", "dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
     "sofa": ("sofar",),
