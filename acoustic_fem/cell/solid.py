@@ -23,7 +23,7 @@ from acoustic_fem.numerics.refinement import BEST_ORDER, FLOW_ORDER, HEAT_ORDER,
 from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
 from acoustic_fem.quantities.medium import Medium
-from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, mesh_solid, refuse_large_mesh
+from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, face_at, mesh_solid, refuse_large_mesh
 from geometry.air.solid_checks import sound_solid
 from geometry.air.straight_bores import shortened
 from geometry.air.volume import MIRROR
@@ -186,7 +186,7 @@ def solve_solid(
     ports = port_points(ports)
     if not isinstance(medium, Medium):
         raise Refusal(f"must be a Medium, not a {type(medium).__name__}", kind=Kind.WRONG_TYPE, field="medium")
-    shape = sound_solid(as_shape(solid))
+    shape, ports = _at_origin(sound_solid(as_shape(solid)), ports)
     box = shape.BoundingBox()
     half = geometry.air.mirror_half(shape, ports) if MIRROR not in ports else None
     faces = dict(ports) if half is None else {**half.ports, MIRROR: half.mirror}
@@ -200,6 +200,19 @@ def solve_solid(
         MeshGoal(accuracy, min(box.xlen, box.ylen, box.zlen)),
         lambda done: None if progress is None else progress("cell", done),
     )
+
+
+def _at_origin(solid: cadquery.Solid, ports: Mapping[str, Point]) -> tuple[cadquery.Solid, dict[str, Point]]:
+    """A solid and its ports, moved so that the solid lies around the origin: wherever it was drawn, the answer is one.
+
+    Raises:
+        MeshError: a port lies on no flat face, or on several; it is named where the caller has it.
+    """
+    for name, point in ports.items():
+        face_at(solid, name, point)
+    centre = solid.BoundingBox().center
+    moved = {name: (x - centre.x, y - centre.y, z - centre.z) for name, (x, y, z) in ports.items()}
+    return solid.translate(-centre), moved
 
 
 def converge(
