@@ -67,10 +67,6 @@ class TouchBatch(TypedDict):
     """Number of the sample among those of its case, from 0; (n,) int64."""
 
 
-#: Entries of a batch.
-COLUMNS = tuple(TouchBatch.__annotations__)
-
-
 class TouchDataset(IterableDataset[TouchBatch]):
     """Touches on one array or on those of many designs, for a ``DataLoader``.
 
@@ -240,15 +236,22 @@ class TouchDataset(IterableDataset[TouchBatch]):
 
     def _shuffled(self, place: int, chunk: list[tuple[int, int, int]]) -> TouchBatch:
         self._open([case for case, *_ in chunk])
-        made = [self._made(*visit) for visit in chunk]
-        whole = cast(
-            "TouchBatch",
-            {name: torch.cat([part[name] for part in made]) for name in COLUMNS},  # type: ignore[literal-required]
-        )
-        if not self.shuffle:
-            return whole
-        random = np.random.default_rng((self.seed, 2, self.epoch, place))
-        return _row(whole, torch.from_numpy(random.permutation(len(whole["point"]))))
+        count = sum(samples for *_, samples in chunk)
+        goes_to = torch.arange(count)
+        if self.shuffle:
+            random = np.random.default_rng((self.seed, 2, self.epoch, place))
+            goes_to = torch.from_numpy(random.permutation(count))
+        whole: dict[str, Tensor] = {}
+        done = 0
+        for visit in chunk:
+            made = cast("dict[str, Tensor]", self._made(*visit))
+            rows = goes_to[done : done + visit[2]]
+            for name, values in made.items():
+                if name not in whole:
+                    whole[name] = torch.empty((count, *values.shape[1:]), dtype=values.dtype)
+                whole[name][rows] = values
+            done += visit[2]
+        return cast("TouchBatch", whole)
 
     # -- samples -------------------------------------------------------------------------------------------
     def _open(self, cases: Sequence[int]) -> None:
