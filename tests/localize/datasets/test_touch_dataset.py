@@ -77,9 +77,9 @@ def keyed(batches) -> dict[tuple[int, int], torch.Tensor]:
 
 
 def test_samples_are_the_same_from_none_two_and_four_workers(array):
-    data = localize.TouchDataset(Family(array, [12] * 24), touches=300, batch_size=64, seed=3)
+    data = localize.TouchDataset(Family(array, [12] * 20), touches=130, batch_size=64, seed=3)
     whole = keyed(data)
-    assert set(whole) == {(case, index) for case in range(24) for index in range(300)}
+    assert set(whole) == {(case, index) for case in range(20) for index in range(130)}
     for workers in (2, 4):
         found = keyed(DataLoader(data, batch_size=None, num_workers=workers))
         assert set(found) == set(whole)
@@ -87,7 +87,7 @@ def test_samples_are_the_same_from_none_two_and_four_workers(array):
 
 
 def test_batches_hold_the_same_samples_whoever_makes_them(array):
-    data = localize.TouchDataset(Family(array, [12] * 24), touches=300, batch_size=100)
+    data = localize.TouchDataset(Family(array, [12] * 20), touches=130, batch_size=100)
 
     def batches(source):
         return {tuple(zip(batch["case"].tolist(), batch["index"].tolist(), strict=True)) for batch in source}
@@ -97,11 +97,11 @@ def test_batches_hold_the_same_samples_whoever_makes_them(array):
 
 def test_machines_share_an_epoch_without_overlap(array):
     of_all = [
-        localize.TouchDataset(Family(array, [12] * 24), touches=300, batch_size=64, rank=rank, machines=3)
+        localize.TouchDataset(Family(array, [12] * 20), touches=130, batch_size=64, rank=rank, machines=3)
         for rank in range(3)
     ]
     parts = [keyed(each) for each in of_all]
-    assert sum(map(len, parts)) == len(set().union(*parts)) == 24 * 300
+    assert sum(map(len, parts)) == len(set().union(*parts)) == 20 * 130
     assert [len(each) for each in of_all] == [len(list(each)) for each in of_all]
 
 
@@ -135,8 +135,8 @@ def test_a_touch_on_one_library_is_that_of_the_generator(array):
 def test_kinds_come_in_their_shares_and_are_named(array):
     data = localize.TouchDataset(array, mix={"taps": 3, "presses": 1}, touches=40_000, batch_size=1000)
     assert data.kinds == ("taps", "presses")
-    kinds = torch.cat([batch["kind"] for _, batch in zip(range(40), data, strict=False)])
-    assert float((kinds == 0).float().mean()) == pytest.approx(0.75, abs=0.06)  # 625 runs: 3 deviations are 0.052
+    kinds = torch.cat([batch["kind"] for _, batch in zip(range(20), data, strict=False)])
+    assert float((kinds == 0).float().mean()) == pytest.approx(0.75, abs=0.08)  # 312 runs: 3 deviations are 0.074
     only = localize.TouchDataset(array, mix={"presses": 1}, touches=200, microphone_noise=0.0, shuffle=False)
     assert len(only) == 200
 
