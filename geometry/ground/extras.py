@@ -17,6 +17,7 @@ EXTRAS = {
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
     "sofa": ("sofar",),
+    "parquet": ("pyarrow",),
 }
 #: Packages that those of an extra bring: theirs is the name in the error where they are missing.
 _BROUGHT = {"OCP": "cad", "vtkmodules": "cad"}
