@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from acoustic_fem import Library
-from acoustic_fem.quantities.checks import in_range, numbers
+from geometry.ground.argument_checks import check_range, real_numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.signals.array_response import ArrayResponse, response_of
@@ -57,7 +57,7 @@ class Contact:
 
     def __post_init__(self) -> None:
         for name in ("time", "path", "force"):
-            values = numbers(f"contact.{name}", getattr(self, name))
+            values = real_numbers(f"contact.{name}", getattr(self, name))
             if not np.isfinite(values).all():
                 raise Refusal("must be finite", kind=Kind.UNSUITABLE, field=f"contact.{name}")
             object.__setattr__(self, name, values)
@@ -84,8 +84,8 @@ class Contact:
                 unit="N",
                 allowed="zero or above, because a contact does not pull",
             )
-        in_range("contact.radius", self.radius, *RADII, "mm")
-        in_range("contact.roughness", self.roughness, 0.0, 2.0)
+        check_range("contact.radius", self.radius, *RADII, "mm")
+        check_range("contact.roughness", self.roughness, 0.0, 2.0)
 
     @property
     def seconds(self) -> float:

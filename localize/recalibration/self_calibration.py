@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
-from acoustic_fem.quantities.checks import in_range
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
@@ -131,7 +131,7 @@ def self_calibrate(
     StreamOptions(high_pass)
     response = response_of(library)
     spectrum = response.noise(microphone_noise)
-    noise = in_range(
+    noise = check_range(
         "microphone_noise", spectrum.rms if isinstance(spectrum, NoiseSpectrum) else spectrum, 1e-9, 10.0, "Pa"
     )
     heard = _usable(np.asarray(frames, np.float64), response, noise, options)

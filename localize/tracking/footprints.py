@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.quantities.checks import in_range
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import RADII, Contact, covered_force
@@ -82,7 +82,7 @@ def footprints_over(
     Raises:
         Refusal: bare transfer functions, or a radius out of range.
     """
-    in_range("radius", radius, *RADII, "mm")
+    check_range("radius", radius, *RADII, "mm")
     step = options.grid_step * _checked(response)
     while True:
         found = _footprints(response, radius, step, options.alike)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from acoustic_fem.quantities.checks import in_range
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import point_axes
 from geometry.layout.placement import ArrayLayout
@@ -35,7 +35,7 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
     Raises:
         Refusal: a radius out of range.
     """
-    in_range("radius", radius, 0.0, 1000.0, "mm")
+    check_range("radius", radius, 0.0, 1000.0, "mm")
     place = point_axes(design) if layout is None else np.array([point.position for point in layout.points])
     kinds = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]
     own = np.array(kinds)[list(design.kind_of_point)]
