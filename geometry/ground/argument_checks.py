@@ -47,7 +47,7 @@ def check_range(
     Raises:
         Refusal: no number, several numbers, or a number out of the range.
     """
-    if not isinstance(value, int | float) and real_numbers(field, value, error, **more).ndim:
+    if type(value) not in (int, float, bool) and real_numbers(field, value, error, **more).ndim:
         raise error("must be one number", **{**more, "kind": Kind.WRONG_TYPE, "field": field, "value": value})
     if not whole or (isinstance(value, int) and not isinstance(value, bool)):
         above = value > low if excluded in ("low", "both") else value >= low

@@ -47,7 +47,7 @@ class Contact:
     """Middle of the contact in the plan of :attr:`localize.ArrayResponse.position`; (n, 2) float64, mm."""
     force: Array
     """Force on the array, zero or above; (n,) float64, N."""
-    radius: float
+    contact_radius_mm: float
     """Radius of the contact's area, mm."""
     roughness: float = 0.0
     """Fluctuation of the force while it moves, rms as a share of the force, 0 to 2: noise along the path, whose
@@ -84,7 +84,7 @@ class Contact:
                 unit="N",
                 allowed="zero or above, because a contact does not pull",
             )
-        check_range("contact.radius", self.radius, *RADII, "mm")
+        check_range("contact.contact_radius_mm", self.contact_radius_mm, *RADII, "mm")
         check_range("contact.roughness", self.roughness, 0.0, 2.0)
 
     @property
@@ -145,8 +145,10 @@ def covered_force(contact: Contact, array: Library | ArrayResponse) -> Array:
     pressing = np.flatnonzero(contact.force)
     distance = np.linalg.norm(contact.path[pressing, None] - place, axis=-1)
     for size in np.unique(radius):
-        rows, columns = np.nonzero((distance < contact.radius + size) & (radius == size))
-        shares[pressing[rows], columns] = hertz_fraction(distance[rows, columns], contact.radius, float(size))
+        rows, columns = np.nonzero((distance < contact.contact_radius_mm + size) & (radius == size))
+        shares[pressing[rows], columns] = hertz_fraction(
+            distance[rows, columns], contact.contact_radius_mm, float(size)
+        )
     return shares * contact.force[:, None]
 
 

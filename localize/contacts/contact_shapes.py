@@ -43,7 +43,7 @@ class Tool:
 
     name: str
     """Name of it, the label of its strokes."""
-    radius: tuple[float, float]
+    contact_radius_mm: tuple[float, float]
     """Smallest and largest radius of its contact, mm."""
     force: tuple[float, float]
     """Lowest and highest force, N; the logarithm is evenly spread."""
@@ -201,7 +201,7 @@ def held(kind: StreamKind, place: Place, time: Array, pressed: Array, tool: Tool
         tool: what is held.
         draws: of the contact.
     """
-    radius, force = draws.between(tool.radius), draws.log_between(tool.force)
+    radius, force = draws.between(tool.contact_radius_mm), draws.log_between(tool.force)
     roughness = draws.between(tool.roughness)
     return Contact(
         time, still(place, len(time)), force * pressed * draws.hand(time, tool.unsteadiness), radius, roughness, kind
@@ -240,7 +240,7 @@ def joined(contacts: list[Contact], label: str = "") -> Contact:
 def _moved(kind: StreamKind, path: ArrayLike, speed: ArrayLike, tool: Tool, stream: Stream) -> Contact:
     draws = Draws(kind, **stream)
     time, places, pressed = _along_path(path, speed)
-    radius, force = draws.between(tool.radius), draws.log_between(tool.force)
+    radius, force = draws.between(tool.contact_radius_mm), draws.log_between(tool.force)
     roughness = draws.between(tool.roughness)
     label = tool.name if kind == "stroke" else kind
     return Contact(time, places, force * pressed * draws.hand(time, tool.unsteadiness), radius, roughness, label)

@@ -89,7 +89,7 @@ def slide(start: Place, end: Place, speed: float, *, tool: Tool = FINGER, **stre
     :func:`localize.contacts.stroke`.
     """
     made = stroke([start, end], speed, tool, **stream)
-    return Contact(made.time, made.path, made.force, made.radius, made.roughness, "slide")
+    return Contact(made.time, made.path, made.force, made.contact_radius_mm, made.roughness, "slide")
 
 
 def pulse_wave(place: Place, rate: float = 75.0, seconds: float = 4.0, **stream: Unpack[Stream]) -> Contact:
@@ -151,7 +151,7 @@ def _heart(rate: float, seconds: float, **stream: Unpack[Stream]) -> _Heart:
     check_range("seconds", seconds, 0.5, 1000.0, "s")
     draws = Draws("pulse", **stream)
     swaying, height = draws.log_between((2e-6, 50e-6)), draws.log_between((20e-6, 200e-6))
-    radius = draws.between(FINGER.radius)
+    radius = draws.between(FINGER.contact_radius_mm)
     waves = {}
     for name, limits in WAVES.items():
         later, weight, width = (draws.between(each) for each in limits)

@@ -160,7 +160,8 @@ class Rig:
         if seed < 0:
             raise Refusal(kind=Kind.OUT_OF_RANGE, field="seed", value=seed, allowed="0 or above")
         design = resolve_design(design)
-        self.design, self.seed, self.fidelity = design, seed, check_choice("fidelity", fidelity, FIDELITIES)
+        check_choice("fidelity", fidelity, FIDELITIES)
+        self.design, self.seed, self.fidelity = design, seed, fidelity
         self.scatter = scatter or HiddenScatter()
         shared = Topology.of(design)
         self.topology = shared.individual()
