@@ -122,7 +122,7 @@ def _among_silence(touch: Contact) -> Contact:
         np.concatenate([[0.0], touch.time + before, [behind]]),
         touch.path[[0, *range(len(touch.path)), -1]],
         np.concatenate([[0.0], touch.force, [0.0]]),
-        touch.radius,
+        touch.contact_radius_mm,
         touch.roughness,
         touch.label,
     )

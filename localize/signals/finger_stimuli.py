@@ -24,8 +24,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.sound_file import read_wav
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
@@ -290,7 +290,7 @@ class Louder:
     """By how much they are louder, dB, -60 to 60; the publication's own amplitudes have no unit."""
 
     def __post_init__(self) -> None:
-        in_range("level", self.level, -60.0, 60.0, "dB")
+        check_range("level", self.level, -60.0, 60.0, "dB")
 
     def __call__(
         self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device

@@ -236,6 +236,7 @@ def verb_named(name: str) -> Callable[..., None]:
 #: Arguments of calls whose option has another name; all others are called as the option is.
 _OPTIONS = {
     "microphone_noise": "noise",
+    "contact_radius_mm": "radius",
     "temperature_c": "temperature",
     "frequency": "frequencies",
     "touches_per_point": "touches",
