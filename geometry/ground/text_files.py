@@ -120,7 +120,7 @@ def _check_plain(value: Any, source: str, refusal: type[Refusal]) -> None:
                     if _UNSEEN.search(key):
                         raise _hidden(source, place, key, refusal)
             elif isinstance(each, list):
-                inner += [(f"{place}.{index}", within) for index, within in enumerate(each, 1)]
+                inner += [(f"{place}.{index}", within) for index, within in enumerate(each)]
             elif isinstance(each, str):
                 if _UNSEEN.search(each):
                     raise _hidden(source, place, each, refusal)

@@ -131,7 +131,7 @@ def test_dots_that_are_of_no_key_are_read() -> None:
 
 HIDDEN = {
     "a control": ('a = "x\\u001b[2J"', "a", "x\x1b[2J"),
-    "a bell in a list": ('[b]\na = ["x", "\\u0007"]', "b.a.2", "\x07"),
+    "a bell in a list": ('[b]\na = ["x", "\\u0007"]', "b.a.1", "\x07"),
     "a control of the second set": ('a = "\\u009b8m"', "a", "\x9b8m"),
     "a mark that turns the line": ('a = "\u202egpj.exe"', "a", "\u202egpj.exe"),
     "a mark that isolates": ('a = "\\u2066x"', "a", "\u2066x"),
