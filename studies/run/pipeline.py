@@ -46,9 +46,9 @@ from studies.output.display import Display, Report
 from studies.output.figure_style import crop_picture
 from studies.output.folders import DESIGN, MARK, REPORT, RESULTS, claim_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES
+from studies.run.file_list import write_manifest
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
-from studies.run.manifest import write_manifest
 from studies.run.part_folder import ALL_THE_SAME
 from studies.run.run_report import write_report
 from studies.run.run_result import RunResult

@@ -17,7 +17,7 @@ from geometry.ground.record import SEAL, sealed
 from geometry.ground.refusal import Kind
 from geometry.ground.stated_times import VARIABLE
 from studies.output.folders import MANIFEST
-from studies.run.manifest import verify_run, write_manifest
+from studies.run.file_list import verify_run, write_manifest
 from studies.run.pipeline import run_design
 
 
