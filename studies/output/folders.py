@@ -27,10 +27,11 @@ from geometry.ground.whole_files import write_text
 MARK = ".acoustic-fem-run"
 #: Lists what was put into a folder that may hold files of others too.
 FILES = "files.txt"
-#: What a run writes: the design first, the report last.
+#: What a run writes: the design first, the report and the list of all files last.
 DESIGN = "design.toml"
 RESULTS = ("library.nc", "parts", "localizer", "figures")
 REPORT = ("report.html", "results.json")
+MANIFEST = "MANIFEST.json"
 
 
 Files = Iterable[str | os.PathLike[str] | None]
@@ -70,7 +71,7 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     known = dict.fromkeys(_digest(text) for text in (found, design.encode()) if text is not None)
     make_folder(folder, "run", MARK, known)
     same = found == design.encode()
-    for name in REPORT if same else (*REPORT, *RESULTS, DESIGN):
+    for name in (MANIFEST, *REPORT) if same else (MANIFEST, *REPORT, *RESULTS, DESIGN):
         _remove(folder / name)
     write_text(of_earlier, design)
     return folder
