@@ -183,7 +183,7 @@ def listen(
                     break
         except KeyboardInterrupt:
             pass
-    fit = sensor_fit(found.locator, loud.frames, listener.stream.noise)
+    fit = sensor_fit(found.locator, loud.frames(), listener.stream.noise)
     return counts.summary(session, fit, listener.stopped)
 
 
