@@ -122,7 +122,7 @@ def _among_silence(touch: Contact) -> Contact:
         np.concatenate([[0.0], touch.time + before, [behind]]),
         touch.path[[0, *range(len(touch.path)), -1]],
         np.concatenate([[0.0], touch.force, [0.0]]),
-        touch.radius,
+        touch.contact_radius_mm,
         touch.roughness,
         touch.label,
     )
@@ -254,8 +254,8 @@ def kinds() -> None:
     lines.append("")
     lines.append(
         f"A cell has {events.count} takes of events or {textures.count} of textures. Training took "
-        f"{events.seconds:.0f} s and {textures.seconds:.0f} s of one core, with {events.recognizer.training['takes']} and "
-        f"{textures.recognizer.training['takes']} takes."
+        f"{events.seconds:.0f} s and {textures.seconds:.0f} s of one core, with "
+        f"{events.recognizer.training['takes']} and {textures.recognizer.training['takes']} takes."
     )
     lines += milliseconds(events)
     print("\n".join(lines))

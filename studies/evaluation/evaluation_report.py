@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import base64
-import tempfile
 from importlib import resources
 from pathlib import Path
 
 import studies
 from geometry.ground.refusal import counted
-from geometry.ground.whole_files import write_text
+from geometry.ground.whole_files import temporary_folder, write_text
 from localize.evaluation.conditions import Outcome
 from studies.evaluation.evaluation_figures import draw_conditions, draw_reliability
 from studies.evaluation.full_evaluation import SENSORS, FullEvaluation
@@ -81,8 +80,7 @@ def _with_worst(outcome: Outcome) -> str:
 
 
 def _pictures(found: FullEvaluation) -> dict[str, str]:
-    with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder)
+    with temporary_folder() as place:
         paths = {
             "reliability": draw_reliability(found.results, place / "reliability.png"),
             "conditions": draw_conditions(found.results, place / "conditions.png"),

@@ -47,7 +47,7 @@ def track_recording(
     out: str | os.PathLike[str] | None = None,
     *,
     picture: str | os.PathLike[str] | None = None,
-    radius: float = MOVING,
+    contact_radius_mm: float = MOVING,
     full_scale: float | None = None,
     decoding: Decoding | None = None,
 ) -> TrackedRecording:
@@ -58,7 +58,7 @@ def track_recording(
         recording: see :func:`localize.read_recording`.
         out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
         picture: of the paths on the array, ``.png``; an earlier one is replaced.
-        radius: of the contact, mm, 0.05 to 100.
+        contact_radius_mm: of the contact, mm, 0.05 to 100.
         full_scale: as of :func:`studies.locate_recording`.
         decoding: how signals are read.
 
@@ -72,7 +72,7 @@ def track_recording(
     check_new_file(drawn, ".png", reads=reads, option="picture")
     check_sound_there(recording)
     model = opened_as_designed(library, decoding)
-    tracker, array = model.tracker(radius), model.locator.array
+    tracker, array = model.tracker(contact_radius_mm), model.locator.array
     read = read_recording(Path(recording), array.microphones, full_scale)
     tracks = tuple(tracks_of(model.stream(frames=True), tracker, read.signals))
     if table is not None:
