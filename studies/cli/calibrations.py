@@ -159,8 +159,8 @@ def _print_warnings(found: SensorCalibration, fit: Update) -> None:
     if fit.objection:
         tell(f"The fit is not used: {fit.objection}")
         tell(
-            f"warning: a mixture of measured and designed points may decode worse than the design's own library. Measure "
-            f"point {', '.join(map(str, found.calibration.missing))} too, or find what is wrong with point "
+            "warning: a mixture of measured and designed points may decode worse than the design's own library. "
+            f"Measure point {', '.join(map(str, found.calibration.missing))} too, or find what is wrong with point "
             f"{fit.worst_point}."
         )
     elif found.expected is None:
@@ -218,7 +218,7 @@ def recalibrate(
     show(table)
     if len(found.untouched):
         points = localize.recalibration.numbers(found.untouched)
-        tell(f"No touch was assigned to point {points}, so its transfer functions are the least certain. Touch it next time.")
+        tell(f"No touch was assigned to point {points}, so it is the least certain. Touch it next time.")
 
 
 def convert(

@@ -1,4 +1,4 @@
-"""``evaluation.json`` and ``evaluation.html``: how often decoders find the touched point, on one self-contained page."""
+"""``evaluation.json`` and ``evaluation.html``: how often decoders find the touched point, as one page."""
 
 from __future__ import annotations
 
