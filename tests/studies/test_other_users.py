@@ -274,11 +274,20 @@ def test_a_studio_that_many_unfinished_requests_block_answers_within_seconds(sma
             path = "/?" + small.take_address().partition("/?")[2]
 
 
+def dripped(port: int, text: str) -> None:
+    """Send a text byte by byte.
+
+    Raises:
+        ConnectionError: the other end has closed the connection.
+    """
+    with socket.create_connection(("127.0.0.1", port), 30) as link:
+        for byte in text:
+            link.sendall(byte.encode())
+            time.sleep(0.2)
+
+
 def test_a_head_that_comes_byte_by_byte_is_cut_off(visited: Studio) -> None:
     start = time.monotonic()
-    with socket.create_connection(("127.0.0.1", visited.port), 30) as link:
-        with pytest.raises(ConnectionError):
-            for byte in "GET / HTTP/1.1\r\nX: " + "x" * 100:
-                link.sendall(byte.encode())
-                time.sleep(0.2)
+    with pytest.raises(ConnectionError):
+        dripped(visited.port, "GET / HTTP/1.1\r\nX: " + "x" * 100)
     assert 4 < time.monotonic() - start < 20
