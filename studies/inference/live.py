@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import TypeAlias
@@ -25,7 +26,7 @@ from localize.model.opened_model import Decoding, Model, ModelSource, files_of, 
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.resampling import check_full_scale
 from studies.output.call_defaults import FULL_SCALE
-from studies.output.folders import check_new_file
+from studies.output.folders import check_new_file, claimed_file
 
 
 @dataclass(frozen=True)
@@ -151,20 +152,26 @@ def listen(
         source or LiveInput(),
     )
     beside = None if decoding is None else decoding.library
-    check_new_file(lines, ".jsonl", reads=(*files_of(model), heard_from.replay, *files_of(beside)))
-    check_new_file(kept, ".wav", kept="a recording", option="record")
+    check_lines = partial(
+        check_new_file, lines, ".jsonl", reads=(*files_of(model), heard_from.replay, *files_of(beside))
+    )
+    check_kept = partial(check_new_file, kept, ".wav", kept="a recording", option="record")
+    check_lines()
+    check_kept()
     if lines is not None and kept is not None and lines.resolve() == kept.resolve():
         problem = ("must be another file than ", Field("record"))
         raise Refusal(problem, kind=Kind.CONFLICT, field="out", value=str(lines))
     found = opened(model, decoding)
     samples = heard_from.open(found.locator.microphones)
     recorder = None
-    if kept is not None:
-        recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.full_scale)
-    listener = found.listen(samples, recorder, radius)
-    session = LiveSession(listener, found)
     counts, loud = _Counts(), LoudFrames()
     with ExitStack() as stack:
+        stack.enter_context(claimed_file(lines, check_lines))
+        stack.enter_context(claimed_file(kept, check_kept))
+        if kept is not None:
+            recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.full_scale)
+        listener = found.listen(samples, recorder, radius)
+        session = LiveSession(listener, found)
         stack.enter_context(_nothing_freed())
         # Lines are written as they come, and stand in the file whenever the program ends.
         write = None if lines is None else stack.enter_context(whole_lines(lines))
