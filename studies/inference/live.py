@@ -13,6 +13,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import TypeAlias
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_lines
@@ -23,6 +24,7 @@ from localize.live.recorder import LiveRecorder
 from localize.live.sound_device import DeviceSource
 from localize.live.sources import ReplaySource, Source
 from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
+from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.resampling import check_full_scale
 from studies.output.call_defaults import FULL_SCALE
@@ -34,25 +36,33 @@ class LiveInput:
     """Source of live samples."""
 
     device: int | str | None = None
-    """Sound card: its number, or a part of its name; by default that of the system."""
+    """Sound card: its number, a part of its name, or name and audio system (``USB array, WASAPI``); by default that of
+    the system."""
     replay: str | os.PathLike[str] | None = None
     """WAV file to play in real time instead of listening."""
     channels: Mapping[str, int] | None = None
     """Channel of each microphone, from 1; by default the first ones, in the order of the design."""
     full_scale: float = FULL_SCALE
     """Pressure at full scale of the sound card or file, Pa."""
+    rate: int | None = None
+    """Sample rate of the sound card, Hz; by default its own."""
 
     def __post_init__(self) -> None:
         if self.device is not None and self.replay is not None:
             problem = ("must not be given beside ", Field("replay"))
             raise Refusal(problem, kind=Kind.CONFLICT, field="device")
+        if self.rate is not None:
+            check_range("rate", self.rate, LOWEST_RATE, HIGHEST_RATE, "Hz", whole=True)
+            if self.replay is not None:
+                problem = ("must not be given beside ", Field("replay"), ", which has its own")
+                raise Refusal(problem, kind=Kind.CONFLICT, field="rate")
         check_full_scale(self.full_scale)
 
     def open(self, microphones: tuple[str, ...]) -> Source:
         """Source of the microphones of these names, not listened to yet."""
         if self.replay is not None:
             return ReplaySource(self.replay, microphones, self.full_scale, self.channels)
-        return DeviceSource(microphones, self.device, self.full_scale, self.channels)
+        return DeviceSource(microphones, self.device, self.full_scale, self.channels, rate=self.rate)
 
 
 class LiveSession:
