@@ -30,8 +30,11 @@ if TYPE_CHECKING:
 def _list_devices(wanted: bool) -> None:
     if not wanted:
         return
+    devices = localize.live.input_devices()
+    if not devices:
+        raise localize.live.no_device()
     table = table_of("device", "name", "audio system", "channels", "rate (Hz)", "", numbers=(0, 3, 4))
-    for each in localize.live.input_devices():
+    for each in devices:
         default = "default" if each.default else ""
         table.add_row(str(each.number), each.name, each.host, str(each.channels), f"{each.rate:g}", default)
     show(table)
@@ -42,7 +45,15 @@ def live(
     model: Model,
     device: Annotated[
         str | None,
-        typer.Option(help="Sound card: its number, or part of its name. Default: the system's.", show_default=False),
+        typer.Option(
+            help="Sound card: its number, part of its name, or 'NAME, AUDIO SYSTEM' of a card that appears under "
+            "several. Default: the system's.",
+            show_default=False,
+        ),
+    ] = None,
+    rate: Annotated[
+        int | None,
+        typer.Option(help="Sample rate of the sound card, Hz. Default: its own.", show_default=False),
     ] = None,
     list_devices: Annotated[
         bool, typer.Option("--list-devices", callback=_list_devices, is_eager=True, help="List sound cards, then stop.")
@@ -109,8 +120,10 @@ def live(
 
     if device is not None and replay is not None:
         raise typer.BadParameter("--device must not be given beside --replay")
+    if rate is not None and replay is not None:
+        raise typer.BadParameter("--rate must not be given beside --replay, which has its own rate")
     wanted = int(device) if device is not None and device.isdecimal() else device
-    source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale)
+    source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate)
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
     with _Output(waveform) as output:
