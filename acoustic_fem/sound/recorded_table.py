@@ -132,8 +132,9 @@ class _Reader:
                 else ""
             )
             raise self._fault(f"has {counted(len(row), 'value')}; it must have {len(names)}{hint}", field=f"line {line}")
+        plain = self._plain(line, row, names)
         try:
-            return [float(each) for each in self._plain(line, row, names)]
+            return [float(each) for each in plain]
         except ValueError as error:
             problem = f"does not hold numbers only: {error}"
             raise self._fault(problem, Kind.WRONG_TYPE, f"line {line}") from None

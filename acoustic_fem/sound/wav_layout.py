@@ -102,7 +102,7 @@ class _Reader:
         if len(found.format) < 16 or not found.pieces:
             raise self._fault("is cut short or not a WAV file: it has no samples; recorders that are stopped at once leave this")
         unknown = end - 8 >= _UNKNOWN or end == 8
-        if self._size + _COUNTED_IN < end and not unknown:
+        if self._size + _COUNTED_IN < end and not unknown and not found.notes:
             raise self._cut(end)
         if end != self._size and not found.notes and (unknown or end > self._size + self._size % 2):
             self._note(found, "states a length that is not its own; all of its samples are there and are read")
@@ -125,7 +125,8 @@ class _Reader:
             elif place + length > self._size:
                 if not found.pieces:
                     raise self._cut(place + length)
-                return  # what recorders add behind the samples; the samples are there
+                self._note(found, "is cut off behind its samples, which are all there and are read")
+                return
             yield name, place, length
             place = self._behind(place + length, length, found)
         raise self._fault("is cut short or not a WAV file: it has no end of chunks")

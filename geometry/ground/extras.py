@@ -16,6 +16,7 @@ EXTRAS = {
     "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
+    "audio": ("soundfile",),
     "sofa": ("sofar",),
 }
 #: Packages that those of an extra bring: theirs is the name in the error where they are missing.
