@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.sound.clipping import clipped_samples
-from acoustic_fem.sound.sound_file import MATRIX, Sound, SoundFileError, read_sound
+from acoustic_fem.sound.sound_file import MATRIX, SCALED, Sound, SoundFileError, read_sound
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.recordings.channel_choice import check_count, chosen_channels
 from localize.signals.frames import FRAME
@@ -103,7 +103,7 @@ def read_recording(
         chosen = chosen_channels(microphones, channels, len(sound.channels), str(path), RecordingError)
         names = [list(sound.channels)[k] for k in chosen]
     scale, limit = 1.0, full_scale
-    if path.suffix.lower() == ".wav":
+    if path.suffix.lower() in SCALED:
         scale = full_scale or 1.0
         limit = None if sound.full_scale is None else sound.full_scale * scale
     _check_rate(path, rate)
