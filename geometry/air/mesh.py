@@ -222,6 +222,15 @@ def face_at(solid: cadquery.Solid, name: str, point: Point) -> cadquery.Face:
     return hits[0]
 
 
+def inner_point(face: cadquery.Face) -> Point:
+    """A point inside a flat face: the middle of the largest facet."""
+    vertices, triangles = face.tessellate(0.1)
+    corners = np.array([vertex.toTuple() for vertex in vertices])[np.array(triangles)]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    x, y, z = corners[int(np.argmax(areas))].mean(axis=0).tolist()
+    return (x, y, z)
+
+
 def _run_gmsh(
     solid: cadquery.Solid, named: Mapping[str, cadquery.Face], tubes: tuple[str, ...], sizes: MeshSizes
 ) -> _Elements:
