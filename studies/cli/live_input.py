@@ -15,7 +15,8 @@ from rich.console import Console
 import acoustic_fem
 import localize
 import studies
-from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.argument_checks import whole_number
+from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
 from studies.cli.options import Altitude, Model, Pressure, Temperature, noise_choice
 from studies.cli.terminal_tables import show, table_of
@@ -108,7 +109,8 @@ def live(
 
     if device is not None and replay is not None:
         raise typer.BadParameter("--device must not be given beside --replay")
-    wanted = int(device) if device is not None and device.isdecimal() else device
+    number = -1 if device is None else whole_number(device)
+    wanted = device if number < 0 else number
     source = studies.LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
@@ -180,13 +182,13 @@ def _print_summary(summary: LiveSummary) -> None:
         *([] if summary.warning is None else [f"warning: {summary.warning}"]),
         *summary.recordings,
     ):
-        print(line, file=sys.stderr)
+        print(in_one_line(line), file=sys.stderr)
 
 
 def _channel_map(text: str) -> dict[str, int]:
     """``A=1,B=2`` as microphone -> channel."""
     pairs = [part.partition("=") for part in text.split(",")]
     for name, equals, value in pairs:
-        if not (name.strip() and equals and value.strip().isdecimal()):
+        if not (name.strip() and equals and whole_number(value.strip()) >= 1):
             raise typer.BadParameter(f"--channels {text} must be like A=1,B=2: microphone and channel from 1")
-    return {name.strip(): int(value) for name, _, value in pairs}
+    return {name.strip(): whole_number(value.strip()) for name, _, value in pairs}
