@@ -122,12 +122,15 @@ def library_reads(path: str | os.PathLike[str], what: str, refusal: type[Refusal
         refusal: class of the errors.
 
     Raises:
-        Refusal: of that class; what is a refusal already passes, and so does a lack of memory.
+        Refusal: of that class; what is a refusal already passes.
     """
     try:
         yield
-    except (Refusal, MemoryError):
+    except Refusal:
         raise
+    except MemoryError:
+        problem = f"takes more memory to read than there is; it is damaged, or not {what}"
+        raise refusal(problem, kind=Kind.UNREADABLE, file=path) from None
     except Exception as error:
         raise not_as_written(path, what, refusal, said_by(error)) from None
 
