@@ -25,7 +25,7 @@ from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import read_bytes
 from geometry.ground.record import sha256
 from geometry.ground.refusal import Field, Kind, Refusal, counted
-from geometry.ground.text_files import read_text
+from geometry.ground.text_files import parse_json, read_text
 from geometry.ground.typed import PathLike
 from geometry.ground.whole_files import write_text
 from localize.datasets.array_source import ArraySource, source_of
@@ -236,7 +236,7 @@ def _claim(folder: Path, request: Mapping[str, Any]) -> None:
     described = folder / DESCRIPTION
     if described.exists():
         try:
-            found = json.loads(read_text(described, "a description of a data set", Refusal))
+            found = parse_json(read_text(described, "a description of a data set", Refusal), str(described), Refusal)
         except ValueError:
             found = None
         if not isinstance(found, dict):
