@@ -129,7 +129,8 @@ class _Reader:
             elif place + length > self._size:
                 if not found.pieces:
                     raise self._cut(place + length)
-                self._note(found, "is cut off behind its samples, which are all there and are read")
+                if name in _NAMES:
+                    self._note(found, "is cut off behind its samples, which are all there and are read")
                 return
             yield name, place, length
             place = self._behind(place + length, length, found)
@@ -181,8 +182,8 @@ class _Reader:
             if name not in _NAMES and not _is_name(name):
                 return False
             place += 8 + length
-            if name == b"data" and place > self._size:
-                return True  # its length is looked at where it is read
+            if place > self._size + 1:
+                return name in _NAMES  # what is missing is looked at where it is read
             place += 0 if self._bytes(place, 4) in _NAMES else length % 2
         return False
 
