@@ -18,7 +18,7 @@ from geometry.assembly.part_list import part_set
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal, counted
-from geometry.ground.whole_files import whole_file
+from geometry.ground.whole_files import made_folder, whole_file
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -117,8 +117,7 @@ def export(
             raise Refusal(kind=Kind.OUT_OF_RANGE, field="parts", value=name, allowed=allowed)
     if tolerance is not None and not 0 < tolerance < math.inf:
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="tolerance", value=tolerance, unit="mm", allowed="above 0")
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = made_folder(folder)
     shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
     parameters = part_set(parts).parameters
     files = []
@@ -282,7 +281,7 @@ def _write_step(shape: cq.Shape, name: str, beside: Path, path: Path) -> None:
     import cadquery as cq
     from cadquery.occ_impl.assembly import toCAF
 
-    from geometry.formats.step_file import write_document
+    from geometry.formats.step_document import write_document
 
     _, document = toCAF(cq.Assembly(shape, name=name), coloredSTEP=True)
     write_document(document, beside, named=path)

@@ -12,7 +12,7 @@ from OCP.TDF import TDF_Label, TDF_LabelSequence
 from OCP.XCAFDoc import XCAFDoc_ShapeTool
 
 from geometry.assembly.model import ArrayModel, assembly_of, component_name
-from geometry.formats.step_file import write_document
+from geometry.formats.step_document import write_document
 from geometry.ground.whole_files import whole_file
 
 

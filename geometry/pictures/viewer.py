@@ -17,7 +17,7 @@ from geometry.assembly.model import LOOKS, ArrayModel, PartKind, array_model
 from geometry.assembly.order_table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
-from geometry.ground.whole_files import whole_file
+from geometry.ground.whole_files import made_folder, whole_file
 
 #: Facets for the eye: within this part of a shape's size and this angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.002, 0.35
@@ -185,7 +185,7 @@ def _material(kind: PartKind) -> trimesh.visual.material.PBRMaterial:
 
 def _whole(path: str | os.PathLike[str], content: bytes) -> Path:
     path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    made_folder(path.parent)
     with whole_file(path) as beside:
         beside.write_bytes(content)
     return path

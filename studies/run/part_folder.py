@@ -28,7 +28,7 @@ from geometry.printing.report_files import write_report
 from geometry.schema.field_errors import DesignError
 from geometry.schema.print_processes import PrintProcess, find_process, process_of
 from studies.output.display import Display, Report
-from studies.output.folders import FILES, check_folder, replaced_files
+from studies.output.folders import FILES, check_folder, claimed_folder, replaced_files
 
 #: Remedy where a design cannot be built.
 ALL_THE_SAME = (Field("allow_overlaps"), " draws it all the same")
@@ -90,7 +90,11 @@ def export_parts(
     layout = lay_out(design)
     if not allow_overlaps:
         refuse_unbuildable(design, layout, ALL_THE_SAME)
-    with (display or Display()).stage("Parts") as report, replaced_files(folder) as fresh:
+    with (
+        claimed_folder(folder, "parts", FILES, reads=(named,)),
+        (display or Display()).stage("Parts") as report,
+        replaced_files(folder) as fresh,
+    ):
         report("drawing the parts", 0.0)
         model = array_model(design, layout=layout)
         report("fit", 0.05)

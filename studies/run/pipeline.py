@@ -44,7 +44,7 @@ from studies.metrics.separation import Separability, separability
 from studies.output import response_figures as draw
 from studies.output.display import Display, Report
 from studies.output.figure_style import crop_picture
-from studies.output.folders import DESIGN, MARK, REPORT, RESULTS, claim_folder, replaced_folder
+from studies.output.folders import DESIGN, MARK, REPORT, RESULTS, claim_folder, claimed_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.file_list import write_file_list
 from studies.run.findings import AGREEMENT, write_results
@@ -108,9 +108,23 @@ def run_design(
     if not allow_overlaps:
         refuse_unbuildable(design, layout, ALL_THE_SAME)
     notes = buildability_notes(design, layout)
-    folder = claim_folder(out, write_design(design.completed()))
-    plan = plan or training_plan(design.point_count)
     grid = frequency_grid(frequency)
+    with claimed_folder(Path(out), "run", MARK):
+        return _run(design, layout, Path(out), show, fidelity, grid, plan or training_plan(design.point_count), notes)
+
+
+def _run(
+    design: ArrayDesign,
+    layout: ArrayLayout,
+    out: Path,
+    show: Display,
+    fidelity: str,
+    grid: Array,
+    plan: TrainingPlan,
+    notes: tuple[str, ...],
+) -> RunResult:
+    """The chain for a design that can be built, into a folder that is nobody else's."""
+    folder = claim_folder(out, write_design(design.completed()))
 
     with show.stage("Parts", of=_STAGES) as report:
         model, files, printing, figures = _make_parts(design, layout, folder, report)
