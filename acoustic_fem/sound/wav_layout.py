@@ -61,7 +61,9 @@ class WavLayout:
         del samples[len(samples) - len(samples) % max(self.frame, 1) :]
         chunks = b"fmt " + len(self.format).to_bytes(4, self.order) + self.format
         chunks += b"data" + len(samples).to_bytes(4, self.order) + bytes(samples)
-        return (b"RIFX" if self.order == "big" else b"RIFF") + (4 + len(chunks)).to_bytes(4, self.order) + b"WAVE" + chunks
+        return (
+            (b"RIFX" if self.order == "big" else b"RIFF") + (4 + len(chunks)).to_bytes(4, self.order) + b"WAVE" + chunks
+        )
 
 
 def wav_layout(path: Path, refusal: type[Refusal]) -> WavLayout:
@@ -100,7 +102,9 @@ class _Reader:
             elif name == b"data":
                 found.pieces.append((place, length))
         if len(found.format) < 16 or not found.pieces:
-            raise self._fault("is cut short or not a WAV file: it has no samples; recorders that are stopped at once leave this")
+            raise self._fault(
+                "is cut short or not a WAV file: it has no samples; recorders that are stopped at once leave this"
+            )
         unknown = end - 8 >= _UNKNOWN or end == 8
         if self._size + _COUNTED_IN < end and not unknown and not found.notes:
             raise self._cut(end)
@@ -215,4 +219,9 @@ class _Reader:
 
 def _is_name(name: bytes) -> bool:
     """True for four letters, digits or blanks, of which the first two are no blanks."""
-    return len(name) == 4 and name[:2].isalnum() and all(byte == 32 or chr(byte).isalnum() for byte in name) and name.isascii()
+    return (
+        len(name) == 4
+        and name[:2].isalnum()
+        and all(byte == 32 or chr(byte).isalnum() for byte in name)
+        and name.isascii()
+    )

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from geometry.ground.file_checks import library_reads, ordinary_file, read_bytes
+from geometry.ground.file_checks import library_reads, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind
 from geometry.ground.whole_files import temporary_folder
