@@ -9,7 +9,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Literal
 
-from hostile import data_files, models, texts, uses
+from hostile import data_files, kinds, models, texts, uses
 from hostile.damage import (
     Change,
     bit_flips,
@@ -23,8 +23,9 @@ from hostile.damage import (
 )
 
 #: How a command may end: ``refused``; ``exact``: refused, or with what it says of the undamaged files, or with a note
-#: that names the damaged one; ``sane``: refused, or done, for the change may be one that a user could have meant.
-Ending = Literal["refused", "exact", "sane"]
+#: that names the damaged one; ``sane``: refused, or done, for the change may be one that a user could have meant;
+#: ``noted``: refused, or done with a note that has one of some words; ``done``: done.
+Ending = Literal["refused", "exact", "sane", "noted", "done"]
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,10 @@ class Case:
     """Words of which a refusal must hold one."""
     output: str = ""
     """The file or folder that the command may write."""
+    environment: tuple[tuple[str, str], ...] = ()
+    """Variables that are set for it."""
+    limits: tuple[tuple[str, int], ...] = ()
+    """Limits of the system for it: ends of names of ``resource.RLIMIT_...``, and their values."""
 
 
 #: What a library holds, told by the arrays that a user would use.
@@ -153,6 +158,7 @@ def all_cases() -> list[Case]:
         *_mismatched(),
         *_overwriting(),
         *_solids(),
+        *_kinds(),
     ]
 
 
@@ -350,6 +356,13 @@ def _overwriting() -> Iterator[Case]:
 def _solids() -> Iterator[Case]:
     for what, code in uses.SOLIDS:
         yield Case("solids", what, ("-c", code), "refused", uses.untouched)
+
+
+def _kinds() -> Iterator[Case]:
+    """What users' files, habits and neighbours brought."""
+    for group, variants in kinds.FAMILIES.items():
+        for variant in variants():
+            yield Case(group, **variant._asdict())
 
 
 def sample(cases: list[Case], count: int) -> list[Case]:
