@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from os import PathLike
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,15 +20,15 @@ from acoustic_fem.fields.cylinder_heat import CylinderAir, CylinderField, cylind
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.numerics.refinement import BEST_ORDER, FLOW_ORDER, HEAT_ORDER, Refinement, refined
-from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
+from acoustic_fem.quantities.checks import frequency_grid, port_points
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, face_at, mesh_solid, refuse_large_mesh
 from geometry.air.solid_checks import sound_solid
 from geometry.air.straight_bores import shortened
 from geometry.air.volume import MIRROR
-from geometry.ground.argument_checks import out_of_range
-from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
+from geometry.formats.step_file import read_step
+from geometry.ground.argument_checks import check_range, out_of_range, real_numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -150,7 +150,9 @@ def port_admittance(
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: four refinements do not reach the accuracy.
     """
-    grid = frequency_grid(frequency if isinstance(frequency, str) else np.atleast_1d(numbers("frequency", frequency)))
+    grid = frequency_grid(
+        frequency if isinstance(frequency, str) else np.atleast_1d(real_numbers("frequency", frequency))
+    )
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
     admittance = solved.body.nodal_admittance(grid)
     return admittance if isinstance(frequency, str) or np.ndim(frequency) else admittance[0]
@@ -181,7 +183,7 @@ def solve_solid(
     Raises:
         As :func:`port_admittance`.
     """
-    accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)
+    accuracy = check_range("accuracy", accuracy, *_ACCURACY_RANGE)
     physics = checked_physics(fidelity)
     ports = port_points(ports)
     if not isinstance(medium, Medium):
@@ -330,15 +332,14 @@ def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -
     """The one shape that was given, read from a STEP file where a path was.
 
     Raises:
-        Refusal: no such file, no STEP file, or not one shape.
+        Refusal: no such file, no STEP file that can be read in 20 s and 1.5 GB, or not one shape.
     """
     import cadquery as cq
 
     if isinstance(solid, str | PathLike):
-        path = ordinary_file(solid, "a STEP file", Refusal, LARGEST_DATA)
-        with library_reads(path, "a STEP file", Refusal):
-            solid = cq.importers.importStep(str(path))
-    shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
+        shapes: list[Any] = [*read_step(solid)]
+    else:
+        shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
     if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
         held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
         raise Refusal(f"must be one CadQuery shape, it holds {held}", kind=Kind.WRONG_TYPE, field="solid")

@@ -129,7 +129,7 @@ def export(
             path = folder / f"{name}.{format_}"
             with whole_file(path) as beside:
                 if format_ == "step":
-                    _write_step(shape, name, beside)
+                    _write_step(shape, name, beside, path)
                     record = _checked_step(shape, name, beside, path)
                 elif format_ == "stl":
                     _mesh(facets).export(beside, file_type="stl")
@@ -277,7 +277,11 @@ def _read_only_body(path: Path, name: str) -> trimesh.Trimesh:
     return bodies[name]
 
 
-def _write_step(shape: cq.Shape, name: str, path: Path) -> None:
+def _write_step(shape: cq.Shape, name: str, beside: Path, path: Path) -> None:
     import cadquery as cq
+    from cadquery.occ_impl.assembly import toCAF
 
-    cq.Assembly(shape, name=name).export(str(path), "STEP")
+    from geometry.formats.step_document import write_document
+
+    _, document = toCAF(cq.Assembly(shape, name=name), coloredSTEP=True)
+    write_document(document, beside, named=path)

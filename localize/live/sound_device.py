@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, said_by
-from localize.live.sources import BLOCK, QUEUE, Block, BlockQueue, SourceError, checked_channels, rate_out_of_range
+from localize.live.sources import BLOCK, QUEUE, Block, BlockQueue, SourceError, rate_out_of_range
+from localize.recordings.channel_choice import chosen_channels
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 
 INSTALL = "pip install 'acoustic-fem[live]'; on Linux PortAudio itself: apt install libportaudio2"
@@ -126,7 +127,7 @@ class DeviceSource:
     ) -> None:
         self._audio = sounddevice or load_sounddevice()
         self._device = self._find(device)
-        self._channels = checked_channels(microphones, channels, self._device.channels, self._device.name)
+        self._channels = chosen_channels(microphones, channels, self._device.channels, self._device.name, SourceError)
         if rate is None and not LOWEST_RATE <= self._device.rate <= HIGHEST_RATE:
             raise rate_out_of_range(self._device.rate, self._device.name)
         self.rate = self._device.rate if rate is None else self._checked_rate(rate)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
@@ -36,7 +37,7 @@ from localize.live.stream import TouchStream
 from localize.live.stream_options import StreamOptions, TouchOptions
 from localize.live.touches import TouchTracker, touches_of
 from localize.model.file_contents import FileContent, file_content
-from localize.model.located_touches import LocatedTouches
+from localize.model.located_touches import LocatedTouches, distrusted
 from localize.recordings.recording import Recording, read_recording
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.disturbances import check_sound_level
@@ -65,7 +66,7 @@ LibrarySource: TypeAlias = str | os.PathLike[str] | Library
 class Decoding:
     """Choices of how a model is opened and what it reports beside the point; as of :func:`open_model`."""
 
-    noise: NoiseChoice = "design"
+    microphone_noise: NoiseChoice = "design"
     """For a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design"."""
     library: LibrarySource | None = None
     """Library of the array, for a network or graph; by default the model, where that is one."""
@@ -85,7 +86,7 @@ class Decoding:
 
     def __post_init__(self) -> None:
         checked_air(self.air)
-        check_noise(self.noise, "noise")
+        check_noise(self.microphone_noise, "microphone_noise")
         check_sound_level(self.ambient)
         if self.rejected_fraction is not None:
             StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
@@ -124,47 +125,74 @@ class Model:
         """
         return self.locator.locate(signals)
 
-    def locate_file(self, path: str | os.PathLike[str], full_scale: float | None = None) -> LocatedTouches:
+    def locate_file(
+        self,
+        path: str | os.PathLike[str],
+        full_scale: float | None = None,
+        *,
+        channels: Mapping[str, int] | None = None,
+        correct: bool = False,
+    ) -> LocatedTouches:
         """Touches in a recording: where and when.
 
         Args:
             path: of the recording, see :func:`localize.read_recording`.
             full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip,
                 by default recognised by flat tops.
+            channels: microphone -> channel of the file, from 1; as of :func:`localize.read_recording`.
+            correct: as of :meth:`locate_recording`.
 
         Raises:
             Refusal: a recording that cannot be read or used.
         """
-        return self.locate_recording(self.read(path, full_scale))
+        return self.locate_recording(self.read(path, full_scale, channels), correct=correct)
 
-    def read(self, path: str | os.PathLike[str], full_scale: float | None = None) -> Recording:
-        """Recording of the microphones of the model; ``path`` and ``full_scale`` (Pa) as of :meth:`locate_file`."""
+    def read(
+        self,
+        path: str | os.PathLike[str],
+        full_scale: float | None = None,
+        channels: Mapping[str, int] | None = None,
+    ) -> Recording:
+        """Recording of the microphones of the model; arguments as of :meth:`locate_file`."""
         fallback = not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
-        return read_recording(path, self.locator.microphones, full_scale, fallback=fallback)
+        return read_recording(path, self.locator.microphones, full_scale, fallback=fallback, channels=channels)
 
-    def locate_recording(self, recording: Recording) -> LocatedTouches:
-        """Touches in a recording that was read; a microphone whose level is far off is rescaled first."""
+    def locate_recording(self, recording: Recording, *, correct: bool = False) -> LocatedTouches:
+        """Touches in a recording that was read, with a check that the sensor fits the library.
+
+        A microphone whose level is far off is rescaled first. If the check finds a misfit that stays, the probabilities
+        of all decisions and touches are lowered towards those of chance.
+
+        Args:
+            recording: of the microphones of the model.
+            correct: whether a reversed, exchanged or late microphone is corrected too, if the check finds one.
+        """
         stream = self.stream(recording.limit, frames=True)
         decided, fit = _decided(stream, recording.signals)
-        rescaled = None
-        if fit is not None and fit.off_level is not None:
-            rescaled, level = fit.off_level
-            signals = recording.signals.copy()
-            signals[fit.microphones.index(rescaled)] /= 10 ** (level / 20)
+        fault = None if fit is None or fit.fault is None or not (correct or fit.fault.kind == "level") else fit.fault
+        if fault is not None:
+            signals = fault.corrected(recording.signals, self.locator.microphones)
             if recording.limit is not None:  # what was clipped stays so
-                signals = np.where(np.abs(recording.signals) >= recording.limit, recording.signals, signals)
+                clipped = (np.abs(recording.signals) >= recording.limit).astype(np.float64)
+                if fault.kind != "level":
+                    clipped = fault.corrected(clipped, self.locator.microphones)
+                signals = np.where(np.abs(clipped) > 0.1, np.copysign(recording.limit, signals), signals)
             decided = self.stream(recording.limit).push(signals)
         array, touches = self.locator.array, TouchOptions()
         tracker = TouchTracker(array, stream.delay, touches)
         events = [each for event in decided for each in (event, *tracker.take(event))]
+        events += tracker.finish()
+        trust = 1.0 if fit is None else fit.trust_of(fault)
         return LocatedTouches(
             array=array,
             seconds=recording.seconds,
             assumptions=self.assumptions,
-            touches=tuple(touches_of(decided, array, touches)),
-            events=(*events, *tracker.finish()),
+            touches=tuple(distrusted(each, trust, array) for each in touches_of(decided, array, touches)),
+            events=tuple(distrusted(each, trust, array) for each in events),
             warning=None if fit is None else fit.warning,
-            rescaled_microphone=rescaled,
+            fault=None if fit is None else fit.fault,
+            corrected=fault is not None,
+            trust=trust,
             options={"decoder": self.locator.options, "stream": stream.options, "touches": touches},
         )
 
@@ -180,7 +208,7 @@ class Model:
         """
         given, locator = self.decoding, self.locator
         # A noise that is given is what there is: then nothing is measured.
-        options = StreamOptions(follow=given.noise == "design", frames=frames, fallback=True)
+        options = StreamOptions(follow=given.microphone_noise == "design", frames=frames, fallback=True)
         if given.rejected_fraction is not None:
             options = replace(options, rejected_fraction=given.rejected_fraction)
         if self.response is None:
@@ -196,11 +224,11 @@ class Model:
             residual = ResidualTest(self.response, noise, ambient=given.ambient)
         return TouchStream(locator, None, limit, wave, sound, residual, options)
 
-    def tracker(self, radius: float) -> PathTracker:
+    def tracker(self, contact_radius_mm: float) -> PathTracker:
         """New tracker of the paths of contacts, for the decisions of a stream that carry their frames.
 
         Args:
-            radius: of the contact, mm.
+            contact_radius_mm: of the contact, mm.
 
         Raises:
             Refusal: a model without a library, or a radius out of range.
@@ -208,20 +236,22 @@ class Model:
         if self.library is None:
             problem = "is not a library; paths need one, because it predicts the signals of a contact at any place"
             raise Refusal(problem, kind=Kind.UNSUITABLE, field="model")
-        return PathTracker(self.library, radius, self.decoding.noise, self.decoding.ambient)
+        return PathTracker(self.library, contact_radius_mm, self.decoding.microphone_noise, self.decoding.ambient)
 
-    def listen(self, source: Source, recorder: LiveRecorder | None = None, radius: float | None = None) -> LiveListener:
+    def listen(
+        self, source: Source, recorder: LiveRecorder | None = None, contact_radius_mm: float | None = None
+    ) -> LiveListener:
         """Listener that reports touches while they happen; iterate over it for its events.
 
         Args:
             source: where samples come from, such as :class:`localize.live.ReplaySource`.
             recorder: writes them as they come in.
-            radius: of a contact whose place and gestures are reported too, mm; by default neither is.
+            contact_radius_mm: of a contact whose place and gestures are reported too, mm; by default neither is.
 
         Raises:
             Refusal: a radius out of range, or a model that has no library.
         """
-        places = () if radius is None else (GestureTracker(self.tracker(radius)),)
+        places = () if contact_radius_mm is None else (GestureTracker(self.tracker(contact_radius_mm)),)
         stream = self.stream(source.limit, frames=True)
         return LiveListener(source, stream, recorder, trackers=(TouchTracker(self.locator.array), *places))
 
@@ -234,7 +264,7 @@ def open_model(
     source: ModelSource,
     *,
     air: LocalAir | None = None,
-    noise: NoiseChoice = "design",
+    microphone_noise: NoiseChoice = "design",
     ambient: float | None = None,
     library: LibrarySource | None = None,
     waveform: bool = False,
@@ -250,7 +280,7 @@ def open_model(
     Args:
         source: a library, the folder of a trained localizer or an ONNX file; or a library or a localizer in memory.
         air: air in which the sensor is used, to which the library is converted; by default that of the library.
-        noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        microphone_noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
         ambient: highest level of room sound in which touches are classified, dB SPL; by default a quiet room. Frames
             that hold only sound are detected in any case, up to 80 dB SPL or this level.
         library: library of the array, for a network or graph that is to detect sound, and for the arguments below; by
@@ -269,7 +299,7 @@ def open_model(
             an argument that needs the library of the array without one; a library of another design; a value out of
             range.
     """
-    decoding = Decoding(noise, library, waveform, ambient, rejected_fraction, air, follow_drift, tolerances)
+    decoding = Decoding(microphone_noise, library, waveform, ambient, rejected_fraction, air, follow_drift, tolerances)
     return opened(source, decoding, "source")
 
 
@@ -364,15 +394,19 @@ def _decoder(library: Library, source: ModelSource, given: Decoding) -> LibraryD
             check_drift(library)
         except Refusal as error:
             raise Refusal.of(error, file=_name(source), field="") from None
-        return DriftDecoder(library, given.noise, levels, new=HOP / FRAME)
-    return decoder_of(library, given.noise, levels) if given.tolerances else BayesDecoder(library, given.noise, levels)
+        return DriftDecoder(library, given.microphone_noise, levels, new=HOP / FRAME)
+    return (
+        decoder_of(library, given.microphone_noise, levels)
+        if given.tolerances
+        else BayesDecoder(library, given.microphone_noise, levels)
+    )
 
 
 def _network(source: ModelSource, content: FileContent | None, given: Decoding) -> Locator:
     """Localizer in memory, a graph, or a trained localizer: each keeps its own noise and air."""
-    if given.noise != "design":
+    if given.microphone_noise != "design":
         problem = f"is for a library; {_name(source)} was made for a noise of its own"
-        raise Refusal(problem, kind=Kind.CONFLICT, field="noise", value=given.noise, unit="Pa")
+        raise Refusal(problem, kind=Kind.CONFLICT, field="microphone_noise", value=given.microphone_noise, unit="Pa")
     for name, value in ({} if given.air is None else asdict(given.air)).items():
         if value is not None:
             problem = f"is for a library; {_name(source)} was made in air of its own"
@@ -410,4 +444,4 @@ def _decided(stream: TouchStream, signals: Array) -> tuple[list[Decision | Fault
         loud.take(events)
         # The samples of all frames take sixteen times the memory of the recording.
         decided += [replace(event, frame=None) if isinstance(event, Decision) else event for event in events]
-    return decided, sensor_fit(stream.locator, loud.frames, stream.noise)
+    return decided, sensor_fit(stream.locator, loud.frames(), stream.noise)

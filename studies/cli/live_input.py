@@ -17,7 +17,7 @@ import localize
 import studies
 from geometry.ground.refusal import Kind, Refusal, counted
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
-from studies.cli.options import Altitude, Model, Pressure, Temperature, noise_choice
+from studies.cli.options import Altitude, Model, Pressure, Temperature, channel_map, noise_choice
 from studies.cli.terminal_tables import show, table_of
 from studies.output.call_defaults import FULL_SCALE
 
@@ -62,7 +62,8 @@ def live(
         str | None,
         typer.Option(
             metavar="A=1,B=2",
-            help="Channel of each microphone, counted from 1. Default: the first ones, in the order of the design.",
+            help="Channel of each microphone, counted from 1. Default: the first ones, in the order of the design; a "
+            "file of --replay must then have as many channels as there are microphones.",
             show_default=False,
         ),
     ] = None,
@@ -122,11 +123,13 @@ def live(
     if rate is not None and replay is not None:
         raise typer.BadParameter("--rate must not be given beside --replay, which has its own rate")
     wanted = int(device) if device is not None and device.isdecimal() else device
-    source = studies.LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale, rate)
+    source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate)
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
     with _Output(waveform) as output:
-        summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
+        summary = listen(
+            model, source, out, record=record, decoding=decoding, contact_radius_mm=radius, hear=output.hear
+        )
     _print_summary(summary)
     if summary.unrecorded:
         raise Refusal(f"{summary.unrecorded}; all input before that is in the file", kind=Kind.STOPPED)
@@ -192,12 +195,3 @@ def _print_summary(summary: LiveSummary) -> None:
         *summary.recordings,
     ):
         print(line, file=sys.stderr)
-
-
-def _channel_map(text: str) -> dict[str, int]:
-    """``A=1,B=2`` as microphone -> channel."""
-    pairs = [part.partition("=") for part in text.split(",")]
-    for name, equals, value in pairs:
-        if not (name.strip() and equals and value.strip().isdecimal()):
-            raise typer.BadParameter(f"--channels {text} must be like A=1,B=2: microphone and channel from 1")
-    return {name.strip(): int(value) for name, _, value in pairs}

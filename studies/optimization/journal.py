@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from geometry.ground.file_checks import read_bytes
+from geometry.ground.file_checks import library_reads, ordinary_file, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
-from geometry.ground.refusal import Kind, said_by
+from geometry.ground.refusal import Kind
+from geometry.ground.whole_files import temporary_folder
 from studies.study.differences import other_table
 from studies.study.study import StudyError
 
@@ -85,8 +85,8 @@ def read_only(out: Path, directions: Directions, identity: dict[str, Any]) -> It
     """The trials of a folder, which stays as it is; arguments and errors as for :func:`opened`."""
     read_seal(out)
     held = read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
-    with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / JOURNAL
+    with temporary_folder() as folder:
+        copy = folder / JOURNAL
         copy.write_bytes(held[: held.rfind(b"\n") + 1])
         search = _study(copy, directions)
         _check_owner(out / JOURNAL, search.user_attrs.get("problem"), identity)
@@ -134,16 +134,13 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
     import optuna
     from optuna.storages.journal import JournalFileBackend
 
-    try:
+    with library_reads(path, "the journal of a search", StudyError):  # lines of others, beyond what was sealed
         return optuna.create_study(
             storage=optuna.storages.JournalStorage(JournalFileBackend(str(path))),
             study_name="acoustic-fem",
             directions=directions,
             load_if_exists=True,
         )
-    except (ValueError, KeyError, TypeError, AttributeError) as error:  # lines of others, beyond what was sealed
-        problem = f"is not the journal of a search: {type(error).__name__}: {said_by(error)}"
-        raise StudyError(problem, kind=Kind.UNREADABLE, file=path) from None
 
 
 def _check_owner(path: Path, of_whom: object, identity: dict[str, Any]) -> None:

@@ -28,10 +28,11 @@ from studies.output.sole_writer import sole_writer_of, sole_writer_of_file
 MARK = ".acoustic-fem-run"
 #: Lists what was put into a folder that may hold files of others too.
 FILES = "files.txt"
-#: What a run writes: the design first, the report last.
+#: What a run writes: the design first, the report and the list of all files last.
 DESIGN = "design.toml"
 RESULTS = ("library.nc", "parts", "localizer", "figures")
 REPORT = ("report.html", "results.json")
+MANIFEST = "MANIFEST.json"
 
 
 Files = Iterable[str | os.PathLike[str] | None]
@@ -71,7 +72,7 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     known = dict.fromkeys(_digest(text) for text in (found, design.encode()) if text is not None)
     make_folder(folder, "run", MARK, known)
     same = found == design.encode()
-    for name in REPORT if same else (*REPORT, *RESULTS, DESIGN):
+    for name in (MANIFEST, *REPORT) if same else (MANIFEST, *REPORT, *RESULTS, DESIGN):
         _remove(folder / name)
     write_text(of_earlier, design)
     return folder
@@ -188,7 +189,7 @@ def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files
 
 
 def _unfinished(folder: Path, marks: Iterable[str]) -> Iterator[Path]:
-    """What a call leaves in a folder that is killed before, or while, it writes one of the marks."""
+    """Files and folders of a call that was killed before it had written one of the marks, or while it wrote one."""
     for mark in marks:
         yield from leftovers(folder / mark)
         if (fresh := _beside_list(folder, mark)).is_dir():
@@ -199,10 +200,10 @@ def _unfinished(folder: Path, marks: Iterable[str]) -> Iterator[Path]:
 def claimed_folder(path: Path, maker: str, *marks: str, reads: Files = ()) -> Iterator[None]:
     """A folder to which nobody else writes while the block runs; arguments and errors as for :func:`check_folder`.
 
-    What a call that was killed left half written is removed.
+    Files that a killed call left half written are removed.
 
     Raises:
-        Refusal: another process is writing to it, too.
+        Refusal: as there, or another process is writing to it.
     """
     check_folder(path, maker, *marks, reads=reads)
     with sole_writer_of(path, maker, Refusal):

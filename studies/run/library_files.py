@@ -82,6 +82,8 @@ def cell_lines(library: Library) -> list[str]:
     for cell in library.provenance["cells"]:
         if "unknowns" not in cell:
             lines.append(f"{cell['cell']}: {cell['method']}")
+        elif "cached" not in cell:  # the clock of files is stopped
+            lines.append(f"{cell['cell']}: {counted(cell['unknowns'], 'unknown')}")
         elif cell["cached"]:
             lines.append(f"{cell['cell']}: from the cache ({counted(cell['unknowns'], 'unknown')})")
         else:

@@ -17,6 +17,7 @@ from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import FORMATS, ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Field
+from geometry.ground.stated_times import stopped_time
 from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
@@ -80,6 +81,7 @@ def export_parts(
             folder's list of files contains a file that is not its own.
         OSError: the folder cannot be written.
     """
+    stopped_time()
     check_system_libraries()
     folder, design = Path(out), resolve_design(design)
     named = None if process is None or isinstance(process, PrintProcess) else process

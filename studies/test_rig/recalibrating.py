@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -53,6 +53,7 @@ def recalibrate(
     microphone_noise: NoiseChoice = "design",
     seed: int = SEED,
     air: LocalAir | None = None,
+    channels: Mapping[str, int] | None = None,
     display: Display | None = None,
 ) -> Recalibration:
     """Recalibration of a sensor from touches whose points nobody knows.
@@ -69,6 +70,7 @@ def recalibrate(
         seed: seed of the choice of the held-out touches.
         air: air of the place of the recordings, to which the library is brought first; values that are not given are
             the library's.
+        channels: microphone -> channel of all recordings, from 1; by default by their names or their order.
         display: shows what is being done.
 
     Raises:
@@ -83,7 +85,10 @@ def recalibrate(
             present = present.in_air(air)
         response = response_of(present)
         paths = [Path(recording) for recording in recordings]
-        heard = [read_recording(recording, response.microphones, full_scale).signals for recording in paths]
+        heard = [
+            read_recording(recording, response.microphones, full_scale, channels=channels).signals
+            for recording in paths
+        ]
         passed = [HighPass(len(signals), HIGH_PASS).begin(signals) for signals in heard]
         frames = [cut_frames(signals[None])[0] for signals in passed]
         of_microphones = response.noise(microphone_noise)

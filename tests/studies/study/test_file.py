@@ -154,7 +154,7 @@ def test_rows_of_a_group_may_share_values() -> None:
     assert len(cases_of(read_study(study(parameters=rows)))) == 3
 
 
-@pytest.mark.parametrize("base", ["x" * 300, "folder", "/dev/zero", "", "a\\u0000b", "array-9"])
+@pytest.mark.parametrize("base", ["x" * 300, "folder", "/dev/zero", "", "array-9"])
 def test_a_base_that_is_no_file_is_refused(base: str, tmp_path: Path) -> None:
     (tmp_path / "folder").mkdir()
     (tmp_path / "study.toml").write_text(f'base = "{base}"\nmetrics = ["distance_smallest"]\n')
