@@ -250,7 +250,7 @@ def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files
 
 
 def _unfinished(folder: Path, marks: Iterable[str]) -> Iterator[Path]:
-    """What a call leaves in a folder that is killed before, or while, it writes one of the marks."""
+    """Files and folders of a call that was killed before it had written one of the marks, or while it wrote one."""
     for mark in marks:
         yield from leftovers(folder / mark)
         if (fresh := _beside_list(folder, mark)).is_dir():
@@ -261,10 +261,10 @@ def _unfinished(folder: Path, marks: Iterable[str]) -> Iterator[Path]:
 def claimed_folder(path: Path, maker: str, *marks: str, reads: Files = ()) -> Iterator[None]:
     """A folder to which nobody else writes while the block runs; arguments and errors as for :func:`check_folder`.
 
-    What a call that was killed left half written is removed.
+    Files that a killed call left half written are removed.
 
     Raises:
-        Refusal: another process is writing to it, too.
+        Refusal: as there, or another process is writing to it.
     """
     check_folder(path, maker, *marks, reads=reads)
     with sole_writer_of(path, maker, Refusal):

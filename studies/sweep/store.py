@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign
 from geometry.design.design_file import read_completed
-from geometry.ground.file_checks import open_to_append, read_bytes
+from geometry.ground.file_checks import check_local, open_to_append, read_bytes
 from geometry.ground.refusal import Field, Kind
 from geometry.ground.whole_files import writing
 from studies.output.folders import check_folder
@@ -331,6 +331,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     Raises:
         StudyError: the folder is not the results of a sweep, or they are damaged; names the record, and what to do.
     """
+    check_local(path, StudyError, "results")
     path = Path(path)
     _check_sweep(path)
     try:
