@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 import acoustic_fem
 import geometry
@@ -16,7 +15,7 @@ import localize
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import write_library
 from acoustic_fem.numerics.disk_cache import CacheWarning
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry import export, print_report
 from geometry.assembly.model import ArrayModel, put_together
@@ -46,7 +45,7 @@ from studies.output.display import Display, Report
 from studies.output.figure_style import crop_picture
 from studies.output.folders import DESIGN, MARK, REPORT, RESULTS, claim_folder, claimed_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES
-from studies.run.file_list import write_manifest
+from studies.run.file_list import write_file_list
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
@@ -76,7 +75,7 @@ def run_design(
     *,
     display: Display | None = None,
     fidelity: str = ONE_DESIGN,
-    frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
+    frequency: FrequencyLike = LIBRARY_FREQUENCIES,
     plan: TrainingPlan | None = None,
     allow_overlaps: bool = False,
 ) -> RunResult:
@@ -163,7 +162,7 @@ def _run(
     )
     write_results(result, folder / "results.json")
     write_report(result, folder / "report.html")
-    write_manifest(folder, (MARK, DESIGN, *RESULTS, *REPORT))
+    write_file_list(folder, (MARK, DESIGN, *RESULTS, *REPORT))
     return result
 
 
