@@ -21,5 +21,7 @@ def build_time() -> int | None:
         return None
     if not (text.isascii() and text.isdigit() and len(text) <= len(str(_LATEST)) and int(text) <= _LATEST):
         allowed = f"a whole number of seconds from 0 to {_LATEST}"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field=VARIABLE, value=text, allowed=allowed, remedy="unset it, or give a time")
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE, field=VARIABLE, value=text, allowed=allowed, remedy="unset it, or give a time"
+        )
     return int(text)

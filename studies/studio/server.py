@@ -86,9 +86,7 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         found = sessions.find(request.query_params.get("session"))
         if found is None:
             return _refused("there is no such session", 404)
-        content = await _body(
-            request, MOST_RECORDING, f"the recording must be at most {MOST_RECORDING // 1024**2} MB"
-        )
+        content = await _body(request, MOST_RECORDING, f"the recording must be at most {MOST_RECORDING // 1024**2} MB")
         if isinstance(content, Response):
             return content
         name, scale = (

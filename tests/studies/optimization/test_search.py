@@ -380,7 +380,7 @@ LINES = {
     "no time": BEGUN + TRIAL.replace("2026-01-01T00:00:00", "soon"),
     "a range the wrong way round": BEGUN
     + TRIAL
-    + SET % r'{\"name\": \"FloatDistribution\", \"attributes\": {\"low\": 2, \"high\": 1}}',
+    + SET % r"{\"name\": \"FloatDistribution\", \"attributes\": {\"low\": 2, \"high\": 1}}",
     "a direction that there is not": BEGUN.replace("[1]", "[7]"),
     "no text": "\udcff\udcfe\n",
 }

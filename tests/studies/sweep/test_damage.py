@@ -346,7 +346,9 @@ def test_a_log_that_is_no_file_is_refused_before_it_is_opened(what: str, study: 
 
 
 @pytest.mark.parametrize("make", [pipe, endless])
-@pytest.mark.parametrize("name", ["records/study", METRICS_3, RESPONSES_2, "zarr.json", "volume/c/3", "volume/zarr.json"])
+@pytest.mark.parametrize(
+    "name", ["records/study", METRICS_3, RESPONSES_2, "zarr.json", "volume/c/3", "volume/zarr.json"]
+)
 def test_what_is_no_file_in_a_store_is_refused_or_made_anew(
     name: str, make: Callable[[Path], None], study: Study, finished: Path, store: Path
 ) -> None:
