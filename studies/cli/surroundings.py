@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from geometry.ground.argument_checks import whole_number
-from geometry.ground.build_time import build_time
+from geometry.ground.stated_times import stopped_time
 
 #: Sizes of the terminal. Shells and containers set them to 0 where there is none.
 _SIZES = ("COLUMNS", "LINES", "TERMINAL_WIDTH")
@@ -22,4 +22,4 @@ def check_surroundings() -> None:
         if name in os.environ and not 1 <= whole_number(os.environ[name].strip()) <= _LARGEST:
             del os.environ[name]
     os.environ["MPLBACKEND"] = "agg"
-    build_time()
+    stopped_time()

@@ -64,7 +64,9 @@ def sweep(
     check_workers(workers, scheduler)
     if dry_run:
         given = studies.load_study(study)
-        _print_plan(studies.plan_sweep(given, workers), given.fidelity)
+        with display_on_stderr() as display:
+            plan = studies.plan_sweep(given, workers, display=display)
+        _print_plan(plan, given.fidelity)
         return
     assert out is not None
     with display_on_stderr() as display:
@@ -147,6 +149,8 @@ def size(count: float) -> str:
 def _print_plan(plan: Plan, fidelity: str) -> None:
     left_out = f" ({plan.left_out} more break a constraint)" if plan.left_out else ""
     say(f"cases: {plan.cases}{left_out}")
+    if plan.sampled:
+        say(f"estimated from {plan.sampled} of {plan.cases + plan.left_out} cases, drawn at random")
     if plan.note:
         say(f"note: {plan.note}")
     refused = sum(plan.refused.values())

@@ -40,9 +40,8 @@ from studies.datasets.data_card import data_card
 from studies.datasets.shard_files import FORMATS, ZarrShards, writer_of
 from studies.output.call_defaults import DATASET_FORMAT, SAMPLES_PER_SHARD, SEED, TOUCHES
 from studies.output.display import Display
-from studies.output.folders import check_folder, write_json
+from studies.output.folders import check_folder, claimed_folder, write_json
 from studies.output.frequencies import LIBRARY_FREQUENCIES
-from studies.output.sole_writer import sole_writer_of
 
 #: Files of a data set beside its shards.
 DESCRIPTION, SUMS, CARD = "dataset.json", "SHA256SUMS", "README.md"
@@ -123,7 +122,7 @@ def export_dataset(
         ambient=ambient,
     )  # fmt: skip
     request = _request(parts, file_format, samples_per_shard, shares, licence)
-    with sole_writer_of(folder, "dataset", Refusal), (display or Display()).stage("dataset") as report:
+    with claimed_folder(folder, "dataset", DESCRIPTION), (display or Display()).stage("dataset") as report:
         _claim(folder, request)
         sums = _written(folder)
         total = sum(math.ceil(len(data) / samples_per_shard) for data in parts.values())

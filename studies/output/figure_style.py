@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.whole_files import whole_file
+from geometry.ground.whole_files import made_folder, whole_file
 from localize.signals.stimulus import BAND
 from studies.output.folders import as_picture, check_drawing
 
@@ -107,7 +107,7 @@ def save_figure(figure: Figure, path: str | os.PathLike[str]) -> Path:
         Refusal: the suffix is not that of a format of pictures.
     """
     path = as_picture(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    made_folder(path.parent)
     with whole_file(path) as beside:
         figure.savefig(beside, dpi=DPI)
     return path

@@ -24,12 +24,12 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign
 from geometry.design.design_file import read_completed
-from geometry.ground.file_checks import open_to_append, read_bytes
+from geometry.ground.file_checks import check_local, open_to_append, read_bytes
 from geometry.ground.refusal import Field, Kind
 from geometry.ground.whole_files import writing
 from studies.output.folders import check_folder
 from studies.output.sole_writer import hold
-from studies.output.zarr_files import METADATA, Layout, ZarrFiles
+from studies.output.zarr_files import METADATA, Layout, ZarrFiles, plain_attributes
 from studies.study.cases import Cases, by_kind
 from studies.study.differences import first_difference, other_table
 from studies.study.metric_registry import METRICS, Metric
@@ -267,7 +267,7 @@ class Sweep:
             values |= dict(zip(TRANSFER_FUNCTIONS, self._transfer_functions(), strict=True))
         variables = self.records.layout.variables.items()
         rows = {name: (each.dimensions, values[name], each.attributes) for name, each in variables}
-        return xr.Dataset(rows, attrs=self.attributes)
+        return xr.Dataset(rows, attrs=plain_attributes(self.attributes))
 
     def _transfer_functions(self) -> tuple[Any, Any]:
         """Real and imaginary parts, as arrays of dask whose blocks are read when they are used."""
@@ -331,6 +331,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     Raises:
         StudyError: the folder is not the results of a sweep, or they are damaged; names the record, and what to do.
     """
+    check_local(path, StudyError, "results")
     path = Path(path)
     _check_sweep(path)
     try:

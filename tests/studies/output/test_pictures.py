@@ -15,7 +15,6 @@ from small_run import small_run
 
 import studies
 from geometry import Kind
-from geometry.ground.build_time import build_time
 from studies.output.figure_style import figure_in_style, save_figure
 from studies.output.folders import PICTURES, as_picture, check_drawing, new_picture
 from studies.run.wiring import draw_wirings
@@ -102,16 +101,10 @@ def test_a_build_time_that_is_none_is_refused_before_any_work(
     text: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setenv("SOURCE_DATE_EPOCH", text)
-    for call in (build_time, check_drawing, lambda: wired(tmp_path / "p.svg")):
+    for call in (check_drawing, lambda: wired(tmp_path / "p.svg")):
         with refused(Kind.OUT_OF_RANGE, "SOURCE_DATE_EPOCH", text):
             call()
     assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.parametrize(("text", "time"), [("", None), ("0", 0), ("1700000000", 1_700_000_000)])
-def test_a_build_time(text: str, time: int | None, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", text)
-    assert build_time() == time
 
 
 def text_of_no_script(path: Path) -> None:
