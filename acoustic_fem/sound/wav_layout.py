@@ -23,8 +23,10 @@ _UNKNOWN = 0x7FFF0000
 _COUNTED_IN = 9
 #: Names of chunks of samples, formats and what recorders add, to tell a chunk from samples.
 _NAMES = frozenset(
-    b"fmt |data|fact|LIST|INFO|bext|iXML|JUNK|junk|PAD |FLLR|PEAK|cue |plst|labl|note|smpl|inst|ID3 |id3 |ds64|axml|chna|"
-    b"cart|aXML|umid|minf|elm1|regn|olym|acid|strc|levl|link|Fake|afsp|DISP|_PMX|SAUR|SNDM|TIME|wamd|guan".split(b"|")
+    b"fmt |data|fact|LIST|INFO|bext|iXML|JUNK|junk|PAD |FLLR|PEAK|cue |plst|labl|note|smpl|inst|ID3 |id3 |ds64|axml|"
+    b"chna|cart|aXML|umid|minf|elm1|regn|olym|acid|strc|levl|link|Fake|afsp|DISP|_PMX|SAUR|SNDM|TIME|wamd|guan".split(
+        b"|"
+    )
 )
 
 
@@ -61,7 +63,9 @@ class WavLayout:
         del samples[len(samples) - len(samples) % max(self.frame, 1) :]
         chunks = b"fmt " + len(self.format).to_bytes(4, self.order) + self.format
         chunks += b"data" + len(samples).to_bytes(4, self.order) + bytes(samples)
-        return (b"RIFX" if self.order == "big" else b"RIFF") + (4 + len(chunks)).to_bytes(4, self.order) + b"WAVE" + chunks
+        return (
+            (b"RIFX" if self.order == "big" else b"RIFF") + (4 + len(chunks)).to_bytes(4, self.order) + b"WAVE" + chunks
+        )
 
 
 def wav_layout(path: Path, refusal: type[Refusal]) -> WavLayout:
@@ -100,7 +104,9 @@ class _Reader:
             elif name == b"data":
                 found.pieces.append((place, length))
         if len(found.format) < 16 or not found.pieces:
-            raise self._fault("is cut short or not a WAV file: it has no samples; recorders that are stopped at once leave this")
+            raise self._fault(
+                "is cut short or not a WAV file: it has no samples; recorders that are stopped at once leave this"
+            )
         unknown = end - 8 >= _UNKNOWN or end == 8
         if self._size + _COUNTED_IN < end and not unknown and not found.notes:
             raise self._cut(end)
@@ -153,8 +159,8 @@ class _Reader:
             return stated  # a title of the old kind, or room that was not used
         self._note(
             found,
-            f"states {stated} bytes of samples and holds {there}; all are read, because recorders that are cut off leave "
-            "such headers",
+            f"states {stated} bytes of samples and holds {there}; all are read, because recorders that are cut off "
+            "leave such headers",
         )
         return there
 
@@ -206,8 +212,8 @@ class _Reader:
 
     def _cut(self, end: int) -> Refusal:
         return self._fault(
-            f"is cut short: it has {self._size} of {end} bytes; the recorder was stopped, the disk was full, or the copy "
-            "is not whole"
+            f"is cut short: it has {self._size} of {end} bytes; the recorder was stopped, the disk was full, or the "
+            "copy is not whole"
         )
 
     def _fault(self, problem: str, **facts: Any) -> Refusal:
@@ -216,4 +222,9 @@ class _Reader:
 
 def _is_name(name: bytes) -> bool:
     """True for four letters, digits or blanks, of which the first two are no blanks."""
-    return len(name) == 4 and name[:2].isalnum() and all(byte == 32 or chr(byte).isalnum() for byte in name) and name.isascii()
+    return (
+        len(name) == 4
+        and name[:2].isalnum()
+        and all(byte == 32 or chr(byte).isalnum() for byte in name)
+        and name.isascii()
+    )

@@ -84,8 +84,7 @@ Recording = Annotated[
     Path,
     typer.Argument(
         metavar="RECORDING",
-        help="WAV, FLAC or AIFF with a channel per microphone, CSV with their names on top, NPZ or MAT with "
-        "'signals'.",
+        help="WAV, FLAC or AIFF with a channel per microphone, CSV with their names on top, NPZ or MAT with 'signals'.",
         show_default=False,
     ),
 ]
