@@ -70,7 +70,8 @@ class _Reader:
             raise self._fault("is empty or not a CSV file")
         if len(names) == 1 and len(names[0].split()) > 1:
             raise self._fault("is separated by blanks; it must be by commas, semicolons or tabs")
-        values, lines = array("d"), []
+        values = array("d")
+        lines: list[int] = []
         for line, row in rows:
             lines = [*lines, line][:2]
             values.extend(self._numbers(line, row, names))

@@ -18,8 +18,8 @@ from geometry import Kind
 from localize import Decision
 from localize.evaluation.connection_faults import ConnectionFault, earlier
 from localize.evaluation.goodness_of_fit import FAULTY_TRUST, MARGIN, FitOptions, LoudFrames, SensorFit, sensor_fit
-from localize.signals.frames import FRAME
 from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import FRAME
 
 GRID = np.arange(1.0, 201.0)
 NOISE = 1e-3
