@@ -137,7 +137,9 @@ def checked(
         results[name] = Found(
             is_found(fault, fit.fault, len(names)) and (fault is not None or fit.warning is None), right, float(stated)
         )
-        print("  ", name, fault, "->", fit.fault, f"{fit.misfit:.3g} {fit.corrected_misfit} {results[name]}", flush=True)
+        print(
+            "  ", name, fault, "->", fit.fault, f"{fit.misfit:.3g} {fit.corrected_misfit} {results[name]}", flush=True
+        )
     return results
 
 
@@ -176,7 +178,9 @@ def main() -> None:
             each = [cells[name, library, kind] for kind in KINDS]
             wrong = [found for of_kind in each[1:] for found in of_kind]
             counts = " | ".join(f"{sum(found.right for found in of_kind)}/{len(of_kind)}" for of_kind in each)
-            accuracy, stated = (100 * np.mean([getattr(found, of) for found in wrong]) for of in ("accuracy", "probability"))
+            accuracy, stated = (
+                100 * np.mean([getattr(found, of) for found in wrong]) for of in ("accuracy", "probability")
+            )
             lines.append(f"| {name} | {library} | {counts} | {accuracy:.0f} | {stated:.0f} |")
     if given.first == FIRST and given.sensors is None:
         replace_section(PAGE, BEGIN, END, lines)

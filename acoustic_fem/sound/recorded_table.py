@@ -131,7 +131,9 @@ class _Reader:
                 if self._separator == "," and len(row) >= 2 * len(names) - 1 > 1
                 else ""
             )
-            raise self._fault(f"has {counted(len(row), 'value')}; it must have {len(names)}{hint}", field=f"line {line}")
+            raise self._fault(
+                f"has {counted(len(row), 'value')}; it must have {len(names)}{hint}", field=f"line {line}"
+            )
         plain = self._plain(line, row, names)
         try:
             return [float(each) for each in plain]

@@ -15,9 +15,9 @@ import numpy as np
 import scipy.io.wavfile
 from numpy.typing import NDArray
 
-from geometry.ground.argument_checks import check_range
 from acoustic_fem.sound.recorded_table import read_table
 from acoustic_fem.sound.wav_layout import wav_layout
+from geometry.ground.argument_checks import check_range
 from geometry.ground.array_files import read_mat, read_npz
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file

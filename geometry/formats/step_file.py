@@ -28,7 +28,8 @@ def read_step(path: str | os.PathLike[str]) -> list[cadquery.Shape]:
         path: the file.
 
     Raises:
-        Refusal: no such file, no STEP file, one with a number that is no length, or one that takes more than 20 s or 1.5 GB to read.
+        Refusal: no such file, no STEP file, one with a number that is no length, or one that takes more than
+            20 s or 1.5 GB to read.
     """
     import cadquery as cq
 

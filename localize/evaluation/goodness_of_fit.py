@@ -138,8 +138,8 @@ class LoudFrames:
         self._options = options
         self._kept: list[tuple[Decision, Array]] = []
         self._waiting: deque[Decision] = deque()
-        self._newest: Array = np.zeros((0, 0))
-        self._time = -np.inf
+        self._newest: Array = np.zeros((0, 0))  # samples up to the time, of the last decision or what passed since
+        self._time = 0.0
 
     def take(self, events: Iterable[object]) -> None:
         """Take what a stream says next, whose decisions carry their samples."""
@@ -148,44 +148,44 @@ class LoudFrames:
                 self._take(event)
 
     def _take(self, event: Decision) -> None:
-        if event.frame is not None and not self._newest.size:
-            self._newest = np.zeros((len(event.frame), FRAME + 2 * MARGIN))
         if not self._newest.size:
-            return
-        passed = round((event.time - self._time) * SAMPLE_RATE) if np.isfinite(self._time) else 0
+            if event.frame is None:
+                return
+            self._newest = np.zeros((len(event.frame), 2 * (FRAME + MARGIN)))
+            self._time = event.time
+        passed = round((event.time - self._time) * SAMPLE_RATE)
         if not 0 <= passed <= FRAME:  # samples were lost, or the device counts anew
-            self._keep_waiting()
+            if self._waiting:
+                self._keep_waiting()
             self._newest[:] = 0.0
             passed = 0
         self._pass(passed)
         self._time = event.time
         if event.frame is not None:
             self._newest[:, -FRAME:] = event.frame
-        if event.state == "touch" and event.frame is not None:
-            self._waiting.append(event)
+            if event.state == "touch":
+                self._waiting.append(event)
+        self._keep_due()
 
     def _pass(self, samples: int) -> None:
         """Let time pass: samples that no decision carries are silence."""
-        while samples:
-            due = self._due()
-            step = samples if due is None else min(samples, max(due, 0))
-            if step:
-                self._newest = np.roll(self._newest, -step, axis=1)
-                self._newest[:, -step:] = 0.0
-                self._time += step / SAMPLE_RATE
-                samples -= step
-            if self._due() == 0:
-                self._keep(self._waiting.popleft(), self._newest.copy())
+        if samples:
+            self._newest = np.roll(self._newest, -samples, axis=1)
+            self._newest[:, -samples:] = 0.0
+            self._time += samples / SAMPLE_RATE
 
-    def _due(self) -> int | None:
-        """Number of samples until the margin after the first waiting frame is there."""
-        if not self._waiting:
-            return None
-        return MARGIN - round((self._time - self._waiting[0].time) * SAMPLE_RATE)
+    def _keep_due(self) -> None:
+        """Keep the waiting frames whose margin behind them is there."""
+        while self._waiting:
+            behind = round((self._time - self._waiting[0].time) * SAMPLE_RATE) - MARGIN
+            if behind < 0:
+                return
+            end = self._newest.shape[1] - behind
+            self._keep(self._waiting.popleft(), self._newest[:, end - FRAME - 2 * MARGIN : end].copy())
 
     def _keep_waiting(self) -> None:
-        if self._waiting:
-            self._pass(MARGIN)
+        self._pass(MARGIN)
+        self._keep_due()
 
     def _keep(self, event: Decision, samples: Array) -> None:
         near = [each for each in self._kept if abs(each[0].time - event.time) < FRAME / SAMPLE_RATE]
@@ -202,7 +202,8 @@ class LoudFrames:
         Returns:
             (n_microphone, 474) float64 each, Pa: 112 samples, the 250 of the frame, and 112 samples.
         """
-        self._keep_waiting()
+        if self._waiting:
+            self._keep_waiting()
         return [samples for _, samples in self._kept]
 
 

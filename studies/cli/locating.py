@@ -159,7 +159,11 @@ def locate(
     ] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.png", help="Picture to draw of the signals and the touches.", show_default=False),
+        typer.Option(
+            metavar="FILE.png",
+            help="Picture to draw of the signals and the touches: .png, .pdf or .svg.",
+            show_default=False,
+        ),
     ] = None,
     full_scale: FullScale = None,
     noise: DecoderNoise = None,
@@ -301,7 +305,11 @@ def track(
     out: Annotated[Path, typer.Option(help="CSV file for a row per 16 ms of each path.", show_default=False)],
     picture: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.png", help="Picture to draw of the paths on the array.", show_default=False),
+        typer.Option(
+            metavar="FILE.png",
+            help="Picture to draw of the paths on the array: .png, .pdf or .svg.",
+            show_default=False,
+        ),
     ] = None,
     radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm; a stylus has 0.5.")] = MOVING,
     full_scale: FullScale = None,
@@ -350,7 +358,11 @@ def pulse(
     out: Annotated[Path | None, typer.Option(help="CSV file to write the waveform to.", show_default=False)] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.png", help="Picture to draw of the waveform and its waves.", show_default=False),
+        typer.Option(
+            metavar="FILE.png",
+            help="Picture to draw of the waveform and its waves: .png, .pdf or .svg.",
+            show_default=False,
+        ),
     ] = None,
     point: Annotated[
         int | None,

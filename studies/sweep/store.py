@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign
 from geometry.design.design_file import read_completed
+from geometry.ground.file_checks import check_local, open_to_append, read_bytes
 from geometry.ground.refusal import Field, Kind
 from geometry.ground.whole_files import writing
 from studies.output.folders import check_folder
@@ -49,6 +50,8 @@ from studies.sweep.records import (
 if TYPE_CHECKING:
     import xarray as xr
 
+#: Most bytes of what a store of an older version says of itself.
+_MOST_METADATA = 2**26
 #: Damaged blocks that are reported one by one.
 _TOLD = 3
 
@@ -192,8 +195,8 @@ def _check_sweep(path: Path) -> None:
     if (path / FOLDER).is_dir():
         return
     older = None
-    with suppress(OSError, ValueError, KeyError, TypeError):
-        older = json.loads((path / METADATA).read_bytes())["attributes"][MARK]
+    with suppress(ValueError, KeyError, TypeError, RecursionError):
+        older = json.loads(read_bytes(path / METADATA, "a store", StudyError, _MOST_METADATA))["attributes"][MARK]
     if older in (None, FORMAT):
         raise StudyError(f"is not the results of a sweep: it has no {FOLDER}", kind=Kind.MISMATCH, file=path)
     raise StudyError(
@@ -215,12 +218,12 @@ def sole_writer(path: Path) -> Iterator[IO[str]]:
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f"{path.name}.log")
-    with writing(beside), beside.open("a", encoding="utf-8") as log:
+    with writing(beside), open_to_append(beside, "the log of a sweep", StudyError) as log:
         try:
             hold(log.fileno(), path, "sweep", StudyError)
         except OSError as error:
             problem, remedy = f"cannot be locked ({error.strerror})", (Field("out"), " must be where files can")
-            raise StudyError(problem, kind=Kind.UNREADABLE, file=log.name, remedy=remedy) from None
+            raise StudyError(problem, kind=Kind.UNREADABLE, file=beside, remedy=remedy) from None
         yield log
 
 
@@ -328,6 +331,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     Raises:
         StudyError: the folder is not the results of a sweep, or they are damaged; names the record, and what to do.
     """
+    check_local(path, StudyError, "results")
     path = Path(path)
     _check_sweep(path)
     try:

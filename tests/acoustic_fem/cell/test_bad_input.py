@@ -171,13 +171,13 @@ BODIES = {
     "accuracy": {"accuracy": np.nan},
     "accuracy in words": {"accuracy": "fine"},
     "fidelity": {"fidelity": "lumped"},
-    "no gas": {"medium": None},
+    "no gas": {"air": "thin"},
 }
 
 
 @pytest.mark.usefixtures("no_meshing")
 def test_a_bad_body_of_air_is_refused_by_name_before_any_work():
-    good = {"solid": BOX, "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "medium": AIR}
+    good = {"solid": BOX, "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "air": AIR}
     cases = {name: partial(solid.port_admittance, **{**good, **change}) for name, change in BODIES.items()}
     check_messages(Path(__file__).with_name("bodies.txt"), cases)
 
@@ -187,7 +187,9 @@ def test_a_step_file_cut_short_is_refused_by_its_name(tmp_path, length):
     whole, cut = tmp_path / "whole.step", tmp_path / "cut.step"
     cq.exporters.export(cq.Workplane(BOX), str(whole))
     cut.write_bytes(whole.read_bytes()[:length])
-    with pytest.raises(ValueError, match=r"cut\.step: cut short, damaged or not a STEP file|solid must be one CadQuery shape"):
+    with pytest.raises(
+        ValueError, match=r"cut\.step: cut short, damaged or not a STEP file|solid must be one CadQuery shape"
+    ):
         solid.port_admittance(cut, {"a": (0.5, 0.5, 0)}, [1.0], AIR)
 
 

@@ -157,6 +157,7 @@ def all_cases() -> list[Case]:
         *_options(),
         *_mismatched(),
         *_overwriting(),
+        *_addresses(),
         *_solids(),
         *_kinds(),
     ]
@@ -351,6 +352,21 @@ def _overwriting() -> Iterator[Case]:
     """Outputs on what is read, on what was measured, and into folders of others."""
     for words, change in uses.OVERWRITING:
         yield Case("outputs over inputs", " ".join(words), words, "refused", change)
+
+
+def _addresses() -> Iterator[Case]:
+    """Addresses of stores and sites in place of every output, and of every input that is a file."""
+    for address in ("s3://bucket/a", "gs://bucket/a", "https://host/a", "file:///tmp/a", "zip::s3://bucket/a"):
+        for words in (SOLVE, SEARCH, CALIBRATE, TRAIN, PARTS, TOLERANCE, ("sweep", "study.toml", "--out", "r.zarr")):
+            out = words.index("--out") + 1
+            place = f"{address}{Path(words[out]).suffix}"
+            changed = (*words[:out], place, *words[out + 1 :])
+            yield Case("addresses", f"{words[0]} --out {place}", changed, "refused", uses.untouched, ("--out",))
+            source = f"{address}{Path(words[1]).suffix}"
+            changed = (words[0], source, *words[2:])
+            yield Case(
+                "addresses", f"{words[0]} {source}", changed, "refused", uses.untouched, (address.split(":")[0],)
+            )
 
 
 def _solids() -> Iterator[Case]:
