@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence, Sized
 from dataclasses import asdict, astuple, dataclass
 from functools import lru_cache
@@ -11,6 +12,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+import acoustic_fem
 from acoustic_fem.library.other_air import air_ratio
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.touch_pressure import touch_flow, touch_response
@@ -145,6 +147,18 @@ class Library:
         return touch_response(
             self.design, self.source_response, self.point_impedance, touch, contact_radius=contact_radius
         )
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the library in the format of the name's suffix; missing folders are made.
+
+        Args:
+            path: a name that ends with ``.nc``, ``.sofa``, ``.npz`` or ``.csv``.
+
+        Raises:
+            LibraryError: another suffix, a file that cannot be written, or one that is there and is not a library, or
+                a measured one.
+        """
+        acoustic_fem.library.export(self, path, folders=True)
 
     def in_air(
         self,

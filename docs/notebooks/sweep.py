@@ -29,12 +29,12 @@ fidelity = "lumped"
 sampling = "sobol"
 cases = 128
 metrics = ["distance_smallest", "sensitivity_force", "scatter_detection"]
-[parameters]
+[vary]
 "tube.inner_diameter" = {from = 0.3, to = 0.6}
 "resonator.cavity_height" = {from = 1.5, to = 5}
 """)
-summary = studies.run_sweep(studies.load_study(study), f"{folder.name}/results.zarr", workers=1)
-dataset = studies.open_sweep(f"{folder.name}/results.zarr").dataset
+summary = studies.run_sweep(studies.load_study(study), f"{folder.name}/results.zarr", workers=1).summary
+dataset = studies.open_sweep(f"{folder.name}/results.zarr").to_xarray()
 print(summary.cases, "cases;", *dataset.data_vars)
 
 # %% [markdown]

@@ -19,7 +19,7 @@ from studies.output.display import duration, number
 if TYPE_CHECKING:
     from studies.findings.reporting import BestDesigns
     from studies.sweep.plan import Plan
-    from studies.sweep.run import Summary
+    from studies.sweep.summary import Summary
 
 #: Kinds of reasons for failures that are listed; all are in the store.
 _LISTED = 10
@@ -68,7 +68,7 @@ def sweep(
         return
     assert out is not None
     with display_on_stderr() as display:
-        summary = studies.run_sweep(study, out, workers=workers, scheduler=scheduler, display=display)
+        summary = studies.run_sweep(study, out, workers=workers, scheduler=scheduler, display=display).summary
     _print_summary(summary, out)
     if summary.objection is not None:
         raise studies.sweep.SweepError(summary.objection, kind=Kind.NO_RESULT, file=out)

@@ -50,7 +50,7 @@ def seconds_of(
         cells: the 3-D cells that they need.
         discs: the membranes of all cases, which are solved together.
     """
-    missing = len(cells) - cached_count(cells, study.frequency, study.fidelity)
+    missing = len(cells) - cached_count(cells, study.frequency, study.solid_fidelity)
     return (
         _seconds_per_case(study, cases, numbers) * len(numbers)
         + SECONDS_PER_CELL * missing
@@ -81,7 +81,7 @@ def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> flo
 
 def _timed(study: Study, cases: Cases, chosen: Sequence[int]) -> float:
     alone = study.fidelity not in CLOSED_FORMS
-    job = Job("lumped" if alone else study.fidelity, study.frequency, study.metrics, False)
+    job = Job("lumped" if alone else study.fidelity, study.frequency, study.metrics, study.keep)
     few = Cases(cases.base, cases.names, tuple(column[chosen] for column in cases.columns))
     start = process_time()
     for part in [few.part(k, k + 1) for k in range(len(few))] if alone else [few]:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from acoustic_fem.cell.design_cells import cached_count
 from geometry.ground.typed import PathLike
 from studies.study.cases import by_kind, sobol_note
-from studies.study.file import resolve_study
-from studies.study.study import Study
+from studies.study.study import Study, resolve_study
 from studies.sweep.cost import elapsed, seconds_of, team_size
-from studies.sweep.records import block_size, point_count
+from studies.sweep.records import block_size, point_count, response_shapes
 from studies.sweep.survey import surveyed
 
 #: Memory of a worker that has loaded everything, and of one that solves a 3-D cell, bytes.
@@ -57,14 +57,16 @@ def plan_sweep(study: Study | PathLike, workers: int | None = None) -> Plan:
     cases = found.cases
     valid = [number for number in range(len(cases)) if number not in found.refused]
     cells = found.cells_of(valid)
-    cached = cached_count(cells, study.frequency, study.fidelity)
+    cached = cached_count(cells, study.frequency, study.solid_fidelity)
     alone = seconds_of(study, cases, valid, cells, found.discs)
     team = workers or team_size(alone)
-    values = point_count(cases) * len(study.base.microphones) * len(study.frequency) * 16
+    microphones, size = len(study.base.microphones), {"double": 16, "single": 8}[study.precision]
+    values = point_count(cases) * microphones * len(study.frequency) * 16
+    kept = sum(math.prod(sizes) for sizes in response_shapes(study, point_count(cases)).values()) * size
     memory = team * (_WORKER_MEMORY + block_size(study, cases) * values * _ARRAYS)
     if len(cells) > cached:
         memory += team * _CELL_MEMORY
-    stored = 8 * (len(study.metrics) + len(cases.names) + 1) + (values if study.transfer_functions else 0)
+    stored = 8 * (len(study.metrics) + len(cases.names) + 1) + kept
     refused = {why: len(numbers) for why, numbers in by_kind(found.refused.items()).items()}
     return Plan(
         len(cases), cases.left_out, refused, len(cells), cached, elapsed(alone, team),

@@ -21,12 +21,12 @@ from stores import assert_same_store
 from geometry import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from studies.study.cases import Cases
-from studies.study.file import load_study, read_study
-from studies.study.study import Study, StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import Study, load_study, read_study
 from studies.sweep import survey
+from studies.sweep.results import open_sweep
 from studies.sweep.retries import ENDED_WORKERS
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 from studies.sweep.workers import open_workers
 
 STUDY = """
@@ -36,8 +36,8 @@ metrics = ["distance_smallest", "predicted_top1_white_noise"]
 sampling = "latin-hypercube"
 cases = 160
 seed = 5
-transfer_functions = true
-[parameters]
+keep = "responses"
+[vary]
 "tube.inner_diameter" = {from = 0.3, to = 0.76}
 "tube.length" = {from = 8, to = 30}
 "resonator.cavity_height" = {from = 1.8, to = 5}
@@ -53,7 +53,7 @@ def uninterrupted(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]
     """The study file, and its store made in one go by one process."""
     folder = tmp_path_factory.mktemp("uninterrupted")
     (folder / "study.toml").write_text(STUDY)
-    summary = run_sweep(load_study(folder / "study.toml"), folder / "results.zarr", workers=1)
+    summary = run_sweep(load_study(folder / "study.toml"), folder / "results.zarr", workers=1).summary
     assert 0 < sum(len(numbers) for numbers in summary.failures.values()) < 80
     return folder / "study.toml", folder / "results.zarr"
 
@@ -93,7 +93,7 @@ def start_and_kill(arguments: tuple[str, ...], out: Path, moment: int) -> None:
     run.send_signal(signal.SIGKILL)
     run.wait()
     assert len(helpers) >= 2
-    assert (open_sweep(out).dataset["state"].values == 0).any(), "the sweep was done before it was killed"
+    assert (open_sweep(out).values["state"] == 0).any(), "the sweep was done before it was killed"
     wait_for(lambda: not any(alive(helper) for helper in helpers))
 
 
@@ -215,8 +215,7 @@ def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
 ) -> None:
     grid = ", ".join(f"{10 + 0.25 * k}" for k in range(32))
     study = read_study(
-        'base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["distance_smallest"]\n'
-        f'[parameters]\n"tube.length" = [{grid}]\n'
+        f'base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["distance_smallest"]\n[vary]\n"tube.length" = [{grid}]\n'
     )
     run_sweep(study, tmp_path / "whole.zarr", workers=1)
 
@@ -224,12 +223,12 @@ def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
         return DeadlyCases(drawn.base, drawn.names, drawn.columns)
 
     monkeypatch.setattr(survey, "kept_cases", deadly)
-    summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=2).summary
     assert summary.failures == {ENDED_WORKERS: [12]}
-    whole, result = (open_sweep(tmp_path / f"{name}.zarr").dataset for name in ("whole", "r"))
+    whole, result = (open_sweep(tmp_path / f"{name}.zarr").to_xarray() for name in ("whole", "r"))
     others = np.arange(32) != 12
     np.testing.assert_allclose(result["distance_smallest"][others], whole["distance_smallest"][others], rtol=1e-12)
-    assert run_sweep(study, tmp_path / "r.zarr", workers=2).computed == 0
+    assert run_sweep(study, tmp_path / "r.zarr", workers=2).summary.computed == 0
 
 
 def alive(process: psutil.Process) -> bool:
