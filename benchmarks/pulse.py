@@ -151,12 +151,12 @@ def main() -> None:
         "point by the decoder of pulses, 1 s, top-1 (%)",
         "point by the decoder of pulses, 2 s, top-1 (%)",
         "point by the decoder of pulses, 8 s, top-1 (%)",
-        "signal over error, least / mean (dB)",
-        "signal over error of the best linear filter, least / mean (dB)",
+        "ratio of signal to error, smallest / mean (dB)",
+        "ratio of signal to error of the best linear filter, smallest / mean (dB)",
         f"pulses of {WANTED:g} dB and more (%)",
         *(f"{name} wave found within {1000 * FOUND:.0f} ms (%)" for name in WAVES),
-        "error of the rate, from the first beat found to the last, rms / most (a minute)",
-        "rate of the heart, of which 10 s are heard, within two stated deviations (%)",
+        "error of the heart rate between the first and the last beat found, rms / largest (beats per minute)",
+        "heart rate from 10 s of signal, within two stated deviations (%)",
     ]
     heads, columns = [], []
     for name in DESIGNS:

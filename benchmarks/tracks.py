@@ -148,7 +148,7 @@ def places() -> list[str]:
     recorder = ContactRecorder(library, microphone_noise=NOISE, seed=SEED)
     for radius in (2.0, 4.0):
         decoder = localize.PositionDecoder(library, radius, NOISE)
-        tool = replace(FINGER, radius=(radius, radius))
+        tool = replace(FINGER, contact_radius_mm=(radius, radius))
         random = np.random.default_rng(SEED)
         true = random.uniform(position.min(0), position.max(0), (TAPS, 2))
         frames = []
@@ -192,7 +192,7 @@ def between() -> list[str]:
         "| median error and stated deviation | covered |",
         "|---|---|---|---|---|---|---|---|",
     ]
-    tool = replace(FINGER, radius=(pitch, pitch))
+    tool = replace(FINGER, contact_radius_mm=(pitch, pitch))
     for name, (libraries, sensors) in conditions.items():
         points = [localize.BayesDecoder(each, microphone_noise=NOISE) for each in libraries]
         decoders = [localize.PositionDecoder(each, pitch, NOISE) for each in libraries]

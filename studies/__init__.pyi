@@ -1,6 +1,7 @@
 from . import (
     bending as bending,
     cli as cli,
+    datasets as datasets,
     evaluation as evaluation,
     findings as findings,
     inference as inference,
@@ -17,6 +18,8 @@ from . import (
 )
 from .bending.bending_rig import BendingRig as BendingRig
 from .bending.bending_run import BendingStudy as BendingStudy, bending_study as bending_study
+from .datasets.as_built_arrays import AsBuiltArrays as AsBuiltArrays, as_built as as_built
+from .datasets.export import ExportedDataset as ExportedDataset, export_dataset as export_dataset
 from .evaluation.localizer_evaluation import evaluate_localizer as evaluate_localizer
 from .evaluation.localizer_training import (
     TrainedLocalizer as TrainedLocalizer,

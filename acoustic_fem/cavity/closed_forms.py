@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.special import jn_zeros, jve, zeta
 
-from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.argument_checks import positive_numbers
 from geometry.ground.typed import Array, ComplexArray
 
 #: Results on longer grids are not kept.
@@ -37,8 +37,8 @@ def closed_cylinder_compliance(radius: float, height: float, frequency: ArrayLik
     Raises:
         Refusal: a radius, height or frequency that is not finite and positive.
     """
-    positive("radius", radius, "m")
-    positive("height", height, "m")
+    positive_numbers("radius", radius, "m")
+    positive_numbers("height", height, "m")
     rate = _rate(frequency, medium)
     if rate.size > _LONGEST_GRID:
         mean = _cylinder_mean(radius, height, rate)
@@ -61,14 +61,14 @@ def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium
     Raises:
         Refusal: a radius or frequency that is not finite and positive.
     """
-    positive("radius", radius, "m")
+    positive_numbers("radius", radius, "m")
     mean = _sphere_mean(radius, _rate(frequency, medium))
     return _compliance(4 / 3 * np.pi * radius**3, mean, medium)
 
 
 def _rate(frequency: ArrayLike, medium: Medium) -> ComplexArray:
     """Rate of heat diffusion j w / alpha, 1/m^2."""
-    omega = 2 * np.pi * positive("frequency", frequency, "Hz")
+    omega = 2 * np.pi * positive_numbers("frequency", frequency, "Hz")
     return np.asarray(1j * omega / medium.thermal_diffusivity)
 
 

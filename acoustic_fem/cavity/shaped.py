@@ -17,10 +17,10 @@ from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.numerics.refinement import HEAT_ORDER, refined
-from acoustic_fem.quantities.checks import numbers, positive
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import mesh_solid
+from geometry.ground.argument_checks import positive_numbers, real_numbers
 from geometry.ground.extras import installed_version
 from geometry.ground.typed import Array, ComplexArray
 from geometry.schema.cavity_shapes import Box, Dome, draw_cavity
@@ -53,9 +53,9 @@ def shaped_cavity_compliance(
         Refusal: a radius, height or frequency that is not finite and positive.
         MeshError, ConvergenceError: the cavity cannot be meshed, or the meshes do not reach the accuracy.
     """
-    positive("radius", radius, "m")
-    positive("height", height, "m")
-    grid = np.atleast_1d(positive("frequency", numbers("frequency", frequency), "Hz"))
+    positive_numbers("radius", radius, "m")
+    positive_numbers("height", height, "m")
+    grid = np.atleast_1d(positive_numbers("frequency", real_numbers("frequency", frequency), "Hz"))
     band = (min(_BAND[0], float(grid.min())), max(_BAND[1], float(grid.max())))
     size = (radius / metres(1.0), height / metres(1.0))
     matrices, excitations, weights = _thermal_model(shape, *size, medium, band)

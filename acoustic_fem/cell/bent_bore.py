@@ -24,12 +24,12 @@ from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.cell.solid import checked_physics
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.duct.meshed_section import MeshedSection
-from acoustic_fem.quantities.checks import frequency_grid, in_range, positive
+from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import FIRST, LAST, Winding, swept_mesh
-from geometry.ground.argument_checks import out_of_range
+from geometry.ground.argument_checks import check_range, out_of_range, positive_numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -97,7 +97,7 @@ def solve_bent_bores(
     """
     grid = check_bent_bore(radius, windings, frequency, medium)
     physics = checked_physics(fidelity)
-    rings = int(in_range("rings", rings, 1, 8))
+    rings = int(check_range("rings", rings, 1, 8))
     length = PIECE * radius
     pieces: list[Winding | None] = [None, *windings]
     exact = plane_wave.port_admittance(radius, length, grid, medium)
@@ -123,7 +123,7 @@ def check_bent_bore(radius: float, windings: Sequence[Winding], frequency: Array
     Raises:
         Refusal: as there.
     """
-    bore = float(positive("radius", radius, "m"))
+    bore = float(positive_numbers("radius", radius, "m"))
     for winding in windings:
         if not bore * winding.curvature < metres(1.0):
             raise out_of_range("radius", bore, f"below the bend's radius {metres(1 / winding.curvature):g} m", "m")

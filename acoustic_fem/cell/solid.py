@@ -20,14 +20,14 @@ from acoustic_fem.fields.cylinder_heat import CylinderAir, CylinderField, cylind
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.numerics.refinement import BEST_ORDER, FLOW_ORDER, HEAT_ORDER, Refinement, refined
-from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
+from acoustic_fem.quantities.checks import frequency_grid, port_points
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
 from acoustic_fem.quantities.medium import Medium
-from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, mesh_solid, refuse_large_mesh
+from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, face_at, mesh_solid, refuse_large_mesh
 from geometry.air.solid_checks import sound_solid
 from geometry.air.straight_bores import shortened
 from geometry.air.volume import MIRROR
-from geometry.ground.argument_checks import out_of_range
+from geometry.ground.argument_checks import check_range, out_of_range, real_numbers
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
@@ -150,7 +150,9 @@ def port_admittance(
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: four refinements do not reach the accuracy.
     """
-    grid = frequency_grid(frequency if isinstance(frequency, str) else np.atleast_1d(numbers("frequency", frequency)))
+    grid = frequency_grid(
+        frequency if isinstance(frequency, str) else np.atleast_1d(real_numbers("frequency", frequency))
+    )
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
     admittance = solved.body.nodal_admittance(grid)
     return admittance if isinstance(frequency, str) or np.ndim(frequency) else admittance[0]
@@ -181,12 +183,12 @@ def solve_solid(
     Raises:
         As :func:`port_admittance`.
     """
-    accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)
+    accuracy = check_range("accuracy", accuracy, *_ACCURACY_RANGE)
     physics = checked_physics(fidelity)
     ports = port_points(ports)
     if not isinstance(medium, Medium):
         raise Refusal(f"must be a Medium, not a {type(medium).__name__}", kind=Kind.WRONG_TYPE, field="medium")
-    shape = sound_solid(as_shape(solid))
+    shape, ports = _at_origin(sound_solid(as_shape(solid)), ports)
     box = shape.BoundingBox()
     half = geometry.air.mirror_half(shape, ports) if MIRROR not in ports else None
     faces = dict(ports) if half is None else {**half.ports, MIRROR: half.mirror}
@@ -200,6 +202,19 @@ def solve_solid(
         MeshGoal(accuracy, min(box.xlen, box.ylen, box.zlen)),
         lambda done: None if progress is None else progress("cell", done),
     )
+
+
+def _at_origin(solid: cadquery.Solid, ports: Mapping[str, Point]) -> tuple[cadquery.Solid, dict[str, Point]]:
+    """A solid and its ports, moved so that the solid lies around the origin: wherever it was drawn, the answer is one.
+
+    Raises:
+        MeshError: a port lies on no flat face, or on several; it is named where the caller has it.
+    """
+    for name, point in ports.items():
+        face_at(solid, name, point)
+    centre = solid.BoundingBox().center
+    moved = {name: (x - centre.x, y - centre.y, z - centre.z) for name, (x, y, z) in ports.items()}
+    return solid.translate(-centre), moved
 
 
 def converge(

@@ -29,9 +29,8 @@ from numpy.typing import ArrayLike
 
 from acoustic_fem.duct.plane_wave import Line, diffusion_rate
 from acoustic_fem.numerics.rational_sweep import reduce_system
-from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.argument_checks import out_of_range
+from geometry.ground.argument_checks import check_range, out_of_range, positive_numbers
 from geometry.ground.typed import Array, ComplexArray
 
 #: Columns of elements over a quarter of the wire; see tests/acoustic_fem/duct/test_coil_bore.py for the error.
@@ -57,13 +56,13 @@ class CoilBore(Line):
     """
 
     def __post_init__(self) -> None:
-        outer = float(positive("outer_diameter", self.outer_diameter, "m"))
-        wire = float(positive("wire_diameter", self.wire_diameter, "m"))
+        outer = float(positive_numbers("outer_diameter", self.outer_diameter, "m"))
+        wire = float(positive_numbers("wire_diameter", self.wire_diameter, "m"))
         if wire >= outer / 4:
             raise out_of_range("wire_diameter", wire, f"below a quarter of outer_diameter = {outer:g} m", "m")
         if int(self.refinement) != self.refinement or self.refinement < 2:
             raise out_of_range("refinement", self.refinement, "a whole number of at least 2")
-        in_range("cusp", self.cusp, 0.02, 0.5, "rad")
+        check_range("cusp", self.cusp, 0.02, 0.5, "rad")
 
     @property
     def crest_radius(self) -> float:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from acoustic_fem.duct.tube_opening import RESISTANCE
-from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.argument_checks import check_range, positive_numbers
 
 
 def leak_conductance(radius: float, length: float, medium: Medium) -> float:
@@ -20,7 +20,7 @@ def leak_conductance(radius: float, length: float, medium: Medium) -> float:
         length: m.
         medium: the air.
     """
-    in_range("radius", radius, 0, np.inf, "m")
-    positive("length", length, "m")
+    check_range("radius", radius, 0, np.inf, "m")
+    positive_numbers("length", length, "m")
     poiseuille, openings = 8 * length / np.pi, 2 * RESISTANCE * radius
     return float(radius**4 / (medium.viscosity * (poiseuille + openings)))

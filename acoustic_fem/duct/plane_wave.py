@@ -24,9 +24,8 @@ from numpy.polynomial.polynomial import polyval
 from numpy.typing import ArrayLike
 from scipy.special import jve, zeta
 
-from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.argument_checks import mismatch, out_of_range
+from geometry.ground.argument_checks import check_range, mismatch, out_of_range, positive_numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -55,7 +54,7 @@ def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
     Raises:
         Refusal: a radius or frequency that is not finite and positive.
     """
-    radius = positive("radius", radius, "m")
+    radius = positive_numbers("radius", radius, "m")
     mean = round_mean(2, radius, diffusion_rate(frequency, medium.kinematic_viscosity))
     return series_from_mean(np.pi * radius**2, mean, frequency, medium)
 
@@ -69,7 +68,7 @@ def shunt_admittance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
     Returns:
         Broadcast shape of radius and frequency, complex128.
     """
-    radius = positive("radius", radius, "m")
+    radius = positive_numbers("radius", radius, "m")
     mean = round_mean(2, radius, diffusion_rate(frequency, medium.thermal_diffusivity))
     return shunt_from_mean(np.pi * radius**2, mean, frequency, medium)
 
@@ -89,8 +88,8 @@ def port_admittance(radius: ArrayLike, length: ArrayLike, frequency: ArrayLike, 
     Raises:
         Refusal: a radius, length or frequency that is not finite and positive.
     """
-    length, radius = positive("length", length, "m"), positive("radius", radius, "m")
-    frequency = positive("frequency", frequency, "Hz")
+    length, radius = positive_numbers("length", length, "m"), positive_numbers("radius", radius, "m")
+    frequency = positive_numbers("frequency", frequency, "Hz")
     if radius.ndim == length.ndim == 0 and frequency.ndim == 1 and frequency.size <= _LONGEST_GRID:
         return _duct(float(radius), float(length), frequency.tobytes(), medium).copy()
     return two_port(series_impedance(radius, frequency, medium), shunt_admittance(radius, frequency, medium), length)
@@ -128,7 +127,7 @@ def two_port(series: ArrayLike, shunt: ArrayLike, length: ArrayLike) -> ComplexA
     Raises:
         Refusal: a length that is not finite and positive, a value that is not finite, Z' = 0.
     """
-    length = positive("length", length, "m")
+    length = positive_numbers("length", length, "m")
     total, square = _line_values(series, shunt, length)
     own, transfer = _x_coth_x(square) / total, -_x_over_sinh_x(square) / total
     return np.stack([np.stack([own, transfer], -1), np.stack([transfer, own], -1)], -2)
@@ -188,7 +187,7 @@ class UserLine(Line):
         return self._at("gamma", frequency) / self._at("zc", frequency)
 
     def _at(self, name: str, frequency: ArrayLike) -> ComplexArray:
-        frequency = positive("frequency", frequency, "Hz")
+        frequency = positive_numbers("frequency", frequency, "Hz")
         given = getattr(self, name)
         values = np.asarray(given(frequency) if callable(given) else given, dtype=np.complex128)
         try:
@@ -228,7 +227,7 @@ class CompliantWall(Line):
 
     def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
         """Shunt admittance per length Y' + j w C', m^2/(Pa s): shape of frequency (Hz), complex128."""
-        omega = 2 * np.pi * positive("frequency", frequency, "Hz")
+        omega = 2 * np.pi * positive_numbers("frequency", frequency, "Hz")
         return self.line.shunt_admittance(frequency, medium) + 1j * omega * self.compliance
 
 
@@ -259,9 +258,10 @@ def tube_compliance(
     Raises:
         Refusal: a value outside its range, by name.
     """
-    a, b = float(positive("inner_radius", inner_radius, "m")), float(positive("outer_radius", outer_radius, "m"))
-    modulus = float(positive("youngs_modulus", youngs_modulus, "Pa"))
-    nu, eta = in_range("poisson_ratio", poisson_ratio, 0.0, 0.5), in_range("loss_factor", loss_factor, 0.0, 2.0)
+    a = float(positive_numbers("inner_radius", inner_radius, "m"))
+    b = float(positive_numbers("outer_radius", outer_radius, "m"))
+    modulus = float(positive_numbers("youngs_modulus", youngs_modulus, "Pa"))
+    nu, eta = check_range("poisson_ratio", poisson_ratio, 0.0, 0.5), check_range("loss_factor", loss_factor, 0.0, 2.0)
     if b <= a:
         raise out_of_range("outer_radius", b, f"above inner_radius = {a:g} m", "m")
     wall = (b - a) * (b + a)
@@ -276,7 +276,7 @@ def tube_compliance(
 
 def diffusion_rate(frequency: ArrayLike, diffusivity: float) -> ComplexArray:
     """Rate of diffusion s = j w / diffusivity, 1/m^2: shape of frequency (Hz), complex128."""
-    return np.asarray(2j * np.pi * positive("frequency", frequency, "Hz") / diffusivity, dtype=np.complex128)
+    return np.asarray(2j * np.pi * positive_numbers("frequency", frequency, "Hz") / diffusivity, dtype=np.complex128)
 
 
 def series_from_mean(area: ArrayLike, mean: ComplexArray, frequency: ArrayLike, medium: Medium) -> ComplexArray:

@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike
 from scipy.special import zeta
 
 from acoustic_fem.duct.plane_wave import Line, diffusion_rate, round_mean, series_from_mean, shunt_from_mean
-from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.argument_checks import positive_numbers
 from geometry.ground.typed import ComplexArray
 
 
@@ -55,7 +55,7 @@ class CircularSection(Section):
     """Radius of the bore, m."""
 
     def __post_init__(self) -> None:
-        positive("radius", self.radius, "m")
+        positive_numbers("radius", self.radius, "m")
 
     @property
     def area(self) -> float:
@@ -80,8 +80,8 @@ class SlitSection(Section):
     """Width w, m."""
 
     def __post_init__(self) -> None:
-        positive("gap", self.gap, "m")
-        positive("width", self.width, "m")
+        positive_numbers("gap", self.gap, "m")
+        positive_numbers("width", self.width, "m")
 
     @property
     def area(self) -> float:
@@ -108,8 +108,8 @@ class RectangularSection(Section):
     """Length of the other side, m."""
 
     def __post_init__(self) -> None:
-        positive("width", self.width, "m")
-        positive("height", self.height, "m")
+        positive_numbers("width", self.width, "m")
+        positive_numbers("height", self.height, "m")
 
     @property
     def area(self) -> float:
@@ -151,7 +151,7 @@ class TriangularSection(Section):
     """Length d of a side, m."""
 
     def __post_init__(self) -> None:
-        positive("side", self.side, "m")
+        positive_numbers("side", self.side, "m")
 
     @property
     def area(self) -> float:

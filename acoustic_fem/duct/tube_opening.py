@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.argument_checks import positive_numbers
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.typed import ComplexArray
 
@@ -43,7 +43,7 @@ def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) 
     Raises:
         Refusal: a radius or frequency that is not finite and positive.
     """
-    radius, omega = positive("radius", radius, "m"), 2 * np.pi * positive("frequency", frequency, "Hz")
+    radius, omega = positive_numbers("radius", radius, "m"), 2 * np.pi * positive_numbers("frequency", frequency, "Hz")
     shear = float(np.max(radius * np.sqrt(omega / medium.kinematic_viscosity)))
     if shear > LARGEST_SHEAR_NUMBER:
         warn_caller(

@@ -9,11 +9,12 @@ from numpy.typing import ArrayLike
 from acoustic_fem.library.network_responses import array_responses
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.transfer_functions import Library, library_from_arrays
-from acoustic_fem.quantities.checks import frequency_grid, one_of
+from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir, checked_air, design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.argument_checks import check_choice
 
 
 def solve(
@@ -39,7 +40,7 @@ def solve(
         Refusal: a bad frequency grid, an unknown fidelity, an air of another type, or a design outside the atlas.
     """
     grid = frequency_grid(frequency)
-    one_of("fidelity", fidelity, FIDELITIES)
+    check_choice("fidelity", fidelity, FIDELITIES)
     checked_air(air, gas=True)
     design = resolve_design(design)
     report = progress or (lambda message, fraction: None)

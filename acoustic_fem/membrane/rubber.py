@@ -23,8 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from acoustic_fem.quantities.checks import in_range, positive
-from geometry.ground.argument_checks import mismatch
+from geometry.ground.argument_checks import check_range, mismatch, positive_numbers
 from geometry.ground.typed import ComplexArray
 from geometry.schema.materials import Material
 
@@ -68,8 +67,8 @@ class Rubber:
     """Relaxation times, s."""
 
     def __post_init__(self) -> None:
-        in_range("loss_factor", self.loss_factor, 0, 1)
-        positive("reference", self.reference, "Hz")
+        check_range("loss_factor", self.loss_factor, 0, 1)
+        positive_numbers("reference", self.reference, "Hz")
         if len(self.strengths) != len(self.times):
             raise mismatch(
                 "strengths", f"has {len(self.strengths)} values, times {len(self.times)}; they must be as many"
@@ -106,7 +105,7 @@ class Rubber:
         Raises:
             Refusal: a frequency that is not finite and positive.
         """
-        grid = positive("frequency", frequency, "Hz")
+        grid = positive_numbers("frequency", frequency, "Hz")
         found = modulus_ratio(
             grid, self.loss_factor, self.slope, self.reference, np.array(self.strengths), np.array(self.times)
         )

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from acoustic_fem.cavity.closed_forms import closed_sphere_compliance
-from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres
+from geometry.ground.argument_checks import positive_numbers
 from geometry.ground.typed import Array, ComplexArray
 from geometry.schema.part_fields import Microphone
 
@@ -82,7 +82,7 @@ def noise_density(microphone: Microphone, frequency: ArrayLike) -> Array:
     Raises:
         Refusal: a frequency that is not finite and positive.
     """
-    ratio = microphone.noise_corner / positive("frequency", frequency, "Hz")
+    ratio = microphone.noise_corner / positive_numbers("frequency", frequency, "Hz")
     return microphone.noise_density * np.sqrt(1 + ratio)
 
 

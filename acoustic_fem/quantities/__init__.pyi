@@ -1,10 +1,6 @@
 from .checks import (
     frequency_grid as frequency_grid,
-    in_range as in_range,
-    numbers as numbers,
-    one_of as one_of,
     port_points as port_points,
-    positive as positive,
 )
 from .fidelity import (
     FIDELITIES as FIDELITIES,

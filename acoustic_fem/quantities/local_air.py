@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 
 #: m, between which :func:`standard_pressure` stays within what :class:`acoustic_fem.Medium` takes.
@@ -24,7 +24,7 @@ def standard_pressure(altitude: float) -> float:
     Raises:
         Refusal: an altitude out of range.
     """
-    return 101325.0 * (1 - 2.25577e-5 * in_range("altitude", altitude, *ALTITUDES, "m")) ** 5.25588
+    return 101325.0 * (1 - 2.25577e-5 * check_range("altitude", altitude, *ALTITUDES, "m")) ** 5.25588
 
 
 def checked_air(air: object, *, gas: bool = False) -> None:

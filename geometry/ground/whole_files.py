@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -47,6 +48,31 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         raise
     finally:
         beside.unlink(missing_ok=True)
+
+
+@contextmanager
+def temporary_folder() -> Iterator[Path]:
+    """New folder for temporary files, which is removed with its content when the block ends.
+
+    Raises:
+        OSError: its disk is full, whatever the library says that met it; names the folder and says what to set.
+    """
+    remedy = "temporary files need room there: set TMPDIR to a folder with more"
+    try:
+        place = tempfile.TemporaryDirectory()
+    except FileNotFoundError:  # every folder that may be one was tried
+        where = os.environ.get("TMPDIR", "/tmp")
+        raise OSError(errno.ENOSPC, f"no file can be made; {remedy}", where) from None
+    with place as name:
+        try:
+            yield Path(name)
+        except Refusal:
+            raise
+        except Exception as error:
+            full = _full(Path(name, "room"), error)
+            if full is None:
+                raise
+            raise OSError(full, f"{os.strerror(full)}; {remedy}", os.path.dirname(name)) from error
 
 
 @contextmanager

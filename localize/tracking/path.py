@@ -51,7 +51,7 @@ class PathTracker:
 
     Args:
         library: with a design, as of :class:`localize.BayesDecoder`.
-        radius: of the contact, mm.
+        contact_radius_mm: of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: level of the sound around, dB SPL; None for quiet.
         high_pass: that of the stream, Hz; None for none.
@@ -65,7 +65,7 @@ class PathTracker:
     def __init__(
         self,
         library: Library | ArrayResponse,
-        radius: float = MOVING,
+        contact_radius_mm: float = MOVING,
         microphone_noise: NoiseChoice = "design",
         ambient: float | None = None,
         high_pass: float | None = HIGH_PASS,
@@ -74,7 +74,7 @@ class PathTracker:
         self.options = options
         self.response = response = response_of(library)
         """Array on which the paths are."""
-        footprints = footprints_over(response, radius, options.most_footprints, options.footprints)
+        footprints = footprints_over(response, contact_radius_mm, options.most_footprints, options.footprints)
         self._scorer = MovingScorer(response, footprints, microphone_noise, ambient, high_pass, options)
         self.pitch = pitch_of(response)
         """Distance of the points, mm."""

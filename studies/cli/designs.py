@@ -35,14 +35,8 @@ def studio(
         typer.Option(help="Port of the page; 0 for any. Default: 8765, or the next free one.", show_default=False),
     ] = None,
     host: Annotated[
-        str, typer.Option(metavar="ADDRESS", help="Address of the page; any but this needs --token.")
+        str, typer.Option(metavar="ADDRESS", help="Address of the page; other machines can reach any but this.")
     ] = "127.0.0.1",
-    token: Annotated[
-        str | None,
-        typer.Option(
-            help="Key in the page's address, 16 letters and digits or more. Default: a random one.", show_default=False
-        ),
-    ] = None,
     browser: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
 ) -> None:
     """Edit a design in the browser and see at once what each change does.
@@ -53,7 +47,7 @@ def studio(
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
     """
-    studies.serve_studio(geometry.resolve_design(design), port=port, host=host, token=token, browser=browser)
+    studies.serve_studio(geometry.resolve_design(design), port=port, host=host, browser=browser)
 
 
 def check(

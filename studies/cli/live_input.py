@@ -113,7 +113,9 @@ def live(
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
     with _Output(waveform) as output:
-        summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
+        summary = listen(
+            model, source, out, record=record, decoding=decoding, contact_radius_mm=radius, hear=output.hear
+        )
     _print_summary(summary)
     if summary.unrecorded:
         raise Refusal(f"{summary.unrecorded}; all input before that is in the file", kind=Kind.STOPPED)

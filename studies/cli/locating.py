@@ -96,7 +96,7 @@ def onnx(
 
     Example: [bold]acoustic-fem onnx localizer --out localizer.onnx[/bold]
     """
-    written = studies.export_decoder(model, out, noise=noise_choice(noise), ambient=ambient)
+    written = studies.export_decoder(model, out, microphone_noise=noise_choice(noise), ambient=ambient)
     tell(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"
@@ -133,7 +133,7 @@ def embed(
     Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
     """
     chosen = cast("Precision", precision)
-    written = studies.embed_decoder(library, out, precision=chosen, budget=budget, noise=noise_choice(noise))
+    written = studies.embed_decoder(library, out, precision=chosen, budget=budget, microphone_noise=noise_choice(noise))
     cost, table = written.decoder.cost, table_of("", "at most", numbers=(1,))
     for name, value in (("flash", cost.flash), ("ram", cost.ram), ("stack", cost.stack)):
         table.add_row(name, f"{value} bytes")
@@ -242,7 +242,7 @@ def recognize(
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
-    decoding = studies.Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
+    decoding = studies.Decoding(microphone_noise=noise_choice(noise), ambient=ambient, air=air)
     found = studies.recognize_recording(
         model, library, recording, out, point=point, speed=speed, full_scale=full_scale, decoding=decoding
     )
@@ -294,9 +294,9 @@ def track(
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
-    decoding = studies.Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
+    decoding = studies.Decoding(microphone_noise=noise_choice(noise), ambient=ambient, air=air)
     found = studies.track_recording(
-        library, recording, out, picture=picture, radius=radius, full_scale=full_scale, decoding=decoding
+        library, recording, out, picture=picture, contact_radius_mm=radius, full_scale=full_scale, decoding=decoding
     )
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")
@@ -336,7 +336,9 @@ def pulse(
 
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """
-    decoding = studies.Decoding(noise=noise_choice(noise), air=acoustic_fem.LocalAir(pressure, altitude, temperature))
+    decoding = studies.Decoding(
+        microphone_noise=noise_choice(noise), air=acoustic_fem.LocalAir(pressure, altitude, temperature)
+    )
     found = studies.read_pulse(
         library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding
     )

@@ -94,6 +94,12 @@ VERBS = {
     "embed": Entry("locating", "Use", "Export the decoder of a library as C99 source for a microcontroller."),
     "convert": Entry("calibrations", "Use", "Convert a library to netCDF, SOFA, NPZ or CSV, or back, without loss."),
     "sweep": Entry("sweeps", "Study", "Compute the metrics of many designs, every case of a study file.", ("studies",)),
+    "dataset": Entry(
+        "datasets",
+        "Study",
+        "Write a data set of touches to train networks of your own, readable without this program.",
+        ("studies", "train"),
+    ),
     "tolerance": Entry(
         "searches",
         "Study",
@@ -230,6 +236,7 @@ def verb_named(name: str) -> Callable[..., None]:
 #: Arguments of calls whose option has another name; all others are called as the option is.
 _OPTIONS = {
     "microphone_noise": "noise",
+    "contact_radius_mm": "radius",
     "temperature_c": "temperature",
     "frequency": "frequencies",
     "touches_per_point": "touches",

@@ -89,7 +89,7 @@ def evaluate_fully(
     library: Library,
     response: ArrayResponse,
     touches: int,
-    noise: NoiseChoice,
+    microphone_noise: NoiseChoice,
     seed: int,
     progress: Progress,
 ) -> FullEvaluation:
@@ -101,7 +101,7 @@ def evaluate_fully(
         response: of that library.
         touches: held-out touches per point; in a condition a tenth as many, at least 600 of all points together, but
             never more.
-        noise: of the microphones, where the condition is not the noise.
+        microphone_noise: of the microphones, where the condition is not the noise.
         seed: of touches and of as-built sensors.
         progress: called with what is being done and the fraction done.
     """
@@ -113,12 +113,14 @@ def evaluate_fully(
     for number, (name, locator) in enumerate(locators.items()):
         stage = _stage(progress, name, number / len(locators), 1 / len(locators))
         stage("all touches", 0.0)
-        overall = localize.evaluate(locator, response, touches, noise, seed=seed)
-        outcomes = localize.evaluation.evaluate_conditions(locator, response, few, noise, seed, stage)
+        overall = localize.evaluate(locator, response, touches, microphone_noise, seed=seed)
+        outcomes = localize.evaluation.evaluate_conditions(locator, response, few, microphone_noise, seed, stage)
         stage("as-built sensors", 1.0)
-        outcomes += localize.evaluation.evaluate_sensors(locator, response, made, max(1, few // 5), noise, seed)
         outcomes += localize.evaluation.evaluate_sensors(
-            locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP
+            locator, response, made, max(1, few // 5), microphone_noise, seed
+        )
+        outcomes += localize.evaluation.evaluate_sensors(
+            locator, response, rigs, max(1, few // RIGS), microphone_noise, seed, RIG_GROUP
         )
         found.append(LocalizerResult(name, overall, tuple(outcomes)))
     return FullEvaluation(

@@ -38,7 +38,7 @@ def embed_decoder(
     *,
     precision: Precision = PRECISION,
     budget: str | None = None,
-    noise: NoiseChoice = "design",
+    microphone_noise: NoiseChoice = "design",
 ) -> EmbeddedFiles:
     """Write the decoder of a library, which needs no training, as C99 for the microcontroller on the sensor.
 
@@ -48,7 +48,7 @@ def embed_decoder(
         precision: of the large tables, ``float32`` or ``int16``.
         budget: what the microcontroller has for it, such as ``flash=512k,ram=16k,instructions=2.5M``; by default all
             that it takes.
-        noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        microphone_noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
 
     Raises:
         Refusal: over the budget, with the numbers; a file that cannot be read, a folder of others, or as
@@ -58,7 +58,7 @@ def embed_decoder(
     check_folder(folder, "embed", _MARK, reads=files_of(library))
     left = None if budget is None else Budget.stated(budget)
     response = response_of(open_library(library))
-    decoder = embed(response, precision, noise, left)
+    decoder = embed(response, precision, microphone_noise, left)
     with replaced_files(folder) as fresh:
         for name, text in decoder.files.items():
             write_text(fresh / name, text)

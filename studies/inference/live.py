@@ -124,7 +124,7 @@ def listen(
     *,
     record: str | os.PathLike[str] | None = None,
     decoding: Decoding | None = None,
-    radius: float | None = None,
+    contact_radius_mm: float | None = None,
     hear: Hear | None = None,
 ) -> LiveSummary:
     """Summary of touches that are named while they happen, until the source ends, ``hear`` says so, or Ctrl-C.
@@ -137,8 +137,8 @@ def listen(
         out: a file for a line of JSON for every frame, 16 ms apart, written as it comes; an earlier one is replaced.
         record: a new WAV file for what comes in, at the rate at which it does; readable even if the program is killed.
         decoding: how the model is opened, and what is reported beside the point; by default as it is.
-        radius: of a contact whose place on the surface is reported beside its point, and its gesture when its path has
-            ended, mm; needs a library. By default neither is.
+        contact_radius_mm: of a contact whose place on the surface is reported beside its point, and its gesture when
+            its path has ended, mm; needs a library. By default neither is.
         hear: called with every event.
 
     Raises:
@@ -161,7 +161,7 @@ def listen(
     recorder = None
     if kept is not None:
         recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.full_scale)
-    listener = found.listen(samples, recorder, radius)
+    listener = found.listen(samples, recorder, contact_radius_mm)
     session = LiveSession(listener, found)
     counts, loud = _Counts(), LoudFrames()
     with ExitStack() as stack:

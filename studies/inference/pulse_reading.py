@@ -72,7 +72,7 @@ def read_pulse(
         problem = "is of no design; the force of a pulse needs its membranes"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")
     check_point(point, array.point_count)
-    reader = localize.PulseReader(response, given.noise)
+    reader = localize.PulseReader(response, given.microphone_noise)
     heard = read_recording(Path(recording), array.microphones, full_scale)
     reading = reader.read(heard.signals, point)
     if table is not None:

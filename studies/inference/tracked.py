@@ -25,7 +25,7 @@ from studies.output.figure_style import figure_in_style, line_colours, save_figu
 from studies.output.folders import check_new_file, is_own_table
 
 #: Columns of the table.
-COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "heard")
+COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "detected")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -47,7 +47,7 @@ def track_recording(
     out: str | os.PathLike[str] | None = None,
     *,
     picture: str | os.PathLike[str] | None = None,
-    radius: float = MOVING,
+    contact_radius_mm: float = MOVING,
     full_scale: float | None = None,
     decoding: Decoding | None = None,
 ) -> TrackedRecording:
@@ -58,7 +58,7 @@ def track_recording(
         recording: see :func:`localize.read_recording`.
         out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
         picture: of the paths on the array, ``.png``; an earlier one is replaced.
-        radius: of the contact, mm, 0.05 to 100.
+        contact_radius_mm: of the contact, mm, 0.05 to 100.
         full_scale: as of :func:`studies.locate_recording`.
         decoding: how signals are read.
 
@@ -72,16 +72,16 @@ def track_recording(
     check_new_file(drawn, ".png", reads=reads, option="picture")
     check_sound_there(recording)
     model = opened_as_designed(library, decoding)
-    tracker, array = model.tracker(radius), model.locator.array
-    heard = read_recording(Path(recording), array.microphones, full_scale)
-    tracks = tuple(tracks_of(model.stream(frames=True), tracker, heard.signals))
+    tracker, array = model.tracker(contact_radius_mm), model.locator.array
+    read = read_recording(Path(recording), array.microphones, full_scale)
+    tracks = tuple(tracks_of(model.stream(frames=True), tracker, read.signals))
     if table is not None:
         write_text(table, _rows(tracks))
     if drawn is not None:
         draw_paths(tracks, tracker.response, drawn)
     return TrackedRecording(
         array=array,
-        seconds=heard.seconds,
+        seconds=read.seconds,
         assumptions=model.assumptions,
         tracks=tracks,
         gestures=tuple(map(gesture_of, tracks)),
@@ -105,7 +105,7 @@ def _rows(tracks: tuple[Track, ...]) -> str:
 
 
 def draw_paths(tracks: tuple[Track, ...], response: ArrayResponse, path: str | os.PathLike[str]) -> Path:
-    """Picture of paths on the points of an array: where they are heard, and how sure they are.
+    """Picture of paths on the points of an array: where contacts are detected, with the uncertainty.
 
     Args:
         tracks: the paths.

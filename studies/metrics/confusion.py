@@ -61,7 +61,7 @@ class PredictedConfusion:
 def predict_confusion(
     transfer_function: ArrayLike,
     frequency: ArrayLike,
-    noise: float | NoiseSpectrum | ArrayLike,
+    microphone_noise: float | NoiseSpectrum | ArrayLike,
     *,
     listener: Listener = "network",
     assumed: ArrayLike | None = None,
@@ -73,7 +73,7 @@ def predict_confusion(
     Args:
         transfer_function: (n_design, n_point, n_microphone, n_freq) complex, Pa/Pa, of the sensors that are touched.
         frequency: (n_freq,) Hz, ascending, over 1 to 100 Hz.
-        noise: of every microphone: Pa rms over 0 to 500 Hz, white; a spectrum from
+        microphone_noise: of every microphone: Pa rms over 0 to 500 Hz, white; a spectrum from
             :mod:`localize.signals.noise_model`; or mean squares per hertz (n_design, 500), Pa^2.
         listener: "network" or "model".
         assumed: (n, n_point, n_microphone, n_freq) complex, Pa/Pa, that the listener goes by; by default those of each
@@ -86,7 +86,7 @@ def predict_confusion(
             band, an unknown listener, or noise that is not finite and above zero.
     """
     return predict_confusions(
-        transfer_function, frequency, [noise], listener=listener, assumed=assumed, touches=touches, seed=seed
+        transfer_function, frequency, [microphone_noise], listener=listener, assumed=assumed, touches=touches, seed=seed
     )[0]
 
 

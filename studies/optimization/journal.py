@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from geometry.ground.file_checks import read_bytes
 from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind, said_by
+from geometry.ground.whole_files import temporary_folder
 from studies.study.differences import other_table
 from studies.study.parameter import StudyError
 
@@ -85,8 +85,8 @@ def read_only(out: Path, directions: Directions, identity: dict[str, Any]) -> It
     """The trials of a folder, which stays as it is; arguments and errors as for :func:`opened`."""
     read_seal(out)
     held = read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
-    with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / JOURNAL
+    with temporary_folder() as folder:
+        copy = folder / JOURNAL
         copy.write_bytes(held[: held.rfind(b"\n") + 1])
         search = _study(copy, directions)
         _check_owner(out / JOURNAL, search.user_attrs.get("problem"), identity)

@@ -9,7 +9,6 @@ from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from shutil import make_archive
-from tempfile import TemporaryDirectory
 from time import monotonic
 from typing import Any
 
@@ -23,7 +22,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_toml
-from geometry.ground.whole_files import write_text
+from geometry.ground.whole_files import temporary_folder, write_text
 from studies.findings.page import design_of
 from studies.findings.result_table import Column, ResultTable, effect, fast_front, table_of_search, table_of_sweep
 from studies.findings.searching import optimize
@@ -122,10 +121,10 @@ def _is_search(text: str) -> bool:
 
 def write_study(design: ArrayDesign, text: str, path: Path) -> None:
     """Write a study file and its base beside each other into one ZIP file, as ``sweep`` and ``optimize`` take them."""
-    with TemporaryDirectory() as folder:
-        write_text(Path(folder) / "study.toml", text)
-        write_text(Path(folder) / f"{design.name}.toml", write_design(design))
-        make_archive(str(path.with_suffix("")), "zip", folder)
+    with temporary_folder() as folder:
+        write_text(folder / "study.toml", text)
+        write_text(folder / f"{design.name}.toml", write_design(design))
+        make_archive(str(path.with_suffix("")), "zip", str(folder))
 
 
 def study_folder(design: ArrayDesign, text: str) -> Path:

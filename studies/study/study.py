@@ -351,14 +351,8 @@ def _base(stated: Any, folder: Path, source: str) -> ArrayDesign:
             return validated(stated, source)
         except DesignError as error:
             raise DesignError.of(error, field=".".join(filter(None, ("base", error.field)))) from None
-    check_type(
-        "base",
-        stated,
-        (str, os.PathLike),
-        "a prototype, the path of a design file, or a design",
-        StudyError,
-        file=source,
-    )
+    allowed = "a prototype, the path of a design file, or a design"
+    check_type("base", stated, (str, os.PathLike), allowed, StudyError, file=source)
     name = os.fspath(stated)
     if name in prototype_names():
         return prototype(name)

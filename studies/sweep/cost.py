@@ -20,7 +20,7 @@ from studies.sweep.block import FAILURES, CellKey, Job, solve_block
 #: Processor time of one membrane, s.
 _SECONDS_PER_DISC = 0.22
 #: Time until workers of this machine compute: processes are started and modules loaded, and ended afterwards.
-START_UP = 10.0
+START_UP = 4.0
 #: Workers must save so many times their start-up; what is expected is not known better.
 _WORTH = 2.0
 #: Cases that are timed, how often cheap ones are repeated to a batch of the usual size, and what is long enough, s.

@@ -112,9 +112,8 @@ def _run_sweep(
             pool = open_workers(_team(study, cases, waiting, keys, found.discs, workers, scheduler), scheduler)
             try:
                 with pool as team:
-                    job = replace(
-                        job, discs=_interpolate_discs(team, found.discs) if study.membranes == "interpolated" else None
-                    )
+                    if study.membranes == "interpolated":
+                        job = replace(job, discs=_interpolate_discs(team, found.discs))
                     cells = _solve_cells(team, study, keys, progress, log)
                     _solve_blocks(team, job, cases, store, waiting, needed, cells, progress, notes, log)
             except WorkersLost as error:
@@ -135,7 +134,7 @@ def _run_sweep(
         )
         done, failed = int((state == DONE).sum()), int((state == FAILED).sum())
         write_line(log, "end", done=done, failed=failed, seconds=round(summary.seconds, 3))
-    return replace(open_sweep(out), summary=summary)
+    return replace(open_sweep(out), run=summary)
 
 
 def _stopped(out: Path, why: str) -> SweepError:

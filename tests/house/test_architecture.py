@@ -247,7 +247,7 @@ def test_what_is_required_is_imported_and_what_is_imported_is_required() -> None
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = {name: names_of(lines) - {"acoustic-fem"} for name, lines in project["optional-dependencies"].items()}
     required = names_of(project["dependencies"]).union(
-        *(extras[name] for name in ("plots", "cad", "fem", "onnx", "train", "studies", "sofa"))
+        *(extras[name] for name in ("plots", "cad", "fem", "onnx", "train", "studies", "sofa", "parquet"))
     )
     optional = extras["studio"]
     studio = ROOT / "studies" / "studio"

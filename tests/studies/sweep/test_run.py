@@ -49,9 +49,7 @@ from studies.sweep.workers import Workers, open_workers
 @pytest.fixture(scope="module")
 def finished(study: Study, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Summary]:
     out = tmp_path_factory.mktemp("sweep") / "results.zarr"
-    summary = run_sweep(study, out, workers=1).summary
-    assert summary is not None
-    return out, summary
+    return out, run_sweep(study, out, workers=1).summary
 
 
 # -- values -----------------------------------------------------------------------------------------
