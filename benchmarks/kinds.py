@@ -1,10 +1,10 @@
 """Kinds of touch on the glove: events and textures, nominal and as-built. ``python benchmarks/kinds.py`` trains both
 recognizers, prints the tables of docs/evidence/moving-touches.md and writes them there, in a quarter of an hour of one
-core; ``kinds`` or ``slides`` makes one of them.
+core. With ``kinds`` or ``slides`` it makes only one of them.
 
-Lumped fidelity, the noise of the design's microphone, hum and drift of a recorder. Made sensors are the virtual rig's,
-with effects that no library has; their waveforms are made with the nominal library. No constant was chosen on these
-seeds; how slides are told was chosen on seed 7203 with sensors 400 to 405.
+The fidelity is lumped, with the noise of the design's microphone and the hum and drift of a recorder. As-built sensors
+are virtual rigs, and their waveforms are reconstructed with the nominal library. No constant was chosen on these seeds.
+The classification of slides was tuned on seed 7203 with sensors 400 to 405.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def cell(right: NDArray[np.bool_]) -> str:
 
 
 class Judge:
-    """Takes of one subject, told by one recognizer."""
+    """One recognizer, and takes of its subject."""
 
     def __init__(self, subject: str, response: ArrayResponse) -> None:
         begun = perf_counter()
@@ -81,7 +81,7 @@ class Judge:
         return named == kind
 
     def with_points_named(self, sensors: tuple[ArrayResponse, ...], locator: Any) -> tuple[str, str]:
-        """Points that are named right, and kinds at the points that are named."""
+        """Cells of the points that are located correctly, and of the kinds recognized at the located points."""
         maker, points, kinds = self.maker(sensors), [], []
         for number in range(self.count):
             signals, kind, point, _ = maker.signals("evaluation", number)
@@ -253,9 +253,9 @@ def kinds() -> None:
         row(f"textures, speed {name}, a finger 1.5 times as blunt", textures, speeds=speeds, blunter=1.5)
     lines.append("")
     lines.append(
-        f"A cell has {events.count} takes of events or {textures.count} of textures. Training took {events.seconds:.0f} s and "
-        f"{textures.seconds:.0f} s of one core, with {events.recognizer.training['takes']} and "
-        f"{textures.recognizer.training['takes']} takes."
+        f"A cell has {events.count} takes of events or {textures.count} of textures. Training took "
+        f"{events.seconds:.0f} s and {textures.seconds:.0f} s of one core, with "
+        f"{events.recognizer.training['takes']} and {textures.recognizer.training['takes']} takes."
     )
     lines += milliseconds(events)
     print("\n".join(lines))

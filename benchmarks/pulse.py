@@ -1,9 +1,10 @@
 """The pulse under a finger: its point, waveform, waves and rate. ``python benchmarks/pulse.py`` prints the table of
 docs/evidence/moving-touches.md and writes it there, in some minutes of one core.
 
-Contacts of :func:`localize.contacts.pulse_wave`, a finger on the middle of one point, 50 to 100 beats a minute, 10 s,
-the noise of the design's microphone, lumped fidelity. Made sensors are the virtual rig's, read with the nominal library
-and with their own. No constant was chosen on these seeds: those that served to choose were 960 and sensors 960 to 965.
+Contacts come from :func:`localize.contacts.pulse_wave`: a finger on the middle of one point for 10 s, 50 to 100 beats a
+minute. The fidelity is lumped, and the noise is that of the design's microphone. As-built sensors are virtual rigs,
+which are decoded with the nominal library and with their own. No constant was chosen on these seeds. Constants were
+chosen on seed 960 with sensors 960 to 965.
 """
 
 from __future__ import annotations
@@ -61,7 +62,8 @@ def compared(waveform: Array, force: Array) -> tuple[float, Array, Array]:
 
 
 def left_by_noise(sensor: ArrayResponse, contact: Contact, point: int) -> float:
-    """Signal over error, dB, of the best linear filter of a whole recording: it knows the sensor, the noise and the
+    """Ratio of signal to error, dB, of the best linear filter of a whole recording. It is given the sensor, the noise
+    and the
     spectrum of this pulse to 1 Hz, but not that beats repeat (Wiener 1949).
     """
     high = scipy.signal.butter(2, LOWEST, "highpass", fs=1000, output="sos")

@@ -50,6 +50,7 @@ from .inference.tracked import TrackedRecording as TrackedRecording, track_recor
 from .optimization.problem import load_optimization as load_optimization
 from .output.display import Display as Display
 from .run.check import DesignCheck as DesignCheck, check_design as check_design
+from .run.file_list import FolderCheck as FolderCheck, verify_run as verify_run
 from .run.library_files import convert_library as convert_library, solve_library as solve_library
 from .run.part_folder import MadeParts as MadeParts, export_parts as export_parts
 from .run.pipeline import run_design as run_design

@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from os import PathLike
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,8 +27,8 @@ from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, face_a
 from geometry.air.solid_checks import sound_solid
 from geometry.air.straight_bores import shortened
 from geometry.air.volume import MIRROR
+from geometry.formats.step_file import read_step
 from geometry.ground.argument_checks import check_range, out_of_range, real_numbers
-from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -332,15 +332,14 @@ def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -
     """The one shape that was given, read from a STEP file where a path was.
 
     Raises:
-        Refusal: no such file, no STEP file, or not one shape.
+        Refusal: no such file, no STEP file that can be read in 20 s and 1.5 GB, or not one shape.
     """
     import cadquery as cq
 
     if isinstance(solid, str | PathLike):
-        path = ordinary_file(solid, "a STEP file", Refusal, LARGEST_DATA)
-        with library_reads(path, "a STEP file", Refusal):
-            solid = cq.importers.importStep(str(path))
-    shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
+        shapes: list[Any] = [*read_step(solid)]
+    else:
+        shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
     if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
         held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
         raise Refusal(f"must be one CadQuery shape, it holds {held}", kind=Kind.WRONG_TYPE, field="solid")

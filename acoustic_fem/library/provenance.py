@@ -5,11 +5,11 @@ from __future__ import annotations
 import hashlib
 import platform
 from collections.abc import Sequence
-from datetime import UTC, datetime
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
+from geometry.ground.stated_times import stated_time
 from geometry.ground.typed import Array
 
 
@@ -22,7 +22,7 @@ def versions(seed: int | None, libraries: Sequence[str]) -> dict[str, Any]:
     """
     return {
         "code_version": _installed("acoustic-fem"),
-        "created": datetime.now(UTC).isoformat(timespec="seconds"),
+        "created": stated_time().isoformat(timespec="seconds"),
         "seed": seed,
         "python": platform.python_version(),
         "libraries": {name: _installed(name) for name in libraries},

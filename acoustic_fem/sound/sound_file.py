@@ -1,36 +1,46 @@
-"""Recordings as files: WAV, CSV, NPZ and MAT to named channels at the rate of the file; what is broken is refused."""
+"""Recordings as files: WAV, FLAC, AIFF, CSV, NPZ and MAT to named channels at the rate of the file; what is broken is refused."""
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import warnings
-from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import scipy.io.wavfile
 from numpy.typing import NDArray
 
 from geometry.ground.argument_checks import check_range
+from acoustic_fem.sound.recorded_table import read_table
+from acoustic_fem.sound.wav_layout import wav_layout
 from geometry.ground.array_files import read_mat, read_npz
-from geometry.ground.csv_files import read_csv
+from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_file
 
-FORMATS = (".wav", ".csv", ".npz", ".mat")
+FORMATS = (".wav", ".csv", ".tsv", ".txt", ".npz", ".mat", ".flac", ".aiff", ".aif")
+#: Of these, tables, and files of sound cards, whose samples are fractions of full scale.
+_TABLES, _CODED = (".csv", ".tsv", ".txt"), (".flac", ".aiff", ".aif")
+SCALED = (".wav", *_CODED)
+#: Bits of a sample of FLAC and AIFF files, by the names of libsndfile.
+_BITS = {"PCM_S8": 8, "PCM_16": 16, "PCM_24": 24, "PCM_32": 32}
 #: Names in a file that are no channels.
 TIME, RATE = "time", "sample_rate"
-_MOST_CHUNKS = 1000
 #: Other names of the rate: it would be ignored, and 1 kHz taken.
 _OTHER_RATES = ("fs", "sr", "rate", "samplerate", "samplingrate", "samplefrequency", "samplingfrequency")
 #: Name of a matrix of all channels, (channel, sample).
 MATRIX = "signals"
+
+
+class SoundFileWarning(UserWarning):
+    """Note on a recording that was read, although its file is not as it should be."""
 
 
 class SoundFileError(Refusal):
@@ -64,15 +74,19 @@ def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) 
     """Read a recording as it is: nothing is scaled, filtered or resampled.
 
     - WAV: 8 to 32 bit integers as fractions of full scale, or floating-point numbers; channels are numbered from 1.
-    - CSV: a head line of channel names; ``time`` in s among them gives the rate.
+      Headers of recorders that died or write to a pipe are understood, see :mod:`acoustic_fem.sound.wav_layout`.
+    - FLAC, AIFF: as WAV, by the package soundfile.
+    - CSV, TSV, TXT: a head line of channel names; ``time`` in s among them gives the rate; separators and decimals as of
+      :mod:`acoustic_fem.sound.recorded_table`.
     - NPZ, MAT: ``sample_rate`` in Hz, and an array of numbers per channel, all equally long, or one matrix
       ``signals`` (channel, sample), whose channels are numbered from 1; what else there is beside it is not read.
 
     Args:
         path: of the file; its suffix says what it is.
-        default_rate: Hz, of files without ``time`` or ``sample_rate``; by default these are refused.
+        default_rate: Hz, of files without ``time`` or ``sample_rate``, with a warning; by default these are refused.
 
     Raises:
+        MissingExtra: the package for FLAC and AIFF files is not installed.
         SoundFileError: no such file, another suffix, cut short, a content that is not of this kind, above 512 MiB, or
             above 2^26 samples in a channel, or in all where the file holds more than integers.
     """
@@ -80,12 +94,14 @@ def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) 
     suffix = _format_of(path)
     if suffix == ".wav":
         sound = read_wav(path)
-    elif suffix == ".csv":
+    elif suffix in _CODED:
+        sound = _read_coded(path)
+    elif suffix in _TABLES:
         sound = _read_csv(path, default_rate)
     elif suffix == ".npz":
         sound = _of_arrays(path, read_npz(path, "an NPZ file of numbers", SoundFileError), default_rate)
     else:
-        sound = _of_arrays(path, read_mat(path, "a MAT file up to version 7", SoundFileError), default_rate)
+        sound = _of_arrays(path, read_mat(path, "a MAT file", SoundFileError), default_rate)
     allowed, rate = "finite and above 0", float(sound.rate)
     check_range("sample rate", rate, 0, unit="Hz", excluded="both", allowed=allowed, error=SoundFileError, file=path)
     return sound
@@ -163,11 +179,18 @@ class _WavChannels(Mapping[str, Array]):
 def read_wav(path: Path) -> Sound:
     """Read a WAV file as :func:`read_sound` does, whatever its suffix."""
     path = ordinary_file(path, "a WAV file", SoundFileError, LARGEST_DATA)
-    _check_chunks(path)
+    layout = wav_layout(path, SoundFileError)
     with library_reads(path, "a WAV file", SoundFileError), warnings.catch_warnings():
         # recorders add chunks of their own; what they hold is no sound
         warnings.filterwarnings("ignore", category=scipy.io.wavfile.WavFileWarning)
-        rate, samples = scipy.io.wavfile.read(path)
+        if layout.is_regular:
+            rate, samples = scipy.io.wavfile.read(path)
+        else:
+            with path.open("rb") as file:
+                content = layout.rewritten(file)
+            rate, samples = scipy.io.wavfile.read(io.BytesIO(content))
+    for note in layout.notes:
+        warnings.warn(f"{path}: {note}", SoundFileWarning, stacklevel=2)
     if len(samples) > MOST_NUMBERS:
         raise _fault(
             path, f"has {len(samples)} samples per channel; it must have at most {MOST_NUMBERS}", kind=Kind.OUT_OF_RANGE
@@ -185,39 +208,31 @@ def read_wav(path: Path) -> Sound:
     return Sound(_WavChannels(samples), float(rate), full_scale, numbered=True)
 
 
-def _check_chunks(path: Path) -> None:
-    """Refuse a WAV file whose chunks, as it states them, are not all there, or hold no samples."""
-    size = path.stat().st_size
-    with path.open("rb") as file:
-        head = file.read(36)
-        if len(head) < 12 or head[:4] not in (b"RIFF", b"RIFX", b"RF64"):
-            raise _fault(path, "is cut short or not a WAV file")
-        order: Literal["big", "little"] = "big" if head[:4] == b"RIFX" else "little"
-        large = head[:4] == b"RF64"  # it states its length, and that of its samples, in 64 bits of another place
-        end = int.from_bytes(head[20:28] if large else head[4:8], order) + 8
-        if end > size:
-            raise _fault(path, f"is cut short: it has {size} of {end} bytes")
-        kinds: list[bytes] = []
-        place = 12
-        while place + 8 <= end and len(kinds) < _MOST_CHUNKS:
-            file.seek(place)
-            kinds.append(file.read(4))
-            length = head[28:36] if large and kinds[-1] == b"data" else file.read(4)
-            place += 8 + int.from_bytes(length, order)
-            if place > size:
-                raise _fault(path, f"is cut short: it has {size} of {place} bytes")
-            place += place % 2
-    if len(kinds) == _MOST_CHUNKS or b"fmt " not in kinds or b"data" not in kinds:
-        raise _fault(path, "is cut short or not a WAV file: it has no samples")
+def _read_coded(path: Path) -> Sound:
+    """Read a FLAC or AIFF file."""
+    path = ordinary_file(path, "a sound file", SoundFileError, LARGEST_DATA)
+    check_extras(f"reading {path.suffix.lower()} files", "audio")
+    import soundfile
+
+    what = "a FLAC or AIFF file"
+    with library_reads(path, what, SoundFileError), soundfile.SoundFile(path) as file:
+        count, rate, bits = file.frames, float(file.samplerate), _BITS.get(file.subtype)
+        if count * file.channels > MOST_NUMBERS:
+            raise _fault(
+                path,
+                f"has {count} samples of {counted(file.channels, 'channel')}; at most {MOST_NUMBERS} in all are read",
+                kind=Kind.OUT_OF_RANGE,
+            )
+        samples = file.read(dtype="float64", always_2d=True)
+    if len(samples) < count:
+        raise _fault(path, f"is cut short: it has {len(samples)} of {count} samples")
+    channels = {str(number): np.ascontiguousarray(column) for number, column in enumerate(samples.T, 1)}
+    return Sound(channels, rate, None if bits is None else 1.0 - 2.0 ** (1 - bits), numbered=True)
 
 
 def _read_csv(path: Path, default_rate: float | None) -> Sound:
-    table = read_csv(path, "a CSV file", SoundFileError)
-    if table.remarks or not table.head:
-        raise _fault(path, "is empty or not a CSV file")
-    if len(table.head) == 1 and ";" in table.head[0]:
-        raise _fault(path, "is separated by semicolons; it must be by commas, with points for decimals")
-    names = [name.strip() for name in table.head]
+    table = read_table(path, SoundFileError)
+    names, columns = table.names, table.columns
     channels = [name for name in names if name != TIME]
     if len(set(names)) < len(names) or not channels or (default_rate is None and TIME not in names):
         rule = f"{TIME} and one per channel" if default_rate is None else f"one per channel and, if any, {TIME}"
@@ -226,35 +241,33 @@ def _read_csv(path: Path, default_rate: float | None) -> Sound:
             f"has the columns {', '.join(names)}; they must be {rule}, each once",
             kind=Kind.MISSING if default_rate is None and TIME not in names else Kind.UNREADABLE,
         )
-    values = array("d")
-    for number, row in enumerate(table.rows, 2):
-        if len(row) != len(names):
-            raise _fault(path, f"has {counted(len(row), 'value')}; it must have {len(names)}", field=f"line {number}")
-        try:
-            values.extend(map(float, row))
-        except ValueError as error:
-            problem = f"does not hold numbers only: {error}"
-            raise _fault(path, problem, kind=Kind.WRONG_TYPE, field=f"line {number}") from None
-        if len(values) > MOST_NUMBERS:
-            raise _fault(
-                path, f"holds more than {MOST_NUMBERS} numbers, the most that are read", kind=Kind.OUT_OF_RANGE
-            )
-    columns = np.frombuffer(values).reshape(-1, len(names))
     if len(columns) < 2:
         raise _fault(path, f"has {counted(len(columns), 'sample')}; it must have at least 2", kind=Kind.UNSUITABLE)
-    if default_rate is not None and TIME not in names:
-        rate = default_rate
+    if TIME in names:
+        rate = _rate_of(path, columns[:, names.index(TIME)], table.lines[1])
     else:
-        rate = _rate_of(path, columns[:, names.index(TIME)])
+        assert default_rate is not None
+        rate = _assumed(path, default_rate, f"a column {TIME}, in s,")
     return Sound({name: columns[:, names.index(name)] for name in channels}, rate)
 
 
-def _rate_of(path: Path, time: Array) -> float:
-    """Hz, of times in s."""
+def _assumed(path: Path, rate: float, where: str) -> float:
+    """The rate of a file that states none, Hz, with a warning."""
+    warnings.warn(
+        f"{path}: states no sample rate, so {rate:g} Hz is assumed, and every point will be wrong if it is another; "
+        f"{where} states it",
+        SoundFileWarning,
+        stacklevel=2,
+    )
+    return rate
+
+
+def _rate_of(path: Path, time: Array, second: int) -> float:
+    """Hz, of times in s; ``second`` is the line of the second of them."""
     step = float(time[-1] - time[0]) / (len(time) - 1)
     uneven = np.flatnonzero(~(np.abs(np.diff(time) - step) <= 0.1 * abs(step)))
     if len(uneven) or not step > 0:
-        line = int(uneven[0]) + 3 if len(uneven) else 3
+        line = int(uneven[0]) + second if len(uneven) else second
         raise _fault(path, f"must rise in even steps; it does not at line {line}", kind=Kind.UNSUITABLE, field=TIME)
     return 1 / step
 
@@ -273,7 +286,7 @@ def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], default_rate: flo
     if RATE in arrays:
         rates = arrays[RATE]
     elif default_rate is not None:
-        rates = np.array(default_rate)
+        rates = np.array(_assumed(path, default_rate, f"a number {RATE}, in Hz,"))
     else:
         raise _fault(path, f"is missing; the file has {', '.join(arrays) or 'nothing'}", kind=Kind.MISSING, field=RATE)
     if rates.size != 1:

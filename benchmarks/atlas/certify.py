@@ -80,7 +80,7 @@ def errors(design: ArrayDesign, fidelity: str) -> Errors:
 
 
 def apart(exact: NDArray[np.complex128], found: NDArray[np.complex128]) -> tuple[float, float]:
-    """Relative error of what is heard, and of all by 1 + |ln |H||."""
+    """Relative error of the transfer functions above a level, and of all divided by 1 + |ln |H||."""
     off, size = np.abs(found / exact - 1), np.abs(exact)
     return float(off[size >= HEARD].max()), float((off / (1 + np.abs(np.log(size)))).max())
 

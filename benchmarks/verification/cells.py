@@ -28,7 +28,8 @@ If the exact ducts are subtracted, the impedance of the opening remains, Z aÂ³/Î
 compared with the axisymmetric solution of an independent Navier-Stokes solver. This solution is accurate to 2e-3, so
 the error levels off there."""
 
-ARRAY_TEXT = """An array of three points and two microphones is solved in one 3-D mesh, with its membranes, tubes and both ends
+ARRAY_TEXT = """An array of three points and two microphones is solved in one 3-D mesh, with its membranes, tubes and
+both ends
 (`benchmarks/one_mesh.py`). The result is compared with the usual method, which joins cells by plane waves. The
 frequencies are 1, 10 and 100 Hz."""
 

@@ -15,7 +15,8 @@ _WIDTH = 120
 _COLOURS = ("#1f5fa8", "#c8501e", "#2e8b57", "#8a4fa3", "#b08a00", "#555555")
 _MARKERS = "osD^vP"
 
-_INTRO = """This page shows how accurately the equations of the [theory](theory.md) are solved. The tables with an *order* show how
+_INTRO = """This page shows how accurately the equations of the [theory](theory.md) are solved. The tables with an
+*order* show how
 fast the error falls when the mesh is refined, and give the errors on the coarsest and on the finest mesh. The order is
 the least-squares slope of log(error) over log(size), dashed in the figures. It is fitted to all meshes, or to those up
 to a size that the last column gives. The tables with a *target* compare results with exact solutions, other programs or

@@ -22,12 +22,14 @@ TUBE_TEXT = """A tube of radius a = 0.25 mm and length 1 mm is solved by both 3-
 wall causes errors, with order 4. At 2 kHz the layer √(2ν/ω) is a fifth of the radius, so the order is fitted
 only to meshes finer than 2.5 layers. The points scatter, because the meshes are not refinements of each other."""
 
-HEAT_TEXT = """The compliance of closed cavities with isothermal walls is compared with closed forms for a cylinder (6 x 2.5 mm), a
+HEAT_TEXT = """The compliance of closed cavities with isothermal walls is compared with closed forms for a cylinder (6 x
+2.5 mm), a
 sphere (4 mm) and a box (4 x 3 x 2 mm; triple sine series). The compliance is an energy, so the order is 4, apart from a
 logarithm along edges. This holds if the mesh resolves the layer √(2α/ω), which is 0.26 mm thick at 100 Hz. So the order
 is fitted only to meshes finer than 2.5 layers."""
 
-SUM_TEXT = """If all ports have the same pressure, the inflow at low frequency is that of isothermal gas, jω V/p₀. Tetrahedra with
+SUM_TEXT = """If all ports have the same pressure, the inflow at low frequency is that of isothermal gas, jω V/p₀.
+Tetrahedra with
 three faces on walls would not contribute their volume here, so the mesher splits them. The meshes are those for
 `accuracy=2e-3`."""
 

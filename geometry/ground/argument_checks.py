@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
+_MOST_DIGITS = 9  # of a number that counts or numbers something
 
 def check_range(
     field: str,
@@ -176,3 +177,11 @@ def mismatch(field: str, problem: str, **more: Any) -> Refusal:
 def unsuitable(field: str, problem: str, **more: Any) -> Refusal:
     """A refusal of data that cannot answer the question."""
     return Refusal(problem, kind=Kind.UNSUITABLE, field=field, **more)
+
+
+def whole_number(text: str) -> int:
+    """The number that a text of digits states, from 0; -1 for any other text, and for one of more than nine digits.
+
+    Python also takes digits of other scripts and underscores, and raises an error at very many digits.
+    """
+    return int(text) if text.isascii() and text.isdigit() and len(text) <= _MOST_DIGITS else -1

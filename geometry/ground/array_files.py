@@ -16,6 +16,7 @@ import scipy.io
 from numpy.typing import NDArray
 
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, not_as_written, ordinary_file
+from geometry.ground.mat_hdf5 import is_hdf5_mat, read_hdf5_mat
 from geometry.ground.refusal import Kind, Refusal
 
 _NUMBER = 8  # bytes of a float64
@@ -76,7 +77,7 @@ def _claimed(path: Path, info: zipfile.ZipInfo, member: IO[bytes], refusal: type
 def read_mat(
     path: str | os.PathLike[str], what: str, refusal: type[Refusal], most_numbers: int = MOST_NUMBERS
 ) -> dict[str, NDArray[Any]]:
-    """Variables of a MAT file up to version 7 by name, in the shape of what was saved.
+    """Variables of a MAT file by name, in the shape of what was saved; version 7.3 is an HDF5 file.
 
     Anything but a plain array, such as a structure or a sparse matrix, is passed over. Arguments are those of
     :func:`read_npz`.
@@ -85,6 +86,8 @@ def read_mat(
         Refusal: of that class: no such file, not MAT, cut short, or of more numbers than may be.
     """
     path = ordinary_file(path, what, refusal, LARGEST_DATA)
+    if is_hdf5_mat(path):
+        return read_hdf5_mat(path, what, refusal, most_numbers)
     names = _plain_variables(path, what, refusal, most_numbers)
     with library_reads(path, what, refusal):
         content = scipy.io.loadmat(path, variable_names=names)

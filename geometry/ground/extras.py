@@ -16,6 +16,7 @@ EXTRAS = {
     "studies": ("cloudpickle", "dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
+    "audio": ("soundfile",),
     "sofa": ("sofar",),
     "parquet": ("pyarrow",),
 }

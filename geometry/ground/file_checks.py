@@ -8,19 +8,22 @@ it reads become refusals in :func:`library_reads`.
 from __future__ import annotations
 
 import os
+import re
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from geometry.ground.argument_checks import check_type
-from geometry.ground.refusal import Kind, Refusal, said_by
+from geometry.ground.refusal import Field, Kind, Refusal, said_by
 
 LARGEST_DATA = 2**29
 """Most bytes of a file of numbers or sound: eight channels of 16 bits at 48 kHz for eleven minutes."""
 MOST_NUMBERS = 2**26
 """Most numbers that are taken from a file at once: half a gigabyte of them."""
 
+#: The address of a store or a site as it begins, also after ``pathlib`` has made one slash of two: ``s3://bucket/a``.
+_ADDRESS = re.compile(r"[A-Za-z][A-Za-z0-9+.:-]+:/")
 _KINDS = {
     stat.S_IFDIR: "a folder",
     stat.S_IFIFO: "a pipe",
@@ -28,6 +31,27 @@ _KINDS = {
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
 }
+
+
+def check_local(path: str | os.PathLike[str], refusal: type[Refusal] = Refusal, field: str = "") -> None:
+    """Reject the address of a store or a site in place of a path, which would become a folder called ``s3:``.
+
+    Args:
+        path: what was given as a path.
+        refusal: class of the error.
+        field: name of the argument.
+
+    Raises:
+        Refusal: of that class: it begins like ``s3://`` or ``file://``.
+    """
+    if _ADDRESS.match(os.fspath(path)):
+        raise refusal(
+            kind=Kind.OUT_OF_RANGE,
+            file=path,
+            field=Field(field),
+            allowed="a path on this machine, not an address",
+            remedy="copy between this machine and a store with the tool of the store, or mount the store as a folder",
+        )
 
 
 def ordinary_file(path: str | os.PathLike[str], what: str, refusal: type[Refusal], largest: int | None = None) -> Path:
@@ -40,10 +64,11 @@ def ordinary_file(path: str | os.PathLike[str], what: str, refusal: type[Refusal
         largest: most bytes that it may have; by default any number.
 
     Raises:
-        Refusal: of that class: not the path of a file, no such file, a folder, pipe, socket or device, not readable,
-            or too large.
+        Refusal: of that class: not the path of a file, the address of a store, no such file, a folder, pipe, socket or
+            device, not readable, or too large.
     """
     check_type("path", path, (str, os.PathLike), f"the path of {what}", refusal)
+    check_local(path, refusal)
     path = Path(path)
     try:
         status = path.stat()

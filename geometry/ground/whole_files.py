@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from geometry.ground.file_checks import check_local
 from geometry.ground.refusal import Kind, Refusal
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
@@ -28,8 +30,10 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         path: the file; its folder must exist.
 
     Raises:
+        Refusal: the path is the address of a store.
         OSError: the disk is full, whatever the library says that met it; names the file.
     """
+    check_local(path)
     path = Path(path)
     with suppress(FileNotFoundError):
         path.lstat()  # a name that is too long is reported for the file itself, before anything is written
@@ -48,6 +52,29 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         raise
     finally:
         beside.unlink(missing_ok=True)
+
+
+def leftovers(path: str | os.PathLike[str]) -> Iterator[Path]:
+    """Files beside a path that :func:`whole_file` left there because the process was killed while it wrote.
+
+    Another process may be writing one of them just now: they belong to whoever holds a lock of the place.
+    """
+    path = Path(path)
+    name = re.compile(rf"\.{re.escape(path.stem[:40])}\.\d+{re.escape(path.suffix)}")
+    with suppress(OSError):
+        yield from (found for found in path.parent.iterdir() if name.fullmatch(found.name))
+
+
+def made_folder(path: str | os.PathLike[str]) -> Path:
+    """The folder, made with all above it where it is missing.
+
+    Raises:
+        Refusal: the path is the address of a store.
+    """
+    check_local(path)
+    path = Path(path)
+    path.mkdir(parents=True, exist_ok=True)
+    return path
 
 
 @contextmanager
@@ -96,6 +123,7 @@ def whole_lines(path: str | os.PathLike[str]) -> Iterator[Callable[[str], None]]
     Raises:
         OSError: the disk is full; names the file.
     """
+    check_local(path)
     Path(path).unlink(missing_ok=True)
     with writing(path), open(path, "wb", buffering=0) as file:
 

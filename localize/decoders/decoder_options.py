@@ -55,6 +55,9 @@ class DecoderOptions:
     three designs 1.0 to 1.5 (1.9 and more after a change of stiffness of 20 %); by libraries of other arrays 2.7 or
     more."""
 
+    fitted_misfit: float = 60.0
+    """The same of a sensor whose library was fitted to some of its points, or brought to another air."""
+
     @cached_property
     def temperature(self) -> float:
         """Divisor of log-likelihoods, which counts misfits by the given noise again."""

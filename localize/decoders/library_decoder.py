@@ -86,7 +86,13 @@ class LibraryDecoder(Locator):
     @property
     def largest_misfit(self) -> float | None:
         """Largest median misfit of a calibrated sensor; None for a library that was computed."""
-        return self.options.calibrated_misfit if self.provenance.get("fidelity") == MEASURED else None
+        known = self.provenance
+        if known.get("fidelity") != MEASURED:
+            return None
+        measured = known.get("calibration", {}).get("measured_points")
+        fitted = known.get("fit") or "self_calibration" in known or "brought_from_air" in known
+        partly = measured is not None and len(measured) < self.point_count
+        return self.options.fitted_misfit if fitted or partly else self.options.calibrated_misfit
 
     def misfit(self, frames: Array) -> Array:
         """Residual that the best point leaves of each frame, over that of the assumed noise.

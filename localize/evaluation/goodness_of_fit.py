@@ -1,24 +1,35 @@
 """Fit of a decoder to its sensor: the residual of its best point in the loudest touches.
 
-A library of another array, a sensor that is further from its design than tolerances go, and a microphone that is far
-off its level all leave more of a loud touch than a sensor as expected does, at every point. A level that is off shows
-itself: divided by it, what is left falls to what is expected.
+A library of another array, a sensor that is further from its design than tolerances go, and a microphone that is
+connected wrongly all leave more of a loud touch than a sensor as expected does, at every point. If the connection is
+at fault, the correction of one fault brings the residual down to what is expected, so each fault is tried: the level,
+the sign and the time of every microphone, and the exchange of every two.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import deque
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
+from localize.evaluation.connection_faults import ConnectionFault, FaultOfConnection
 from localize.live.events import Decision
 from localize.signals.frames import FRAME, checked_signals
 from localize.signals.locator import Locator
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
+
+MARGIN = 112
+"""Number of samples on either side of a loud frame that are kept: a channel may be late or early by so much, ms."""
+FAULTY_TRUST = 0.2
+"""Largest weight of decisions while a fault of the connection is known and not corrected: on virtual rigs of seeds 7100
+to 7103 a sixth of the loud frames is then assigned to the correct point."""
 
 
 @dataclass(frozen=True)
@@ -42,13 +53,28 @@ class FitOptions:
     or more."""
     levels: tuple[float, ...] = (-24.0, -18.0, -12.0, -6.0, 0.0, 6.0, 12.0, 18.0, 24.0)
     """Levels of a microphone that are tried first, dB; further away it is all but dead."""
-    steps: tuple[float, ...] = (3.0, 1.5, 0.75)
+    steps: tuple[float, ...] = (3.0, 1.5, 0.75, 0.375, 0.1875)
     """Steps in which the level is looked for then, dB, each around the best so far."""
     off: float = 5.0
     """Level from which on a microphone is far off, dB: its own tolerance is 1 dB."""
+    latest: int = 100
+    """Largest lateness of a channel that is tried, ms, at most :data:`MARGIN`."""
+    late_step: int = 3
+    """Step of the latenesses that are tried first, ms: half a period of the highest frequency of touches is 5 ms."""
+    late_frames: int = 8
+    """Number of loud frames that the lateness is looked for with."""
+    late_steps: tuple[float, ...] = (1.5, 0.75, 0.375, 0.1875, 0.09375)
+    """Steps in which the lateness is looked for then, ms, each around the best so far."""
+    late: float = 1.5
+    """Lateness from which on a channel is late, ms."""
     falls: float = 2.0
-    """Factor by which the residual must fall at least, and to the expected one, with the level of one microphone; by
+    """Factor by which the residual must fall at least, and to the expected one, when a level or a time is corrected; by
     libraries of other arrays it falls to 6.6 at best (seeds 9100 to 9112)."""
+    falls_by_order: float = 1.4
+    """The same factor when a sign or the order of two microphones is corrected, which cannot be tuned. On symmetric
+    designs the wrong order fits as well as the right one, within 1.1."""
+    better: float = 0.75
+    """Fraction of the loud frames whose residual must be smaller when a fault is corrected."""
 
 
 @dataclass(frozen=True)
@@ -61,27 +87,48 @@ class SensorFit:
     """Largest such ratio of a sensor as the decoder expects it."""
     microphones: tuple[str, ...]
     """Names of the microphones."""
-    off_level: tuple[str, float] | None = None
-    """Microphone whose level differs most from the library, and the difference, dB; None if the level of no single
-    microphone explains the touches. With two microphones only their difference is known, so it is the one whose
-    correction leaves the smaller residual."""
+    fault: ConnectionFault | None = None
+    """Fault of the connection that explains the residual; None if no single fault does. With two microphones only the
+    difference between them is known, so the fault is given for the one whose correction leaves the smaller residual."""
+    corrected_misfit: float | None = None
+    """Residual after the fault was corrected; None without a fault."""
 
     @property
     def warning(self) -> str | None:
         """Reason to distrust the decisions, in words; None if the sensor fits the library."""
-        if self.off_level is not None:
-            name, level = self.off_level
-            louder, quieter = ("louder", "quieter") if level > 0 else ("quieter", "louder")
-            others = [each for each in self.microphones if each != name]
-            either = f", or {others[0]} {quieter}" if len(others) == 1 else ""
-            return f"microphone {name} is {abs(level):.0f} dB {louder}{either} than the library has it"
+        if self.fault is not None:
+            return (
+                f"{self.fault.described(self.microphones)}: the residual of the touches is {self.misfit:.3g} times "
+                f"that of noise, and {self.corrected_misfit:.3g} times when this is corrected"
+            )
         if self.misfit <= self.expected:
             return None
         return (
             f"no point explains the touches: their residual is {self.misfit:.3g} times that of noise, and at most "
-            f"{self.expected:g} is expected; the library may be one of another array or air, the sensor may have "
-            "changed, or the room is louder than the given ambient level"
+            f"{self.expected:g} is expected, so {self._consequence}; the library may be one of another array or air, "
+            "the sensor may have changed, several microphones may be connected wrongly, or the room is louder than "
+            "the given ambient level"
         )
+
+    @property
+    def _consequence(self) -> str:
+        """What the misfit means for the points, by its size."""
+        if self.trust > 0.5:
+            return "some points may be wrong"
+        return "many points are wrong" if self.trust > 0.1 else "the points mean nothing"
+
+    @property
+    def trust(self) -> float:
+        """Weight of the decisions against a uniform distribution over all points, 0 to 1; 1 if the sensor fits."""
+        return self.trust_of(None)
+
+    def trust_of(self, corrected: ConnectionFault | None) -> float:
+        """Weight of the decisions, as of :attr:`trust`, after a fault was corrected; None for no correction."""
+        if corrected is None and self.fault is None and self.misfit <= self.expected:
+            return 1.0
+        misfit = self.misfit if corrected is None or self.corrected_misfit is None else self.corrected_misfit
+        trust = min(1.0, self.expected / misfit)
+        return min(FAULTY_TRUST, trust) if corrected is None and self.fault is not None else trust
 
 
 class LoudFrames:
@@ -89,26 +136,74 @@ class LoudFrames:
 
     def __init__(self, options: FitOptions = FitOptions()) -> None:
         self._options = options
-        self._kept: list[Decision] = []
+        self._kept: list[tuple[Decision, Array]] = []
+        self._waiting: deque[Decision] = deque()
+        self._newest: Array = np.zeros((0, 0))
+        self._time = -np.inf
 
     def take(self, events: Iterable[object]) -> None:
         """Take what a stream says next, whose decisions carry their samples."""
         for event in events:
-            if isinstance(event, Decision) and event.state == "touch" and event.frame is not None:
+            if isinstance(event, Decision):
                 self._take(event)
 
     def _take(self, event: Decision) -> None:
-        near = [each for each in self._kept if abs(each.time - event.time) < FRAME / SAMPLE_RATE]
-        if any(each.level >= event.level for each in near):
+        if event.frame is not None and not self._newest.size:
+            self._newest = np.zeros((len(event.frame), FRAME + 2 * MARGIN))
+        if not self._newest.size:
             return
-        self._kept = [each for each in self._kept if each not in near] + [event]
-        if len(self._kept) > self._options.most:
-            self._kept.remove(min(self._kept, key=lambda each: each.level))
+        passed = round((event.time - self._time) * SAMPLE_RATE) if np.isfinite(self._time) else 0
+        if not 0 <= passed <= FRAME:  # samples were lost, or the device counts anew
+            self._keep_waiting()
+            self._newest[:] = 0.0
+            passed = 0
+        self._pass(passed)
+        self._time = event.time
+        if event.frame is not None:
+            self._newest[:, -FRAME:] = event.frame
+        if event.state == "touch" and event.frame is not None:
+            self._waiting.append(event)
 
-    @property
-    def frames(self) -> list[NDArray[np.float64]]:
-        """(n_microphone, 250) float64 each, Pa."""
-        return [each.frame for each in self._kept if each.frame is not None]
+    def _pass(self, samples: int) -> None:
+        """Let time pass: samples that no decision carries are silence."""
+        while samples:
+            due = self._due()
+            step = samples if due is None else min(samples, max(due, 0))
+            if step:
+                self._newest = np.roll(self._newest, -step, axis=1)
+                self._newest[:, -step:] = 0.0
+                self._time += step / SAMPLE_RATE
+                samples -= step
+            if self._due() == 0:
+                self._keep(self._waiting.popleft(), self._newest.copy())
+
+    def _due(self) -> int | None:
+        """Number of samples until the margin after the first waiting frame is there."""
+        if not self._waiting:
+            return None
+        return MARGIN - round((self._time - self._waiting[0].time) * SAMPLE_RATE)
+
+    def _keep_waiting(self) -> None:
+        if self._waiting:
+            self._pass(MARGIN)
+
+    def _keep(self, event: Decision, samples: Array) -> None:
+        near = [each for each in self._kept if abs(each[0].time - event.time) < FRAME / SAMPLE_RATE]
+        if any(each[0].level >= event.level for each in near):
+            return
+        self._kept = [each for each in self._kept if all(each is not other for other in near)] + [(event, samples)]
+        if len(self._kept) > self._options.most:
+            least = min(range(len(self._kept)), key=lambda k: self._kept[k][0].level)
+            del self._kept[least]
+
+    def frames(self) -> list[Array]:
+        """Frames so far with their margins, where the stream was silent if no decision carries the samples.
+
+        Returns:
+            (n_microphone, 474) float64 each, Pa: 112 samples, the 250 of the frame, and 112 samples.
+        """
+        self._keep_waiting()
+        return [samples for _, samples in self._kept]
 
 
 @one_thread()
@@ -118,11 +213,13 @@ def sensor_fit(
     microphone_noise: ArrayLike | None = None,
     options: FitOptions = FitOptions(),
 ) -> SensorFit | None:
-    """Fit of a decoder to the loudest touches, and the microphone that is far off its level if there is one.
+    """Fit of a decoder to the loudest touches, and the fault of the microphones' connection if one explains the misfit.
 
     Args:
         decoder: of a library.
-        frames: (n, n_microphone, 250), Pa, at 1 kHz: of touches, at several points if possible.
+        frames: of touches, at several points if possible; (n, n_microphone, 250) or, with the samples before and after,
+            (n, n_microphone, 474), as of :class:`LoudFrames`; Pa, at 1 kHz. Late channels are looked for if the samples
+            before and after are there.
         microphone_noise: of the microphones as it was measured, (n_microphone,) Pa rms; by default that of the decoder.
         options: numbers that tune the test.
 
@@ -140,19 +237,114 @@ def sensor_fit(
     if microphone_noise is not None:
         # Before loud frames are brought to their level: what the sensor leaves is then still seen above the noise.
         heard /= _louder(decoder, np.asarray(microphone_noise, np.float64))
-    level = heard.std(2).max(1) / (options.noise_multiple * decoder.noise_rms)
+    level = _inner(heard).std(2).max(1) / (options.noise_multiple * decoder.noise_rms)
     heard /= np.maximum(level, 1.0)[:, None, None]
     misfit = _left(decoder, heard)
-    # Of more microphones one that is off may leave less than sensors of some designs do.
-    if misfit <= min(expected, options.least_suspect):
-        return SensorFit(misfit, expected, decoder.microphones)
     loudest = heard[np.argsort(-level, kind="stable")[: options.loudest]]
-    unchanged = _left(decoder, loudest)
-    found = [_level(decoder, loudest, k, unchanged, options) for k in range(len(decoder.microphones))]
-    best = min(range(len(found)), key=lambda k: found[k][1])
-    level, left = found[best]
-    off = options.off <= abs(level) <= options.levels[-1] and left <= min(expected, unchanged / options.falls)
-    return SensorFit(misfit, expected, decoder.microphones, (decoder.microphones[best], level) if off else None)
+    search = _FaultSearch(decoder, loudest, expected, options)
+    # Of more microphones one that is off may leave less than sensors of some designs do.
+    found = search.found(misfit > min(expected, options.least_suspect))
+    return SensorFit(misfit, expected, decoder.microphones, *(found or ()))
+
+
+class _FaultSearch:
+    """Search for the fault of a connection that explains loud touches best.
+
+    Args:
+        decoder: of a library.
+        frames: (n, n_microphone, 250) or with margins, Pa, the loudest first.
+        expected: largest residual of a sensor as the decoder expects it, over that of the noise.
+        options: numbers that tune the test.
+    """
+
+    def __init__(self, decoder: Locator, frames: Array, expected: float, options: FitOptions) -> None:
+        self._decoder, self._frames, self._expected, self._options = decoder, frames, expected, options
+        self._few = frames[:: max(1, len(frames) // options.late_frames)]
+        self._unchanged = decoder.misfit(_inner(frames))
+
+    def found(self, suspect: bool) -> tuple[ConnectionFault, float] | None:
+        """Fault that explains the touches, with the residual after its correction; None if none does.
+
+        Args:
+            suspect: whether the touches leave so much that faults of level and time are looked for too.
+        """
+        best = self._best(self._of_order(), self._options.falls_by_order)
+        if suspect and (best is None or best[1] > self._options.least_suspect):
+            tuned = self._best([*self._levels(), *self._times()], self._options.falls)
+            best = min((each for each in (best, tuned) if each is not None), key=lambda each: each[1], default=None)
+        return best
+
+    def _best(self, faults: Iterable[ConnectionFault], falls: float) -> tuple[ConnectionFault, float] | None:
+        """Best of some faults, if it explains the touches so much better that it is believed."""
+        tried = [(each, self._misfit(each, self._frames)) for each in faults]
+        if not tried:
+            return None
+        fault, each = min(tried, key=lambda one: _typical(one[1]))
+        left, better = float(np.median(each)), float((each < self._unchanged).mean())
+        fallen = _typical(each) <= _typical(self._unchanged) / falls
+        return (fault, left) if fallen and left <= self._expected and better >= self._options.better else None
+
+    def _misfit(self, fault: ConnectionFault, frames: Array) -> Array:
+        return self._decoder.misfit(_inner(fault.corrected(frames, self._decoder.microphones)))
+
+    def _of_order(self) -> list[ConnectionFault]:
+        names = self._decoder.microphones
+        exchanged = [ConnectionFault("exchanged", pair) for pair in combinations(names, 2)]
+        return [*exchanged, *(ConnectionFault("reversed", (name,)) for name in _changed(names))]
+
+    def _levels(self) -> list[ConnectionFault]:
+        """Level of each microphone at which touches are explained best, if it is far off."""
+        options = self._options
+        found = [
+            self._refined(name, "level", options.levels, options.steps, self._frames)
+            for name in self._decoder.microphones
+        ]
+        return [each for each in found if options.off <= abs(each.amount) <= options.levels[-1]]
+
+    def _times(self) -> list[ConnectionFault]:
+        """Lateness of each microphone at which touches are explained best, if it is late."""
+        options = self._options
+        if self._frames.shape[2] == FRAME:
+            return []
+        latest = options.latest - options.latest % options.late_step
+        tried = [1e-3 * late for late in range(-latest, latest + 1, options.late_step)]
+        steps = [1e-3 * step for step in options.late_steps]
+        found = [self._refined(name, "late", tried, steps, self._few) for name in _changed(self._decoder.microphones)]
+        return [each for each in found if abs(each.amount) >= 1e-3 * options.late]
+
+    def _refined(
+        self, name: str, kind: FaultOfConnection, amounts: Sequence[float], steps: Sequence[float], frames: Array
+    ) -> ConnectionFault:
+        """Fault of a microphone of the amount at which frames are explained best; 0 if that is none.
+
+        Args:
+            name: of the microphone.
+            kind: of the fault.
+            amounts: that are tried first, as of :class:`ConnectionFault`; 0 is among them.
+            steps: ever smaller ones, in which the amount is looked for then around the best so far.
+            frames: as of the class.
+        """
+
+        def left(amount: float) -> float:
+            return _typical(self._misfit(ConnectionFault(kind, (name,), amount), frames))
+
+        tried = {amount: left(amount) for amount in amounts}
+        for step in steps:
+            best = min(tried, key=lambda each: tried[each])
+            if best == 0:
+                break
+            tried |= {amount: left(amount) for amount in (best - step, best + step)}
+        return ConnectionFault(kind, (name,), min(tried, key=lambda each: tried[each]))
+
+
+def _typical(misfit: Array) -> float:
+    """Geometric mean of the residuals of frames, (n,): no loud frame outweighs the others, and none is ignored."""
+    return float(np.exp(np.log(np.maximum(misfit, 1e-3)).mean()))
+
+
+def _changed(names: tuple[str, ...]) -> tuple[str, ...]:
+    """Microphones whose sign or time is tried: of two, one is enough, because only the difference counts."""
+    return names[:1] if len(names) == 2 else names
 
 
 def _louder(decoder: Locator, noise: NDArray[np.float64]) -> float:
@@ -166,25 +358,11 @@ def _louder(decoder: Locator, noise: NDArray[np.float64]) -> float:
     return max(1.0, float(np.sqrt(np.mean(noise**2))) / decoder.noise_rms)
 
 
+def _inner(frames: Array) -> Array:
+    """Frames without their margins; (n, n_microphone, 250)."""
+    margin = (frames.shape[2] - FRAME) // 2
+    return frames[..., margin : margin + FRAME]
+
+
 def _left(decoder: Locator, frames: NDArray[np.float64]) -> float:
-    return float(np.median(decoder.misfit(frames)))
-
-
-def _level(
-    decoder: Locator, frames: NDArray[np.float64], microphone: int, unchanged: float, options: FitOptions
-) -> tuple[float, float]:
-    """Level of a microphone, dB, at which touches are explained best, and what is left then; unchanged at 0 dB."""
-
-    def left(level: float) -> float:
-        as_told = frames.copy()
-        as_told[:, microphone] /= 10 ** (level / 20)
-        return _left(decoder, as_told)
-
-    tried = {level: left(level) if level else unchanged for level in options.levels}
-    for step in options.steps:
-        best = min(tried, key=lambda each: tried[each])
-        if best == 0:
-            break
-        tried |= {level: left(level) for level in (best - step, best + step)}
-    best = min(tried, key=lambda each: tried[each])
-    return best, tried[best]
+    return float(np.median(decoder.misfit(_inner(frames))))

@@ -12,6 +12,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from acoustic_fem.sound.sound_file import SCALED
 from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array
 from localize.learned.training_plan import TrainingPlan
@@ -99,7 +100,7 @@ class RecordedFrames:
         self.point_count = response.point_count
         signals, touched = [], []
         for each in self.recordings:
-            full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
+            full_scale = found.full_scale if each.path.suffix.lower() in SCALED else None
             heard = read_recording(each.path, response.microphones, full_scale).signals
             first = touched_frames(heard, response.microphones, noise_rms)
             if not len(first):

@@ -16,12 +16,12 @@ from time import perf_counter
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.sound.sound_file import read_wav
 from geometry.ground.file_checks import MOST_NUMBERS
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+from localize.recordings.channel_choice import check_count, chosen_channels
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE, check_length
 
 BLOCK = 0.004
@@ -117,35 +117,6 @@ class Source(Protocol):
         """Reason why no more samples come, though there should be more; None where all is well."""
 
 
-def checked_channels(
-    microphones: Sequence[str], channels: Mapping[str, int] | None, available: int, what: str
-) -> NDArray[np.int64]:
-    """Channels of a device or a file, from 0, in the order of the microphones.
-
-    Args:
-        microphones: of the array.
-        channels: microphone -> channel from 1; by default the first ones in order.
-        available: how many there are.
-        what: name of what has them, for the refusal.
-
-    Returns:
-        (n_microphone,) int64.
-
-    Raises:
-        SourceError: a microphone is missing, unknown, or has a channel that is not there or another's.
-    """
-    given = channels or {name: number for number, name in enumerate(microphones, 1)}
-    if set(given) != set(microphones) or len(set(given.values())) < len(given):
-        stated = ",".join(f"{name}={number}" for name, number in given.items())
-        allowed = f"a number each for {', '.join(microphones)}, all different"
-        raise SourceError(kind=Kind.OUT_OF_RANGE, field="channels", value=stated, allowed=allowed)
-    for name, number in given.items():
-        if not 1 <= number <= available:
-            problem = f"is not there for microphone {name}: {what} has {available} channels"
-            raise SourceError(problem, kind=Kind.MISSING, field="channels", value=number)
-    return np.array([given[name] - 1 for name in microphones])
-
-
 def rate_out_of_range(rate: float, file: str | os.PathLike[str]) -> SourceError:
     """Refusal of a sample rate, Hz, of a file or the device of a name."""
     allowed = f"between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
@@ -159,12 +130,12 @@ class ReplaySource:
         path: of the file.
         microphones: names of the array's microphones.
         full_scale: pressure of the largest value of the file, Pa.
-        channels: microphone -> channel of the file, from 1; by default the first ones in order.
+        channels: microphone -> channel of the file, from 1; by default all channels in the order of the microphones.
 
     Raises:
         SoundFileError: the file cannot be read.
-        SourceError: a channel that is not there, less than one frame, above 2^26 samples, or a rate outside 250 Hz to
-            1 MHz.
+        SourceError: a channel that is not there, more channels than microphones without ``channels``, less than one
+            frame, above 2^26 samples, or a rate outside 250 Hz to 1 MHz.
     """
 
     def __init__(
@@ -176,7 +147,9 @@ class ReplaySource:
     ) -> None:
         self._path = Path(path)
         sound = read_wav(self._path)
-        picked = checked_channels(microphones, channels, len(sound.channels), str(self._path))
+        if channels is None:
+            check_count(len(sound.channels), microphones, self._path, SourceError)
+        picked = chosen_channels(microphones, channels, len(sound.channels), str(self._path), SourceError)
         if not LOWEST_RATE <= sound.rate <= HIGHEST_RATE:
             raise rate_out_of_range(sound.rate, self._path)
         count = sound.length

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
 
+from localize.evaluation.connection_faults import ConnectionFault
 from localize.live.events import HOP, Decision, Fault, State, TouchEvent
 from localize.live.touches import Touch
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.stimulus import SAMPLE_RATE
+
+_Named = TypeVar("_Named", Touch, Decision | Fault | TouchEvent)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -41,8 +44,13 @@ class LocatedTouches(RecordingResult):
     warning: str | None = None
     """Reason to distrust the touches, in words: the sensor does not fit the library. None if it fits, or if there is no
     test: for a trained localizer, or fewer than eight touches."""
-    rescaled_microphone: str | None = None
-    """Microphone whose level is far off, and was corrected before touches were located; None where none is."""
+    fault: ConnectionFault | None = None
+    """Fault in how the microphones are connected, which explains the misfit; None if none was found."""
+    corrected: bool = False
+    """True if the fault was corrected before touches were located."""
+    trust: float = 1.0
+    """Weight of the decoder's probabilities against those of chance, 0 to 1, by which the probabilities of decisions
+    and touches were lowered; 1 if the sensor fits the library, or if there is no test."""
     options: Mapping[str, Any] = field(default_factory=dict, repr=False)
     """Options of the decoder, the tests, the stream and the touches, by name."""
 
@@ -60,3 +68,20 @@ class LocatedTouches(RecordingResult):
             if isinstance(event, Fault):
                 first.setdefault((event.kind, event.channel), event)
         return tuple(first.values())
+
+
+def distrusted(event: _Named, trust: float, array: ArrayFacts) -> _Named:
+    """Touch or event whose probabilities are mixed with those of chance; one without a probability stays as it is.
+
+    Args:
+        event: a touch, or an event of a stream or a tracker.
+        trust: weight of its probabilities, 0 to 1.
+        array: array whose points are equally likely by chance.
+    """
+    if trust == 1.0 or isinstance(event, Fault) or event.probability is None:
+        return event
+    chance = (1.0 - trust) / len(array.line)
+    probability = trust * event.probability + chance
+    if isinstance(event, Decision) and event.distribution is not None:
+        return replace(event, probability=probability, distribution=trust * event.distribution + chance)
+    return replace(event, probability=probability)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
@@ -36,7 +37,7 @@ from localize.live.stream import TouchStream
 from localize.live.stream_options import StreamOptions, TouchOptions
 from localize.live.touches import TouchTracker, touches_of
 from localize.model.file_contents import FileContent, file_content
-from localize.model.located_touches import LocatedTouches
+from localize.model.located_touches import LocatedTouches, distrusted
 from localize.recordings.recording import Recording, read_recording
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.disturbances import check_sound_level
@@ -124,47 +125,74 @@ class Model:
         """
         return self.locator.locate(signals)
 
-    def locate_file(self, path: str | os.PathLike[str], full_scale: float | None = None) -> LocatedTouches:
+    def locate_file(
+        self,
+        path: str | os.PathLike[str],
+        full_scale: float | None = None,
+        *,
+        channels: Mapping[str, int] | None = None,
+        correct: bool = False,
+    ) -> LocatedTouches:
         """Touches in a recording: where and when.
 
         Args:
             path: of the recording, see :func:`localize.read_recording`.
             full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip,
                 by default recognised by flat tops.
+            channels: microphone -> channel of the file, from 1; as of :func:`localize.read_recording`.
+            correct: as of :meth:`locate_recording`.
 
         Raises:
             Refusal: a recording that cannot be read or used.
         """
-        return self.locate_recording(self.read(path, full_scale))
+        return self.locate_recording(self.read(path, full_scale, channels), correct=correct)
 
-    def read(self, path: str | os.PathLike[str], full_scale: float | None = None) -> Recording:
-        """Recording of the microphones of the model; ``path`` and ``full_scale`` (Pa) as of :meth:`locate_file`."""
+    def read(
+        self,
+        path: str | os.PathLike[str],
+        full_scale: float | None = None,
+        channels: Mapping[str, int] | None = None,
+    ) -> Recording:
+        """Recording of the microphones of the model; arguments as of :meth:`locate_file`."""
         fallback = not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
-        return read_recording(path, self.locator.microphones, full_scale, fallback=fallback)
+        return read_recording(path, self.locator.microphones, full_scale, fallback=fallback, channels=channels)
 
-    def locate_recording(self, recording: Recording) -> LocatedTouches:
-        """Touches in a recording that was read; a microphone whose level is far off is rescaled first."""
+    def locate_recording(self, recording: Recording, *, correct: bool = False) -> LocatedTouches:
+        """Touches in a recording that was read, with a check that the sensor fits the library.
+
+        A microphone whose level is far off is rescaled first. If the check finds a misfit that stays, the probabilities
+        of all decisions and touches are lowered towards those of chance.
+
+        Args:
+            recording: of the microphones of the model.
+            correct: whether a reversed, exchanged or late microphone is corrected too, if the check finds one.
+        """
         stream = self.stream(recording.limit, frames=True)
         decided, fit = _decided(stream, recording.signals)
-        rescaled = None
-        if fit is not None and fit.off_level is not None:
-            rescaled, level = fit.off_level
-            signals = recording.signals.copy()
-            signals[fit.microphones.index(rescaled)] /= 10 ** (level / 20)
+        fault = None if fit is None or fit.fault is None or not (correct or fit.fault.kind == "level") else fit.fault
+        if fault is not None:
+            signals = fault.corrected(recording.signals, self.locator.microphones)
             if recording.limit is not None:  # what was clipped stays so
-                signals = np.where(np.abs(recording.signals) >= recording.limit, recording.signals, signals)
+                clipped = (np.abs(recording.signals) >= recording.limit).astype(np.float64)
+                if fault.kind != "level":
+                    clipped = fault.corrected(clipped, self.locator.microphones)
+                signals = np.where(np.abs(clipped) > 0.1, np.copysign(recording.limit, signals), signals)
             decided = self.stream(recording.limit).push(signals)
         array, touches = self.locator.array, TouchOptions()
         tracker = TouchTracker(array, stream.delay, touches)
         events = [each for event in decided for each in (event, *tracker.take(event))]
+        events += tracker.finish()
+        trust = 1.0 if fit is None else fit.trust_of(fault)
         return LocatedTouches(
             array=array,
             seconds=recording.seconds,
             assumptions=self.assumptions,
-            touches=tuple(touches_of(decided, array, touches)),
-            events=(*events, *tracker.finish()),
+            touches=tuple(distrusted(each, trust, array) for each in touches_of(decided, array, touches)),
+            events=tuple(distrusted(each, trust, array) for each in events),
             warning=None if fit is None else fit.warning,
-            rescaled_microphone=rescaled,
+            fault=None if fit is None else fit.fault,
+            corrected=fault is not None,
+            trust=trust,
             options={"decoder": self.locator.options, "stream": stream.options, "touches": touches},
         )
 
@@ -416,4 +444,4 @@ def _decided(stream: TouchStream, signals: Array) -> tuple[list[Decision | Fault
         loud.take(events)
         # The samples of all frames take sixteen times the memory of the recording.
         decided += [replace(event, frame=None) if isinstance(event, Decision) else event for event in events]
-    return decided, sensor_fit(stream.locator, loud.frames, stream.noise)
+    return decided, sensor_fit(stream.locator, loud.frames(), stream.noise)

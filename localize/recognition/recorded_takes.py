@@ -10,6 +10,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from acoustic_fem.sound.sound_file import SCALED
 from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
@@ -252,7 +253,7 @@ def recorded_takes(
     held = split([(0, each.label, each.file) for each in found.recordings], plan.seed, labels)
     signals, touched, parts = [], [], []
     for each, judged in zip(found.recordings, held, strict=True):  # held-out takes are cut as touches are at run time
-        full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
+        full_scale = found.full_scale if each.path.suffix.lower() in SCALED else None
         heard = read_recording(each.path, response.microphones, full_scale).signals
         frames = detected_frames(heard, response.microphones, noise_rms)
         if isinstance(through, LineReader):

@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.sound.clipping import clipped_samples
-from acoustic_fem.sound.sound_file import MATRIX, Sound, SoundFileError, read_sound
+from acoustic_fem.sound.sound_file import MATRIX, SCALED, Sound, SoundFileError, read_sound
 from geometry.ground.refusal import Kind, Refusal, counted
+from localize.recordings.channel_choice import check_count, chosen_channels
 from localize.signals.frames import FRAME
 from localize.signals.resampling import at_one_kilohertz, check_full_scale
 from localize.signals.stimulus import SAMPLE_RATE
@@ -64,6 +65,7 @@ def read_recording(
     full_scale: float | None = None,
     *,
     fallback: bool = False,
+    channels: Mapping[str, int] | None = None,
 ) -> Recording:
     """Read a recording and bring it to 1 kHz.
 
@@ -79,6 +81,8 @@ def read_recording(
             clip. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
         fallback: whether one channel may be clipped, or silent all the time or from some time on: for what goes on with
             the others.
+        channels: microphone -> channel of the file, counted from 1 without a column of times; the file may then have
+            more channels than there are microphones. By default by their names or their order, as above.
 
     Raises:
         RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; two that are
@@ -92,9 +96,14 @@ def read_recording(
         sound = read_sound(path, default_rate=SAMPLE_RATE)
     except SoundFileError as error:
         raise RecordingError.of(error) from None
-    names, rate = _in_order(path, sound, microphones), sound.rate
+    rate = sound.rate
+    if channels is None:
+        names = _in_order(path, sound, microphones)
+    else:
+        chosen = chosen_channels(microphones, channels, len(sound.channels), str(path), RecordingError)
+        names = [list(sound.channels)[k] for k in chosen]
     scale, limit = 1.0, full_scale
-    if path.suffix.lower() == ".wav":
+    if path.suffix.lower() in SCALED:
         scale = full_scale or 1.0
         limit = None if sound.full_scale is None else sound.full_scale * scale
     _check_rate(path, rate)
@@ -175,12 +184,8 @@ def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequenc
     """Names of the channels in the order of the microphones."""
     names = list(sound.channels)
     wanted = ", ".join(microphones)
-    if sound.numbered and len(names) != len(microphones):
-        raise RecordingError(
-            f"has {counted(len(names), 'channel')}, must have {len(microphones)}: {wanted}",
-            kind=Kind.MISMATCH,
-            file=path,
-        )
+    if sound.numbered:
+        check_count(len(names), microphones, path, RecordingError)
     if not sound.numbered and sorted(names) != sorted(microphones):
         rows = f", or be the rows of {MATRIX}" if path.suffix.lower() in (".npz", ".mat") else ""
         raise RecordingError(

@@ -13,7 +13,7 @@ from studies.bending.bending_files import RESULT, save_bending
 from studies.bending.bending_rig import BendingRig
 from studies.bending.solution import Bending, solve_bending
 from studies.output.display import Display
-from studies.output.folders import check_folder
+from studies.output.folders import claimed_folder
 from studies.output.frequencies import FREQUENCIES
 
 
@@ -48,8 +48,7 @@ def bending_study(
         Refusal: a folder that cannot be written, or a bad frequency or fidelity, before any work.
     """
     folder = Path(out)
-    check_folder(folder, "bend", RESULT)
-
-    with (display or Display()).stage("Bending") as report:
-        result = solve_bending(rig or BendingRig(), frequency, fidelity, report)
-    return BendingStudy(result, save_bending(result, folder))
+    with claimed_folder(folder, "bend", RESULT):
+        with (display or Display()).stage("Bending") as report:
+            result = solve_bending(rig or BendingRig(), frequency, fidelity, report)
+        return BendingStudy(result, save_bending(result, folder))

@@ -15,6 +15,7 @@ from geometry.ground.refusal import counted
 from localize.signals.stimulus import BAND
 from studies.cli.options import (
     Altitude,
+    Channels,
     Design,
     Frequencies,
     FullScale,
@@ -23,6 +24,7 @@ from studies.cli.options import (
     Pressure,
     Temperature,
     Tolerances,
+    channel_map,
     display_on_stderr,
     noise_choice,
 )
@@ -157,8 +159,8 @@ def _print_warnings(found: SensorCalibration, fit: Update) -> None:
     if fit.objection:
         tell(f"The fit is not used: {fit.objection}")
         tell(
-            f"warning: a mixture of measured and designed points may decode worse than the design's own library. Measure "
-            f"point {', '.join(map(str, found.calibration.missing))} too, or find what is wrong with point "
+            "warning: a mixture of measured and designed points may decode worse than the design's own library. "
+            f"Measure point {', '.join(map(str, found.calibration.missing))} too, or find what is wrong with point "
             f"{fit.worst_point}."
         )
     elif found.expected is None:
@@ -182,6 +184,7 @@ def recalibrate(
     full_scale: FullScale = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Seed that chooses the held-out touches.", min=0)] = SEED,
+    channels: Channels = None,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
@@ -197,7 +200,15 @@ def recalibrate(
     air, level = acoustic_fem.LocalAir(pressure, altitude, temperature), noise_choice(noise)
     with display_on_stderr() as display:
         found = studies.recalibrate(
-            library, recordings, out, full_scale=full_scale, microphone_noise=level, seed=seed, air=air, display=display
+            library,
+            recordings,
+            out,
+            full_scale=full_scale,
+            microphone_noise=level,
+            seed=seed,
+            air=air,
+            channels=channel_map(channels),
+            display=display,
         ).found
     tell(f"{out}: updated from {counted(found.frames, 'frame')} with touches")
     table = table_of("check with held-out touches", "value", "meaning", numbers=(1,))
@@ -207,9 +218,7 @@ def recalibrate(
     show(table)
     if len(found.untouched):
         points = localize.recalibration.numbers(found.untouched)
-        tell(
-            f"No touch was assigned to point {points}, so its transfer functions are the least certain. Touch it next time."
-        )
+        tell(f"No touch was assigned to point {points}, so it is the least certain. Touch it next time.")
 
 
 def convert(

@@ -12,6 +12,7 @@ import geometry
 import studies
 from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from geometry.formats.part_files import FORMATS
+from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
 from studies.cli.options import (
     Altitude,
     Design,
@@ -20,7 +21,16 @@ from studies.cli.options import (
     Temperature,
     display_on_stderr,
 )
-from studies.cli.terminal_tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
+from studies.cli.terminal_tables import (
+    show,
+    show_check,
+    show_fields,
+    show_findings,
+    show_library,
+    show_parts,
+    table_of,
+    tell,
+)
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Continue although parts overlap.")]
@@ -198,8 +208,10 @@ def run(
 ) -> None:
     """Do everything for one design: parts, transfer functions, localizer and report.
 
-    Writes the parts, the library, the trained localizer and report.html. Twelve points take about a minute. A second
-    run is faster because its 3-D cells are on disk. Runs of one design on one machine give identical figures.
+    Writes the parts, the library, the trained localizer, report.html, and MANIFEST.json with the SHA-256 of every
+    file. Twelve points take about a minute. A second run is faster because its 3-D cells are on disk. Runs of one
+    design on one machine give identical figures. The files are identical too if you set SOURCE_DATE_EPOCH, because
+    the files then state that time instead of the clock's.
 
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """
@@ -211,3 +223,31 @@ def run(
         table.add_row(row.touches, row.localizer, row.bayes, row.tolerant)
     show(table)
     print(f"{out / 'report.html'}")
+
+
+def verify(
+    folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run.", show_default=False)],
+) -> None:
+    """Check that the folder of a run holds exactly the files that the run wrote.
+
+    Compares every file with its SHA-256 in MANIFEST.json, which the run writes last. Lists the files that were changed,
+    that are missing and that the run did not write; the exit code is then 1. A manifest is no signature: it finds
+    damage and accidents, not somebody who also rewrites the manifest.
+
+    Example: [bold]acoustic-fem verify demo[/bold]
+    """
+    found = studies.verify_run(folder)
+    table = table_of("file", "state")
+    for state, names in (("changed", found.changed), ("missing", found.missing), ("extra", found.extra)):
+        for name in names:
+            table.add_row(in_one_line(name), state)
+    if found.complete:
+        tell(f"{counted(len(found.unchanged), 'file')}, all as the run wrote them")
+        return
+    show(table)
+    raise Refusal(
+        f"{len(found.changed)} changed, {len(found.missing)} missing and {len(found.extra)} extra "
+        f"beside {counted(len(found.unchanged), 'unchanged file')}",
+        kind=Kind.DAMAGED,
+        file=folder,
+    )

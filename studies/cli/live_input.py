@@ -17,7 +17,7 @@ import localize
 import studies
 from geometry.ground.refusal import Kind, Refusal, counted
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
-from studies.cli.options import Altitude, Model, Pressure, Temperature, noise_choice
+from studies.cli.options import Altitude, Model, Pressure, Temperature, channel_map, noise_choice
 from studies.cli.terminal_tables import show, table_of
 from studies.output.call_defaults import FULL_SCALE
 
@@ -30,8 +30,11 @@ if TYPE_CHECKING:
 def _list_devices(wanted: bool) -> None:
     if not wanted:
         return
+    devices = localize.live.input_devices()
+    if not devices:
+        raise localize.live.no_device()
     table = table_of("device", "name", "audio system", "channels", "rate (Hz)", "", numbers=(0, 3, 4))
-    for each in localize.live.input_devices():
+    for each in devices:
         default = "default" if each.default else ""
         table.add_row(str(each.number), each.name, each.host, str(each.channels), f"{each.rate:g}", default)
     show(table)
@@ -42,7 +45,15 @@ def live(
     model: Model,
     device: Annotated[
         str | None,
-        typer.Option(help="Sound card: its number, or part of its name. Default: the system's.", show_default=False),
+        typer.Option(
+            help="Sound card: its number, part of its name, or 'NAME, AUDIO SYSTEM' of a card that appears under "
+            "several. Default: the system's.",
+            show_default=False,
+        ),
+    ] = None,
+    rate: Annotated[
+        int | None,
+        typer.Option(help="Sample rate of the sound card, Hz. Default: its own.", show_default=False),
     ] = None,
     list_devices: Annotated[
         bool, typer.Option("--list-devices", callback=_list_devices, is_eager=True, help="List sound cards, then stop.")
@@ -51,7 +62,8 @@ def live(
         str | None,
         typer.Option(
             metavar="A=1,B=2",
-            help="Channel of each microphone, counted from 1. Default: the first ones, in the order of the design.",
+            help="Channel of each microphone, counted from 1. Default: the first ones, in the order of the design; a "
+            "file of --replay must then have as many channels as there are microphones.",
             show_default=False,
         ),
     ] = None,
@@ -108,8 +120,10 @@ def live(
 
     if device is not None and replay is not None:
         raise typer.BadParameter("--device must not be given beside --replay")
+    if rate is not None and replay is not None:
+        raise typer.BadParameter("--rate must not be given beside --replay, which has its own rate")
     wanted = int(device) if device is not None and device.isdecimal() else device
-    source = studies.LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
+    source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate)
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
     with _Output(waveform) as output:
@@ -181,12 +195,3 @@ def _print_summary(summary: LiveSummary) -> None:
         *summary.recordings,
     ):
         print(line, file=sys.stderr)
-
-
-def _channel_map(text: str) -> dict[str, int]:
-    """``A=1,B=2`` as microphone -> channel."""
-    pairs = [part.partition("=") for part in text.split(",")]
-    for name, equals, value in pairs:
-        if not (name.strip() and equals and value.strip().isdecimal()):
-            raise typer.BadParameter(f"--channels {text} must be like A=1,B=2: microphone and channel from 1")
-    return {name.strip(): int(value) for name, _, value in pairs}

@@ -13,12 +13,14 @@ from geometry.ground.refusal import counted
 from localize.live.stream_options import MOVING
 from studies.cli.options import (
     Altitude,
+    Channels,
     FullScale,
     LibraryFile,
     Model,
     Pressure,
     Recording,
     Temperature,
+    channel_map,
     noise_choice,
 )
 from studies.cli.terminal_tables import show, table_of, tell
@@ -169,6 +171,15 @@ def locate(
     ambient: DecoderAmbient = None,
     reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
+    channels: Channels = None,
+    correct: Annotated[
+        bool,
+        typer.Option(
+            "--correct",
+            help="Correct a reversed, exchanged or late microphone before touches are located, if the check of the "
+            "sensor finds one. Default: the fault is reported, and probabilities are lowered.",
+        ),
+    ] = False,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
@@ -183,7 +194,16 @@ def locate(
         raise typer.BadParameter("--waveform adds to the lines of --out: give --out too")
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
-    found = studies.locate_recording(model, recording, out, picture=picture, full_scale=full_scale, decoding=decoding)
+    found = studies.locate_recording(
+        model,
+        recording,
+        out,
+        picture=picture,
+        full_scale=full_scale,
+        decoding=decoding,
+        channels=channel_map(channels),
+        correct=correct,
+    )
     _show_touches(found)
     names: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}
     seconds = found.seconds_by_state
@@ -196,12 +216,16 @@ def locate(
     tell(f"points are those of the design {found.design} in {model}{beside}; they do not apply to another array")
     tell(f"the decoder assumes {found.assumptions}")
     if found.warning is not None:
-        level = (
-            ""
-            if found.rescaled_microphone is None
-            else f"; the level of {found.rescaled_microphone} was corrected first"
-        )
-        tell(f"warning: {found.warning}{level}")
+        tell(f"warning: {found.warning}{_consequence(found)}")
+
+
+def _consequence(found: LocatedTouches) -> str:
+    """What was done about a sensor that does not fit, as a clause after the warning."""
+    corrected = "; this was corrected before the touches were located" if found.corrected else ""
+    lowered = "; probabilities were lowered" if found.trust < 1 else ""
+    if found.fault is not None and not found.corrected:
+        return f"{lowered}; correct the wiring, or add --correct"
+    return corrected + lowered
 
 
 def recognize(
@@ -283,6 +307,7 @@ def track(
     full_scale: FullScale = None,
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
+    channels: Channels = None,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
@@ -296,7 +321,14 @@ def track(
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(microphone_noise=noise_choice(noise), ambient=ambient, air=air)
     found = studies.track_recording(
-        library, recording, out, picture=picture, contact_radius_mm=radius, full_scale=full_scale, decoding=decoding
+        library,
+        recording,
+        out,
+        picture=picture,
+        contact_radius_mm=radius,
+        full_scale=full_scale,
+        decoding=decoding,
+        channels=channel_map(channels),
     )
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")

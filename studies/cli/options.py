@@ -84,7 +84,8 @@ Recording = Annotated[
     Path,
     typer.Argument(
         metavar="RECORDING",
-        help="WAV with a channel per microphone, CSV with their names on top, NPZ or MAT with 'signals'.",
+        help="WAV, FLAC or AIFF with a channel per microphone, CSV with their names on top, NPZ or MAT with "
+        "'signals'.",
         show_default=False,
     ),
 ]
@@ -96,6 +97,29 @@ FullScale = Annotated[
         show_default=False,
     ),
 ]
+Channels = Annotated[
+    str | None,
+    typer.Option(
+        metavar="A=2,B=1",
+        help="Channel of each microphone in the recording, counted from 1. Default: by their names, or in the order of "
+        "the design.",
+        show_default=False,
+    ),
+]
+
+
+def channel_map(text: str | None) -> dict[str, int] | None:
+    """``A=1,B=2`` as microphone -> channel; None for None."""
+    if text is None:
+        return None
+    pairs = [part.partition("=") for part in text.split(",")]
+    for name, equals, value in pairs:
+        if not (name.strip() and equals and value.strip().isascii() and value.strip().isdecimal()):
+            raise typer.BadParameter(f"--channels {text} must be like A=1,B=2: microphone and channel from 1")
+    names = [name.strip() for name, _, _ in pairs]
+    if len(set(names)) < len(names):
+        raise typer.BadParameter(f"--channels {text} must give each microphone once")
+    return {name: int(value) for name, (_, _, value) in zip(names, pairs, strict=True)}
 
 
 def noise_choice(given: float | None) -> NoiseChoice:

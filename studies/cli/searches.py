@@ -81,15 +81,14 @@ def _show_scatter(study: ToleranceStudy) -> None:
     """Print how much accuracy scatter costs, then the accuracies and the effects of the quantities as tables."""
     result, summary = study.result, study.result.summary()["accuracy"]
     tell(
-        f"{study.design.name}: if no sensor is calibrated, {percent(summary['nominal']['mean'])} of touches are assigned "
-        f"to the correct point, as the mean over {counted(len(result.deviation), 'as-built sensor')}"
+        f"{study.design.name}: without calibration, {percent(summary['nominal']['mean'])} of touches are assigned to "
+        f"the correct point, as the mean over {counted(len(result.deviation), 'as-built sensor')}"
     )
     table = table_of(
         "predicted top-1 accuracy (%)", "mean", "5th percentile", "median", "95th percentile", numbers=(1, 2, 3, 4)
     )
-    table.add_row(
-        "nominal sensor, localizer of the nominal design", number(100 * result.nominal_accuracy, 1), *3 * [""]
-    )
+    nominal = number(100 * result.nominal_accuracy, 1)
+    table.add_row("nominal sensor, localizer of the nominal design", nominal, "", "", "")
     for name, title in studies.scatter.ACCURACIES.items():
         values = (number(100 * summary[name][key], 1) for key in ("mean", "q05", "median", "q95"))
         table.add_row(f"as-built sensors, {title}", *values)
@@ -105,8 +104,8 @@ def _show_causes(result: ToleranceResult) -> None:
     of_accuracy = {index.quantity: index for index in result.sobol["nominal"]}
     most = max(of_accuracy.values(), key=lambda index: index.total)
     tell(
-        f"The accuracy without calibration depends most on the {_in_words(most.quantity)}. Each index is the fraction of "
-        "the variance to which a quantity contributes, with its standard error."
+        f"The accuracy without calibration depends most on the {_in_words(most.quantity)}. Each index is the fraction "
+        "of the variance to which a quantity contributes, with its standard error."
     )
     table = table_of(
         "total Sobol index", "of the signal ratios", "error", "of the accuracy", "error", numbers=(1, 2, 3, 4)

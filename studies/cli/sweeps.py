@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import studies
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.ground.refusal import Kind, counted
 from studies.cli.options import Scheduler, check_workers, display_on_stderr
 from studies.cli.terminal_tables import show, table_of, tell
@@ -64,7 +63,9 @@ def sweep(
     check_workers(workers, scheduler)
     if dry_run:
         given = studies.load_study(study)
-        _print_plan(studies.plan_sweep(given, workers), given.fidelity)
+        with display_on_stderr() as display:
+            plan = studies.plan_sweep(given, workers, display=display)
+        _print_plan(plan, given)
         return
     assert out is not None
     with display_on_stderr() as display:
@@ -144,17 +145,27 @@ def size(count: float) -> str:
     return f"{number(count / 1e6)} MB" if count < 1e9 else f"{number(count / 1e9)} GB"
 
 
-def _print_plan(plan: Plan, fidelity: str) -> None:
+def _print_plan(plan: Plan, study: studies.Study) -> None:
     left_out = f" ({plan.left_out} more break a constraint)" if plan.left_out else ""
     print(f"cases: {plan.cases}{left_out}")
+    if plan.sampled:
+        print(f"estimated from {plan.sampled} of {plan.cases + plan.left_out} cases, drawn at random")
     if plan.note:
         print(f"note: {plan.note}")
     refused = sum(plan.refused.values())
     if refused:
         print(f"not valid: {refused}, which will be kept as failed; of each kind the first:")
         _print_reasons(plan.refused)
-    if fidelity not in CLOSED_FORMS:
-        print(f"distinct cells ({fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
+    if outside := sum(plan.outside.values()):
+        fate = (
+            'which will be kept as failed (outside = "navier-stokes" in the study solves them in 3-D)'
+            if study.outside == "fail"
+            else "which will be solved in 3-D"
+        )
+        print(f"outside the atlas: {outside}, {fate}; of each kind the first:")
+        _print_reasons(plan.outside)
+    if plan.cells:
+        print(f"distinct cells ({study.solid_fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
     print(f"expected time: {duration(plan.seconds)} with {counted(plan.workers, 'worker')}")
     print(f"expected memory: {size(plan.memory)}")
     print(f"store: at most {size(plan.storage)}")

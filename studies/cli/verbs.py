@@ -13,6 +13,7 @@ from typer.core import TyperCommand, TyperGroup
 
 from geometry.ground.extras import check_extras
 from geometry.ground.refusal import quoted
+from geometry.ground.stated_times import stopped_time
 
 
 class Entry(NamedTuple):
@@ -53,6 +54,7 @@ VERBS = {
         "Do everything for one design: parts, transfer functions, localizer and report.",
         ("fem", "train", "studies"),
     ),
+    "verify": Entry("designs", "Design", "Check that the folder of a run holds exactly the files that the run wrote."),
     "bend": Entry("bending", "Design", "Compute how much less a tube transmits when it is bent.", ("fem",)),
     "parts": Entry("designs", "Make", "Write everything needed to print, cast, buy and assemble a design.", ("cad",)),
     "rig": Entry(
@@ -131,8 +133,10 @@ class Verb(TyperCommand):
 
         Raises:
             MissingExtra: it is not.
+            Refusal: ``SOURCE_DATE_EPOCH`` is not a time.
         """
         check_extras(f"what {ctx.info_name} needs", *VERBS[ctx.info_name].needs)
+        stopped_time()
         return super().invoke(ctx)
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

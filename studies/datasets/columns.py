@@ -41,8 +41,9 @@ COLUMNS = {
 
 
 def columns_of(batch: TouchBatch) -> dict[str, NDArray[Any]]:
-    """Samples as the files hold them, (n_sample, ...) each: integers of 4 bytes but for the number of the sample, masks as bytes; without
-    the columns that are empty, such as the parameters of a single library.
+    """Samples as the files hold them, (n_sample, ...) each, without empty columns such as the parameters of a library.
+
+    Integers have 4 bytes, but for the number of the sample, and masks are bytes.
     """
     kept = {"case": np.int32, "point": np.int32, "kind": np.int32, "points": np.uint8, "microphones": np.uint8}
     return {

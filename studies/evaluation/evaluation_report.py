@@ -1,4 +1,4 @@
-"""``evaluation.json`` and ``evaluation.html``: how often decoders find the touched point, on one self-contained page."""
+"""``evaluation.json`` and ``evaluation.html``: how often decoders find the touched point, as one page."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import studies
 from geometry.ground.refusal import counted
-from geometry.ground.whole_files import temporary_folder, write_text
+from geometry.ground.whole_files import made_folder, temporary_folder, write_text
 from localize.evaluation.conditions import Outcome
 from studies.evaluation.evaluation_figures import draw_conditions, draw_reliability
 from studies.evaluation.full_evaluation import SENSORS, FullEvaluation
@@ -29,7 +29,7 @@ def write_evaluation(found: FullEvaluation, folder: Path) -> None:
         found: of :func:`studies.evaluation.full_evaluation.evaluate_fully`.
         folder: made where it does not exist.
     """
-    folder.mkdir(parents=True, exist_ok=True)
+    made_folder(folder)
     write_json(folder / JSON_FILE, found.to_dict())
     write_text(folder / PAGE_FILE, render(found))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
-from datetime import UTC, datetime
+from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.ground.refusal import Refusal
+from geometry.ground.stated_times import stated_time
 from localize.signals.array_response import ArrayResponse
 from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
@@ -127,7 +128,7 @@ def evaluate_fully(
         design=response.name,
         points=tuple(range(1, response.point_count + 1)),
         results=tuple(found),
-        created=datetime.now(UTC),
+        created=stated_time(),
         provenance={
             **versions(seed, ("numpy", "scipy", "torch", "onnxruntime")),
             "design": response.provenance["design"],

@@ -20,7 +20,7 @@ from localize.signals.same_array import check_same_array, design_difference
 from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
 from studies.output.call_defaults import HELD_OUT_TOUCHES, SEED
 from studies.output.display import Display
-from studies.output.folders import check_folder
+from studies.output.folders import check_folder, claimed_folder
 
 if TYPE_CHECKING:
     from studies.evaluation.headline import Headline
@@ -89,9 +89,10 @@ def evaluate_localizer(
     with (display or Display()).stage("Evaluation") as report:
         if folder is None:
             return evaluate_headlines(locators, solved, response, touches, microphone_noise, seed, report)
-        found = evaluate_fully(locators, solved, response, touches, microphone_noise, seed, report)
-        report("report", 1.0)
-        write_evaluation(found, folder)
+        with claimed_folder(folder, "evaluate", JSON_FILE, reads=(*files_of(model), *files_of(library))):
+            found = evaluate_fully(locators, solved, response, touches, microphone_noise, seed, report)
+            report("report", 1.0)
+            write_evaluation(found, folder)
     return {each.name: Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.results}
 
 

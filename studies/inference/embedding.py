@@ -14,10 +14,10 @@ from localize.model.opened_model import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice
 from studies.output.call_defaults import PRECISION
-from studies.output.folders import check_folder, replaced_files
+from studies.output.folders import check_folder, claimed_folder, replaced_files
 
-#: By this file a folder is known as one of an earlier call.
-_MARK = "touch_decoder.h"
+#: List of the files of an earlier call, and a file by which a folder of one without it is known.
+_LIST, _MARK = "decoder-files.txt", "touch_decoder.h"
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,11 +55,14 @@ def embed_decoder(
             :func:`localize.embedded.embed`.
     """
     folder = Path(out)
-    check_folder(folder, "embed", _MARK, reads=files_of(library))
+    check_folder(folder, "embed", _LIST, _MARK, reads=files_of(library))
     left = None if budget is None else Budget.stated(budget)
     response = response_of(open_library(library))
     decoder = embed(response, precision, microphone_noise, left)
-    with replaced_files(folder) as fresh:
+    with (
+        claimed_folder(folder, "embed", _LIST, _MARK, reads=files_of(library)),
+        replaced_files(folder, _LIST) as fresh,
+    ):
         for name, text in decoder.files.items():
             write_text(fresh / name, text)
     return EmbeddedFiles(folder, decoder, response.array.assumptions)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -36,6 +37,8 @@ def locate_recording(
     picture: str | os.PathLike[str] | None = None,
     full_scale: float | None = None,
     decoding: Decoding | None = None,
+    channels: Mapping[str, int] | None = None,
+    correct: bool = False,
 ) -> LocatedTouches:
     """Touches of an array, where and when, from a recording of its microphones.
 
@@ -47,6 +50,9 @@ def locate_recording(
         full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip, by
             default recognised by flat tops.
         decoding: how the model is opened, and what is reported beside the point; by default as it is.
+        channels: microphone -> channel of the recording, from 1; by default by their names or their order.
+        correct: whether a reversed, exchanged or late microphone is corrected before touches are located, if the check
+            of the sensor finds one; by default the fault is reported and probabilities are lowered.
 
     Raises:
         Refusal: a file that cannot be written or read, or options that do not go together.
@@ -60,8 +66,8 @@ def locate_recording(
     if found.decoding.waveform and path is None:
         problem = ("goes into the lines of ", Field("out"), "; give that too")
         raise Refusal(problem, kind=Kind.MISSING, field="waveform")
-    heard = found.read(recording, full_scale)
-    located = found.locate_recording(heard)
+    heard = found.read(recording, full_scale, channels)
+    located = found.locate_recording(heard, correct=correct)
     if path is not None:
         write_text(path, "".join(event.json_line() + "\n" for event in located.events))
     if drawn is not None:

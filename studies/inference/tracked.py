@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -50,6 +51,7 @@ def track_recording(
     contact_radius_mm: float = MOVING,
     full_scale: float | None = None,
     decoding: Decoding | None = None,
+    channels: Mapping[str, int] | None = None,
 ) -> TrackedRecording:
     """Paths of contacts over the surface of an array, from a recording of its microphones.
 
@@ -61,6 +63,7 @@ def track_recording(
         contact_radius_mm: of the contact, mm, 0.05 to 100.
         full_scale: as of :func:`studies.locate_recording`.
         decoding: how signals are read.
+        channels: microphone -> channel of the recording, from 1; by default by their names or their order.
 
     Raises:
         Refusal: a file that cannot be written or read, no library, or a radius out of range.
@@ -73,7 +76,7 @@ def track_recording(
     check_sound_there(recording)
     model = opened_as_designed(library, decoding)
     tracker, array = model.tracker(contact_radius_mm), model.locator.array
-    read = read_recording(Path(recording), array.microphones, full_scale)
+    read = read_recording(Path(recording), array.microphones, full_scale, channels=channels)
     tracks = tuple(tracks_of(model.stream(frames=True), tracker, read.signals))
     if table is not None:
         write_text(table, _rows(tracks))

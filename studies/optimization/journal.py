@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from geometry.ground.file_checks import read_bytes
+from geometry.ground.file_checks import library_reads, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
-from geometry.ground.refusal import Kind, said_by
+from geometry.ground.refusal import Kind
 from geometry.ground.whole_files import temporary_folder
 from studies.study.differences import other_table
 from studies.study.parameter import StudyError
@@ -134,16 +134,13 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
     import optuna
     from optuna.storages.journal import JournalFileBackend
 
-    try:
+    with library_reads(path, "the journal of a search", StudyError):  # lines of others, beyond what was sealed
         return optuna.create_study(
             storage=optuna.storages.JournalStorage(JournalFileBackend(str(path))),
             study_name="acoustic-fem",
             directions=directions,
             load_if_exists=True,
         )
-    except (ValueError, KeyError, TypeError, AttributeError) as error:  # lines of others, beyond what was sealed
-        problem = f"is not the journal of a search: {type(error).__name__}: {said_by(error)}"
-        raise StudyError(problem, kind=Kind.UNREADABLE, file=path) from None
 
 
 def _check_owner(path: Path, of_whom: object, identity: dict[str, Any]) -> None:

@@ -150,6 +150,9 @@ def read_optimization(
         allowed = 'a table that says what is wanted, such as [[optimize.objectives]] with metric = "distance_smallest"'
         raise StudyError(kind=Kind.MISSING, file=source, field="optimize", allowed=allowed)
     # the optimiser proposes the cases
+    if given.get("outside", "fail") != "fail":
+        allowed = "left out in a search: a design outside the atlas fails"
+        raise StudyError(kind=Kind.CONFLICT, file=source, field="outside", value=given["outside"], allowed=allowed)
     study = study_of({**given, "sampling": "random", "cases": 1}, text, source, folder, base)
     file = model_of(OptimizeFields, wanted, source, "study", StudyError, table="optimize")
     try:

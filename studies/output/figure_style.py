@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.whole_files import whole_file
+from geometry.ground.whole_files import made_folder, whole_file
 from localize.signals.stimulus import BAND
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ def line_colours(count: int) -> NDArray[np.float64]:
 def save_figure(figure: Figure, path: str | os.PathLike[str]) -> Path:
     """Write a figure as PNG and close it; missing folders are made. The path."""
     path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    made_folder(path.parent)
     with whole_file(path) as beside:
         figure.savefig(beside, dpi=DPI)
     return path

@@ -6,6 +6,7 @@ the store grows never sees half of one; files that are there already with the sa
 
 from __future__ import annotations
 
+import json
 import os
 import warnings
 from collections.abc import Mapping
@@ -79,6 +80,14 @@ class Layout:
         return cls(about["attributes"], variables, about["block"])
 
 
+def plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
+    """Attributes as texts and numbers, which netCDF can hold too; tables, lists and truth values as JSON."""
+    return {
+        name: value if isinstance(value, (str, int, float)) and not isinstance(value, bool) else json.dumps(value)
+        for name, value in attributes.items()
+    }
+
+
 class ZarrFiles:
     """Files of a Zarr store; each chunk is compressed and carries a CRC-32C, at which Zarr notices damage.
 
@@ -98,7 +107,7 @@ class ZarrFiles:
         self._memory: dict[str, Any] = {}
         self._growing: dict[str, Any] = {}
         store = MemoryStore(self._memory)
-        group = zarr.open_group(store, mode="w", zarr_format=3, attributes=layout.attributes)
+        group = zarr.open_group(store, mode="w", zarr_format=3, attributes=plain_attributes(layout.attributes))
         below = dict.fromkeys(name.rpartition("/")[0] for name in layout.variables if "/" in name)
         for name in below:
             group.create_group(name)
@@ -114,7 +123,7 @@ class ZarrFiles:
                 compressor = BloscCodec(typesize=size, cname="lz4", clevel=1, shuffle="shuffle")
             array: Any = group.create_array(
                 name, shape=shape, chunks=shape if values is not None else (min(self.block, shape[0]), *shape[1:]),
-                dimension_names=variable.dimensions, attributes=dict(variable.attributes),
+                dimension_names=variable.dimensions, attributes=plain_attributes(variable.attributes),
                 compressors=(compressor, Crc32cCodec()), config={"write_empty_chunks": True}, **more,
             )  # fmt: skip
             if values is None:

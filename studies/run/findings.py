@@ -146,7 +146,9 @@ def noise_sentence(result: RunResult) -> str:
 def training_sentence(result: RunResult) -> str:
     """Sentences on how long the localizer was trained, and whether the time ran out."""
     training, planned = result.training, result.training["plan"]
-    text = f"The localizer was trained on {counted(training['touches'], 'touch')} in {training['seconds']:.0f} s"
+    text = f"The localizer was trained on {counted(training['touches'], 'touch')}"
+    if training["seconds"]:  # 0 where the clock of files is stopped
+        text += f" in {training['seconds']:.0f} s"
     if not training["cut_short"]:
         return text + "."
     touches = planned["epochs"] * planned["seconds_per_point"] * result.design.point_count

@@ -19,7 +19,7 @@ from geometry.ground.typed import PathLike
 from localize.signals.noise_model import NoiseChoice
 from studies.output.call_defaults import BASE_SAMPLES, SEED, SENSORS, STORED_SENSORS
 from studies.output.display import Display
-from studies.output.folders import check_folder
+from studies.output.folders import check_folder, claimed_folder
 from studies.output.frequencies import FREQUENCIES
 from studies.scatter.effects import ToleranceResult, scatter_effects
 from studies.scatter.perturbed_library import MOST_SENSORS, write_perturbed_library
@@ -88,20 +88,23 @@ def tolerance_study(
     store = folder / _LIBRARY
     if library_size and store.exists():
         raise Refusal("exists, and a library is never overwritten", kind=Kind.EXISTS, file=store, field=Field("out"))
-    with show.stage("Scatter", of=2 if library_size else 1) as report:
-        result = scatter_effects(
-            design,
-            grid,
-            samples=samples,
-            base_samples=base_samples,
-            tolerances=scatter,
-            microphone_noise=microphone_noise,
-            seed=seed,
-            progress=report,
-        )
-    files = save_tolerance(result, folder)
-    if library_size:
-        with show.stage("Library", of=2) as report:
-            write_perturbed_library(store, design, library_size, grid, tolerances=scatter, seed=seed, progress=report)
-        files = (*files, store)
-    return ToleranceStudy(design, result, files)
+    with claimed_folder(folder, "tolerance", SUMMARY, reads=(workshop,)):
+        with show.stage("Scatter", of=2 if library_size else 1) as report:
+            result = scatter_effects(
+                design,
+                grid,
+                samples=samples,
+                base_samples=base_samples,
+                tolerances=scatter,
+                microphone_noise=microphone_noise,
+                seed=seed,
+                progress=report,
+            )
+        files = save_tolerance(result, folder)
+        if library_size:
+            with show.stage("Library", of=2) as report:
+                write_perturbed_library(
+                    store, design, library_size, grid, tolerances=scatter, seed=seed, progress=report
+                )
+            files = (*files, store)
+        return ToleranceStudy(design, result, files)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import socket
@@ -147,6 +148,10 @@ def _bound(host: str, port: int | None) -> socket.socket:
             found.listen()  # whoever has read the address may come before the server does
         except OSError as error:
             found.close()
+            if error.errno == errno.EADDRNOTAVAIL:
+                raise Refusal(
+                    kind=Kind.OUT_OF_RANGE, field="host", value=host, allowed="an IP address of this machine"
+                ) from None
             reason = error.strerror
             continue
         return found

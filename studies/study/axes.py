@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
 from pydantic import BaseModel
 
 from geometry import ArrayDesign, DesignError
@@ -44,7 +43,36 @@ def axes_of(file: StudyFields, base: ArrayDesign) -> tuple[tuple[Parameter, ...]
                 remedy = "give it under [vary] or in one group of [[together]]"
                 raise Refusal("is given twice", kind=Kind.CONFLICT, field=f"{table}.{name}", remedy=remedy)
         axes.append(axis)
+    tables = [table for table, _ in groups]
+    _check_size(file, axes)
+    for table, axis in zip(tables, axes, strict=True):
+        if file.sampling == "grid" or all(parameter.values for parameter in axis):
+            _check_distinct(table, axis)
     return tuple(axis for axis in axes if axis)
+
+
+def _check_size(file: StudyFields, axes: Sequence[tuple[Parameter, ...]]) -> None:
+    """Reject a grid of too many cases."""
+    count = math.prod(len(axis[0].grid()) for axis in axes if axis) if file.sampling == "grid" else 0
+    if count > LARGEST:
+        problem = f"has {count} cases; it must have at most {LARGEST}"
+        raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="sampling", value=file.sampling)
+
+
+def _check_distinct(table: str, axis: tuple[Parameter, ...]) -> None:
+    """Reject values, or rows of a group, that are there twice: they would give equal cases."""
+    seen: set[tuple[Any, ...]] = set()
+    for row in zip(*(parameter.grid().tolist() for parameter in axis), strict=True):
+        if row in seen:
+            alone = axis[0] if len(axis) == 1 else None
+            raise Refusal(
+                "is there twice, which gives equal cases",
+                kind=Kind.CONFLICT,
+                field=table if alone is None else f"{table}.{alone.name}",
+                value=list(row) if alone is None else row[0],
+                remedy="leave out one" if alone is None or alone.values else "give a smaller count",
+            )
+        seen.add(row)
 
 
 def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
@@ -118,20 +146,16 @@ def _check_value(name: str, value: Any, place: str) -> None:
         raise Refusal.of(error, file=None, field=place) from None
 
 
-def case_count(file: StudyFields, axes: tuple[tuple[Parameter, ...], ...]) -> int:
+def case_count(file: StudyFields) -> int:
     """Number of samples; 0 for a grid.
 
     Raises:
-        Refusal: a number that does not suit the sampling, or a grid that is too large.
+        Refusal: a number that does not suit the sampling.
     """
     if file.sampling == "grid":
         if file.cases is not None:
             allowed = "left out for sampling = 'grid', which has every combination"
             raise Refusal(kind=Kind.CONFLICT, field="cases", value=file.cases, allowed=allowed)
-        count = int(np.prod([float(len(axis[0].grid())) for axis in axes]))
-        if count > LARGEST:
-            problem = f"has {count} cases; it must have at most {LARGEST}"
-            raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="sampling", value=file.sampling)
         return 0
     if file.cases is None:
         allowed = f"the number of samples for sampling = {file.sampling!r}"

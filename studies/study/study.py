@@ -166,7 +166,7 @@ class Study:
             self.base, self.axes, self.sampling = base, axes, file.sampling
             self.constraints = tuple(parse_constraint(each, base) for each in file.constraints)
             self.fidelity = file.fidelity or quick_fidelity(base, frequency).name
-            self.cases, self.seed = case_count(file, axes), file.seed
+            self.cases, self.seed = case_count(file), file.seed
             self.frequency, self.metrics = frequency, _metrics(file.metrics, frequency)
             self.keep, self.precision, self.membranes = file.keep, file.precision, file.membranes
             self.outside = _outside(file.outside, self.fidelity)

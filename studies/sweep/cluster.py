@@ -93,9 +93,10 @@ class Cluster:
     Args:
         client: the client, connected.
         name: of the scheduler, for messages.
+        notes: notes on the workers that are known already.
     """
 
-    def __init__(self, client: Any, name: str) -> None:
+    def __init__(self, client: Any, name: str, notes: Iterable[str] = ()) -> None:
         self._client, self._name = client, name
         self._crew: dict[str, _Worker] = {}
         #: What the workers were given, the first first.
@@ -108,7 +109,7 @@ class Cluster:
         self._looked = self._back = self._manned = monotonic()
         self._rejected = ""
         #: What is to be known of the workers, each once.
-        self.notes: dict[str, None] = {}
+        self.notes: dict[str, None] = dict.fromkeys(notes)
         client.loop.add_callback(self._ask_again_and_again)
 
     # -- in the client's own thread ---------------------------------------------------------------------

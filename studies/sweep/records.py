@@ -59,15 +59,21 @@ WAITING, DONE, FAILED = 0, 1, 2
 """States of a case."""
 
 
-def block_size(study: Study, cases: Cases) -> int:
+def block_size(study: Study, cases: Cases, count: int | None = None) -> int:
     """Number of cases per block, by the study alone: enough to be fast, few enough for memory and for sharing.
 
     The number of blocks is a multiple of four where it can be: two or four workers then end together.
+
+    Args:
+        study: the study.
+        cases: its cases, or a sample of them.
+        count: number of all cases; by default there are no others.
     """
+    count = len(cases) if count is None else count
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency)
-    largest = max(1, min(_BLOCK_VALUES // values, -(-len(cases) // 16), _LARGEST_BLOCK))
-    blocks = 4 * -(-len(cases) // (4 * largest))
-    return -(-len(cases) // blocks)
+    largest = max(1, min(_BLOCK_VALUES // values, -(-count // 16), _LARGEST_BLOCK))
+    blocks = 4 * -(-count // (4 * largest))
+    return -(-count // blocks)
 
 
 def point_count(cases: Cases) -> int:

@@ -15,8 +15,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import IO, Any
 
-import numpy as np
-
+from acoustic_fem.cell.design_cells import cached_count
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
@@ -24,13 +23,13 @@ from geometry.ground.extras import check_extras
 from geometry.ground.refusal import Kind, Refusal, said_by
 from geometry.ground.typed import PathLike
 from studies.output.display import Display
-from studies.study.cases import Cases
+from studies.study.cases import Cases, repeated_note
 from studies.study.metric_registry import metrics_named
 from studies.study.study import Study, resolve_study
 from studies.sweep.block import CellKey, Job, SolvedCell
 from studies.sweep.cluster import WorkersLost
 from studies.sweep.cost import seconds_of, team_size
-from studies.sweep.progress import Progress, shown_on
+from studies.sweep.progress import Progress, progress_of, shown_on
 from studies.sweep.records import DONE, FAILED, WAITING
 from studies.sweep.results import Sweep, open_sweep
 from studies.sweep.retries import solved_blocks, solved_cells
@@ -92,7 +91,7 @@ def _run_sweep(
 ) -> Sweep:
     started = perf_counter()
     check_store(out)
-    found = surveyed(study)
+    found = surveyed(study, progress=progress)
     cases, metrics = found.cases, metrics_named(study.metrics)
     for metric in metrics:
         check_extras(f"what computes {metric.name}", *metric.extras)
@@ -103,6 +102,8 @@ def _run_sweep(
         notes = dict.fromkeys(store.notes)
         if store.attributes["code_version"] != versions(None, ())["code_version"]:
             notes[f"begun by version {store.attributes['code_version']} of acoustic-fem"] = None
+        if repeated := repeated_note(cases):
+            notes[repeated] = None
         before = int((store.state != WAITING).sum())
         write_line(log, "start", **versions(study.seed, ()), waiting_blocks=len(waiting))
         cells: dict[CellKey, SolvedCell] = {}
@@ -161,7 +162,9 @@ def _team(
     """Workers of this machine: as configured, or as many as pay for the remaining cases."""
     if workers is not None or scheduler is not None:
         return workers
-    return team_size(seconds_of(study, cases, [k for block in waiting for k in range(*block)], cells, discs))
+    numbers = [number for block in waiting for number in range(*block)]
+    missing = len(cells) - cached_count(cells, study.frequency, study.solid_fidelity)
+    return team_size(seconds_of(study, cases, numbers, missing, discs))
 
 
 def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> DiscTables:
@@ -190,7 +193,7 @@ def _solve_cells(
         if cell.mistake:
             write_line(log, "mistake", traceback=cell.mistake)
         if progress is not None:
-            progress(_progress("cells", len(solved), len(keys), failed, len(solved), perf_counter() - started))
+            progress(progress_of("cells", len(solved), len(keys), failed, len(solved), perf_counter() - started))
     return solved
 
 
@@ -221,12 +224,7 @@ def _solve_blocks(
         failed += int((result.state == FAILED).sum())
         write_line(log, "block", first=result.first, cases=count)
         if progress is not None:
-            progress(_progress("cases", done, len(cases), failed, computed, perf_counter() - started))
-
-
-def _progress(what: str, done: int, total: int, failed: int, computed: int, seconds: float) -> Progress:
-    rate = computed / max(seconds, 1e-9)
-    return Progress(what, done, total, failed, rate, (total - done) / rate if rate else np.nan)
+            progress(progress_of("cases", done, len(cases), failed, computed, perf_counter() - started))
 
 
 # -- log --------------------------------------------------------------------------------------------

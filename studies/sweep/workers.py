@@ -14,6 +14,9 @@ from studies.sweep.processes import Processes
 
 #: Seconds to wait for a scheduler, which runs already.
 _ANSWER = 15.0
+#: Addresses that dask encrypts and whose certificates it checks, and what is said of others.
+_ENCRYPTED = ("tls", "wss")
+_OPEN = "is not encrypted: whoever reaches this port can run programs as you; docs/cluster.md says how to protect it"
 _LOGGERS = ("distributed", "tornado")
 
 
@@ -103,7 +106,8 @@ def _connected(address: str) -> Iterator[Cluster]:
             problem = f"no scheduler answers at {address}: {said_by(error)}"
             raise WorkersLost(problem, kind=Kind.STOPPED) from None
         with client:
-            yield Cluster(client, f"the scheduler at {address}")
+            is_open = address.partition("://")[0] not in _ENCRYPTED
+            yield Cluster(client, f"the scheduler at {address}", [f"{address} {_OPEN}"] if is_open else [])
 
 
 @contextmanager

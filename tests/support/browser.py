@@ -60,13 +60,17 @@ class Studio:
 
 @contextmanager
 def studio(
-    design: str = "array-2x6", port: int = 0, module: str = "studies.cli.app", **environment: str
+    design: str = "array-2x6",
+    port: int = 0,
+    module: str = "studies.cli.app",
+    browser: bool = False,
+    **environment: str,
 ) -> Iterator[Studio]:
     """A studio of a design, ended at the end; ``module`` has the command line's ``main``."""
     program = f"import sys; sys.path.append({str(Path(__file__).parent)!r}); from {module} import main; main()"
     line = [
         *(sys.executable, "-c", program, "studio", design),
-        *("--port", str(port), "--no-browser"),
+        *("--port", str(port), "--browser" if browser else "--no-browser"),
     ]
     environment = {**os.environ, "PYTHONUNBUFFERED": "1", **environment}
     process = subprocess.Popen(line, stdout=subprocess.PIPE, text=True, env=environment)

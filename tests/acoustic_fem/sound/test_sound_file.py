@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import struct
+import warnings
 from functools import partial
 from pathlib import Path
 from typing import Any
 
+import h5py
 import numpy as np
 import pytest
 import scipy.io
 import scipy.io.wavfile
 from refusals import check_messages, refused
 
-from acoustic_fem.sound.sound_file import SoundFileError, read_sound, read_wav, write_wav
+from acoustic_fem.sound.sound_file import SoundFileError, SoundFileWarning, read_sound, read_wav, write_wav
+from geometry.ground.extras import MissingExtra
 from geometry.ground.refusal import Kind
 
 SAMPLES = np.random.default_rng(0).uniform(-0.5, 0.5, (2, 50))
@@ -32,15 +35,22 @@ def with_field(content: bytes, place: int, kind: str, value: int) -> bytes:
 
 #: Where a field lies, how it is packed, and what else is put there.
 FALSE_FIELDS = {
-    "a length of 4 GB": (4, "<I", 2**32 - 9),
-    "a length of nothing": (4, "<I", 4),
     "no channels": (22, "<H", 0),
     "block align 0": (32, "<H", 0),
     "block align 40000": (32, "<H", 40_000),
     "rate 0": (24, "<I", 0),
     "a format of its own": (20, "<H", 85),
-    "samples of 4 GB": (40, "<I", 2**32 - 1),
+    "twice the samples": (40, "<I", 400),
     "a head of 4 GB": (16, "<I", 2**32 - 1),
+}
+#: The same of files whose samples are all there, however wrong the header is.
+UNTRUE_FIELDS = {
+    "a length of 4 GB": (4, "<I", 2**32 - 1),
+    "a length of eight bytes too many": (4, "<I", 244),
+    "a stream of FFmpeg": (40, "<I", 2**32 - 1),
+    "a stream of arecord": (40, "<I", 0x7FFFF000),
+    "a stream of no length": (40, "<I", 0),
+    "half of the samples": (40, "<I", 100),
 }
 
 
@@ -50,6 +60,77 @@ def test_a_wav_file_that_states_what_it_does_not_hold_is_refused(fault: str, tmp
     path.write_bytes(with_field(wav(path), *FALSE_FIELDS[fault]))
     with refused(Kind.UNREADABLE, file=path, error=SoundFileError):
         read_wav(path)
+
+
+@pytest.mark.parametrize("fault", UNTRUE_FIELDS)
+def test_samples_are_read_whole_with_a_note_where_the_header_is_not_true(fault: str, tmp_path: Path) -> None:
+    path = tmp_path / "given.wav"
+    path.write_bytes(with_field(wav(path), *UNTRUE_FIELDS[fault]))
+    with pytest.warns(SoundFileWarning) as told:
+        found = read_wav(path)
+    assert len(told) == 1
+    np.testing.assert_allclose(np.stack(list(found.channels.values())), SAMPLES, atol=2.0**-16)
+
+
+def chunks(*parts: tuple[bytes, bytes], pad: bool = True, magic: bytes = b"RIFF") -> bytes:
+    """A WAV file of chunks with their names; after the format of two channels of 16 bits at 1 kHz."""
+    form = struct.pack("<HHIIHH", 1, 2, 1000, 4000, 4, 16)
+    body = b""
+    for name, content in ((b"fmt ", form), *parts):
+        body += name + struct.pack("<I", len(content)) + content + (b"\0" if pad and len(content) % 2 else b"")
+    return magic + struct.pack("<I", 4 + len(body)) + b"WAVE" + body
+
+
+RAW = np.rint(SAMPLES.T * 2**15).astype("<i2").tobytes()
+#: Bytes of a file, and whether a note is due; all hold the same samples.
+LAYOUTS = {
+    "two chunks of samples": (chunks((b"data", RAW[:80]), (b"data", RAW[80:])), True),
+    "an odd chunk with its pad byte": (chunks((b"LIST", b"INFOx"), (b"data", RAW)), False),
+    "an odd chunk without a pad byte": (chunks((b"LIST", b"INFOx"), (b"data", RAW), pad=False), True),
+    "remarks behind the samples": (chunks((b"data", RAW), (b"LIST", b"INFOISFT\0\0\0\0")), False),
+    "a remark that is cut off": (chunks((b"data", RAW), (b"id3 ", b"x" * 40))[:-20], True),
+    "half of a sample at the end": (chunks((b"data", RAW + b"\1\2")), True),
+    "room that was not used": (chunks((b"data", RAW)) + bytes(4000), False),
+    "a title of the old kind": (chunks((b"data", RAW)) + b"TAG" + b"x" * 125, False),
+    "BW64": (
+        b"BW64\xff\xff\xff\xffWAVE"
+        + b"ds64" + struct.pack("<IQQQI", 28, 72 + len(RAW), len(RAW), 50, 0)
+        + chunks((b"data", RAW))[12:].replace(b"data" + struct.pack("<I", len(RAW)), b"data\xff\xff\xff\xff"),
+        False,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_samples_are_found_in_the_layouts_of_all_recorders(layout: str, tmp_path: Path) -> None:
+    content, noted = LAYOUTS[layout]
+    (tmp_path / "given.wav").write_bytes(content)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        found = read_wav(tmp_path / "given.wav")
+    assert bool(told) == noted, [str(each.message) for each in told]
+    np.testing.assert_allclose(np.stack(list(found.channels.values())), SAMPLES, atol=2.0**-16)
+
+
+@pytest.mark.parametrize(("name", "subtype"), [("a.flac", "PCM_24"), ("a.aiff", "PCM_16"), ("a.AIF", "PCM_24")])
+def test_flac_and_aiff_hold_what_wav_does(name: str, subtype: str, tmp_path: Path) -> None:
+    soundfile = pytest.importorskip("soundfile")
+    soundfile.write(tmp_path / name, SAMPLES.T, 8000, subtype, format="FLAC" if "flac" in name else "AIFF")
+    found = read_sound(tmp_path / name)
+    assert (found.rate, found.numbered) == (8000.0, True)
+    assert found.full_scale == 1 - 2.0 ** (1 - int(subtype[-2:]))
+    np.testing.assert_allclose(np.stack(list(found.channels.values())), SAMPLES, atol=2.0**-15)
+    (tmp_path / "not.flac").write_bytes(b"fLaC" + bytes(100))
+    with refused(Kind.UNREADABLE, file="not.flac", error=SoundFileError):
+        read_sound(tmp_path / "not.flac")
+
+
+def test_the_extra_for_flac_is_named_where_it_is_missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "a.flac").write_bytes(b"fLaC")
+    monkeypatch.setattr("geometry.ground.extras.find_spec", lambda name: None)
+    with refused(Kind.NOT_INSTALLED, error=MissingExtra) as found:
+        read_sound(tmp_path / "a.flac")
+    assert "[audio]" in str(found.value)
 
 
 @pytest.mark.parametrize("channels", [1, 2])
@@ -109,7 +190,14 @@ NO_CSV: dict[str, tuple[str, Kind, str]] = {
     "ragged": ("time,A\n0,1\n0.1\n", Kind.UNREADABLE, "line 3"),
     "words": ("time,A\n0,1\n0.1,x\n", Kind.WRONG_TYPE, "line 3"),
     "one sample": ("time,A\n0,1\n", Kind.UNSUITABLE, ""),
-    "semicolons": ("time;A\n0;1\n", Kind.UNREADABLE, ""),
+    "commas twice": ("time,A\n0,0,1,5\n0,1,2,5\n", Kind.UNREADABLE, "line 2"),
+    "points and commas": ("time;A\n0;1.5\n0,1;2\n", Kind.WRONG_TYPE, "line 3"),
+    "thousands": ("time;A\n0;1.234,5\n1;2\n", Kind.WRONG_TYPE, "line 2"),
+    "a line below": ("time,A\n0,0.1_0\n1,2\n", Kind.WRONG_TYPE, "line 2"),
+    "digits of another script": ("time,A\n0,\u0661\n1,2\n", Kind.WRONG_TYPE, "line 2"),
+    "blanks": ("time A\n0 1\n1 2\n", Kind.UNREADABLE, ""),
+    "a column without a name": ("time,A,\n0,1,2\n1,2,3\n", Kind.UNREADABLE, ""),
+    "a value that is missing": ("time,A\n0,\n1,2\n", Kind.WRONG_TYPE, "line 2"),
     "no time": ("reference,A,B\n1,2,3\n", Kind.MISSING, ""),
     "uneven": ("time,A\n0,1\n1,1\n5,1\n", Kind.UNSUITABLE, "time"),
 }
@@ -123,6 +211,59 @@ NO_NPZ: dict[str, tuple[dict[str, Any], Kind, str]] = {
     "two rates": ({"A": np.ones(9), "sample_rate": np.ones(2)}, Kind.WRONG_TYPE, "sample_rate"),
     "no channel": ({"sample_rate": 9.0}, Kind.MISSING, ""),
 }
+
+
+#: Tables as other programs write them, all with the same values.
+TABLES = {
+    "tabs and points": b"time\tA\tB\n0\t1\t0.5\n0.001\t-2\t1.5\n",
+    "tabs and commas": b"time\tA\tB\r\n0,0\t1,0\t0,5\r\n0,001\t-2,0\t1,5\r\n",
+    "semicolons and commas": b"time;A;B\n0;1;0,5\n0,001;-2;1,5\n",
+    "commas in quotes": b'time,A,B\n0,1,"0,5"\n"0,001",-2,"1,5"\n',
+    "a stated separator": b"sep=,\r\ntime,A,B\r\n0,1,0.5\r\n0.001,-2,1.5\r\n",
+    "a strange separator": b"SEP=|\ntime|A|B\n0|1|0.5\n0.001|-2|1.5\n",
+    "remarks": b"# my board\n#100 Pa\n\ntime,A,B\n0,1,0.5\n# pause\n0.001,-2,1.5\n",
+    "UTF-16": "time,A,B\n0,1,0.5\n0.001,-2,1.5\n".encode("utf-16"),
+    "a byte order mark": b"\xef\xbb\xbftime,A,B\n0,1,0.5\n0.001,-2,1.5\n",
+    "blank columns": b"time,,A,B,,\n0,,1,0.5,,\n0.001,,-2,1.5\n,,,,,\n".replace(b"-2,1.5\n", b"-2,1.5,,\n"),
+    "blank ends": b"time,A,B\n0,1,0.5,\n0.001,-2,1.5,,\n\n",
+    "blanks around": b"time, A , B\n 0, 1,  0.5\n0.001 ,-2, 1.5 \n",
+}
+
+
+@pytest.mark.parametrize("table", TABLES)
+@pytest.mark.parametrize("suffix", [".csv", ".txt"])
+def test_tables_of_other_programs_are_read(table: str, suffix: str, tmp_path: Path) -> None:
+    (tmp_path / f"given{suffix}").write_bytes(TABLES[table])
+    found = read_sound(tmp_path / f"given{suffix}")
+    assert found.rate == pytest.approx(1000.0)
+    assert {name: values.tolist() for name, values in found.channels.items()} == {"A": [1.0, -2.0], "B": [0.5, 1.5]}
+
+
+def test_a_rate_that_is_assumed_is_told(tmp_path: Path) -> None:
+    (tmp_path / "given.csv").write_text("A,B\n1,2\n2,3\n")
+    np.savez(tmp_path / "given.npz", signals=SAMPLES)
+    for name in ("given.csv", "given.npz"):
+        with pytest.warns(SoundFileWarning, match="1000 Hz is assumed"):
+            assert read_sound(tmp_path / name, 1000.0).rate == 1000.0
+
+
+def test_mat_files_of_version_7_3_are_read_as_matlab_shows_them(tmp_path: Path) -> None:
+    path = tmp_path / "given.mat"
+    with h5py.File(path, "w", userblock_size=512) as file:
+        file["signals"] = SAMPLES.T  # MATLAB counts along columns first
+        file["sample_rate"] = [[8000.0]]
+        file["title"] = np.array([[72], [105]], np.uint16)
+        file["title"].attrs["MATLAB_class"] = np.bytes_("char")
+        file.create_group("settings")
+    with path.open("r+b") as file:
+        file.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(124) + b"\0\2IM")
+    found = read_sound(path)
+    assert (found.rate, found.numbered) == (8000.0, True)
+    np.testing.assert_array_equal(np.stack(list(found.channels.values())), SAMPLES)
+    content = path.read_bytes()
+    path.write_bytes(content[: len(content) // 2])
+    with refused(Kind.UNREADABLE, file=path, error=SoundFileError):
+        read_sound(path)
 
 
 @pytest.mark.parametrize("fault", NO_CSV)
@@ -146,7 +287,7 @@ def test_messages_of_sound_files_read_well(tmp_path: Path) -> None:
         (tmp_path / f"{fault}.csv").write_text(text)
     for fault, (arrays, _, _) in NO_NPZ.items():
         np.savez(tmp_path / f"{fault}.npz", **arrays)
-    for fault in ("a length of 4 GB", "a length of nothing", "samples of 4 GB"):  # others are in the words of scipy
+    for fault in ("twice the samples",):  # others are in the words of scipy
         (tmp_path / f"{fault}.wav").write_bytes(with_field(wav(tmp_path / "whole.wav"), *FALSE_FIELDS[fault]))
     (tmp_path / "a.mp3").write_bytes(b"ID3")
     np.savez(tmp_path / "another name.npz", signals=SAMPLES, fs=48000.0)
@@ -156,7 +297,7 @@ def test_messages_of_sound_files_read_well(tmp_path: Path) -> None:
 
 
 def test_a_table_beyond_the_bound_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("acoustic_fem.sound.sound_file.MOST_NUMBERS", 4)
+    monkeypatch.setattr("acoustic_fem.sound.recorded_table.MOST_NUMBERS", 4)
     (tmp_path / "given.csv").write_text("time,A\n0,1\n1,2\n2,3\n")
     with refused(Kind.OUT_OF_RANGE, file="given.csv", error=SoundFileError):
         read_sound(tmp_path / "given.csv")

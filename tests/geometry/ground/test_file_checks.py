@@ -11,9 +11,10 @@ from pathlib import Path
 import pytest
 from refusals import check_messages, refused
 
-from geometry.ground.file_checks import library_reads, ordinary_file, read_bytes
+from geometry.ground.file_checks import check_local, library_reads, ordinary_file, read_bytes
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
+from geometry.ground.whole_files import made_folder, whole_lines, write_text
 
 
 def folder(path: Path) -> None:
@@ -117,3 +118,25 @@ def test_a_refusal_and_a_wish_to_stop_pass_the_library() -> None:
         raise Refusal("as it was", kind=Kind.OUT_OF_RANGE)
     with pytest.raises(KeyboardInterrupt), library_reads("f.mat", "a MAT file", Refusal):
         raise KeyboardInterrupt
+
+
+@pytest.mark.parametrize(
+    "address", ["s3://bucket/a.nc", "https://host/a", "file:///tmp/a", "memory://a", "zip::s3://b/a"]
+)
+def test_an_address_is_no_file_to_read_or_write(address: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for path in (address, Path(address)):
+        for call in (
+            lambda path=path: ordinary_file(path, "a test", Refusal),
+            lambda path=path: write_text(path, "content"),
+            lambda path=path: made_folder(path),
+            lambda path=path: whole_lines(path).__enter__(),
+        ):
+            with refused(Kind.OUT_OF_RANGE, file=str(path)):
+                call()
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("name", ["a:b", "C:/a.nc", "s3", "s3:", "10:20/x", "./a+b/c"])
+def test_a_name_with_a_colon_is_a_path(name: str) -> None:
+    check_local(name)

@@ -10,7 +10,7 @@ from refusals import check_messages
 from shared import solved
 
 import localize
-from localize.live.sources import checked_channels
+from localize.recordings.channel_choice import chosen_channels
 
 
 def test_the_messages_of_decoders_streams_and_models(tmp_path: Path) -> None:
@@ -39,8 +39,8 @@ def test_the_messages_of_decoders_streams_and_models(tmp_path: Path) -> None:
         "chunk": lambda: stream.push(np.zeros((3, 10))),
         "another test": lambda: localize.TouchStream(decoder, sound_test=localize.SoundTest(library, 1e-3)),
         "filter": lambda: localize.TouchFilter([0, 0], [0, 1], stay=0.99, jump=0.02),
-        "channels": lambda: checked_channels(("A", "B"), {"A": 1}, 2, "USB array"),
-        "a channel": lambda: checked_channels(("A", "B"), {"A": 1, "B": 9}, 4, "USB array"),
+        "channels": lambda: chosen_channels(("A", "B"), {"A": 1}, 2, "USB array"),
+        "a channel": lambda: chosen_channels(("A", "B"), {"A": 1, "B": 9}, 4, "USB array"),
         "folder": lambda: localize.open_model(tmp_path),
         "nothing": lambda: localize.open_model(tmp_path / "nothing"),
         "nowhere": lambda: localize.open_model(tmp_path / "nowhere"),

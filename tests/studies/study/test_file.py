@@ -126,7 +126,7 @@ def test_the_messages_of_wrong_studies() -> None:
     check_messages(Path(__file__).parent / "messages.txt", calls)
 
 
-@pytest.mark.parametrize("base", ["x" * 300, "folder", "/dev/zero", "", "a\\u0000b", "array-9"])
+@pytest.mark.parametrize("base", ["x" * 300, "folder", "/dev/zero", "", "array-9"])
 def test_a_base_that_is_no_file_is_refused(base: str, tmp_path: Path) -> None:
     (tmp_path / "folder").mkdir()
     (tmp_path / "study.toml").write_text(f'base = "{base}"\nmetrics = ["distance_smallest"]\n')

@@ -1,0 +1,80 @@
+"""MAT files of version 7.3, which are HDF5 files: read by h5py, after a process of its own has tried it."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.ground.child import Child
+from geometry.ground.file_checks import library_reads, not_as_written
+from geometry.ground.process_messages import ChildError, Limits
+from geometry.ground.refusal import Kind, Refusal, said_by
+
+_SIGN = b"MATLAB 7.3 MAT-file"
+#: Time and memory that the process may take in which a file is tried, s and bytes.
+_PATIENCE, _MEMORY = 20.0, 4_000_000_000
+
+
+def is_hdf5_mat(path: Path) -> bool:
+    """True for a file that begins as MATLAB's version 7.3 or as HDF5 does."""
+    with path.open("rb") as file:
+        head = file.read(520)
+    return head.startswith((_SIGN, b"\x89HDF\r\n")) or head[512:516] == b"\x89HDF"
+
+
+def read_hdf5_mat(path: Path, what: str, refusal: type[Refusal], most_numbers: int) -> dict[str, NDArray[Any]]:
+    """Arrays of numbers by name in the shape that MATLAB shows; texts, structures and cells are passed over.
+
+    Args:
+        path: the file.
+        what: such as ``a MAT file``, for messages.
+        refusal: class of the errors.
+        most_numbers: that a file may hold.
+
+    Raises:
+        Refusal: by ``refusal``: not HDF5, damaged, of more numbers, or one that takes too long to read.
+    """
+    try:
+        with Child("the reader", limits=Limits(memory=_MEMORY), quiet=True, trusted=False) as child:
+            said = child.call(_trial, f"{most_numbers} {path}", seconds=_PATIENCE).decode()
+    except ChildError as error:
+        said = "it ends what reads it" if error.status is not None else f"it cannot be read in {_PATIENCE:g} s"
+    if said.startswith("more"):
+        raise refusal(f"holds more than {most_numbers} numbers, the most that are read", kind=Kind.OUT_OF_RANGE, file=path)
+    if said:
+        raise not_as_written(path, what, refusal, said)
+    with library_reads(path, what, refusal), h5py.File(path, "r") as file:
+        return {name: np.asarray(one[()]).T for name, one in _arrays(file)}
+
+
+def _arrays(file: h5py.File) -> list[tuple[str, h5py.Dataset]]:
+    """Data sets of numbers at the top of a file."""
+    found = [(name, file.get(name)) for name in file if not name.startswith("#")]
+    return [
+        (name, one)
+        for name, one in found
+        if isinstance(one, h5py.Dataset)
+        and one.attrs.get("MATLAB_class", b"double") not in (b"char", b"cell", b"struct")
+        and not one.attrs.get("MATLAB_empty", 0)
+        and one.dtype.kind in "biufcV"
+    ]
+
+
+def _trial(given: str) -> bytes:
+    """Read every array; what is wrong, if anything."""
+    most, path = given.split(" ", 1)
+    try:
+        with h5py.File(path, "r") as file:
+            arrays = _arrays(file)
+            if sum(math.prod(one.shape) for _, one in arrays) > int(most):
+                return b"more"
+            for _, one in arrays:
+                one[()]
+    except Exception as error:
+        return said_by(error).encode(errors="replace")
+    return b""
