@@ -20,8 +20,8 @@ from studies.cli.app import app
 from studies.sweep import block
 
 STUDY: dict[str, Any] = {
-    "base": "line-3",
-    "vary": {"tube.inner_diameter": (0.3, 0.8), "lines.0.points": (2, 3)},
+    "base": "array-2x6",
+    "vary": {"tube.inner_diameter": (0.3, 0.9), "lines.0.points": (11, 12)},
     "sampling": "random",
     "cases": 12,
     "fidelity": "atlas",
@@ -38,7 +38,7 @@ def sweep(tmp_path_factory: pytest.TempPathFactory) -> studies.Sweep:
 
 def test_a_library_of_a_sweep_is_what_solve_gives_to_the_last_bit(sweep: studies.Sweep, tmp_path: Path) -> None:
     done = np.flatnonzero(sweep.done)
-    assert {sweep.design(number).point_count for number in done} == {2, 3}
+    assert {sweep.design(number).point_count for number in done} == {11, 12}
     for number in done:
         library = sweep.library(number)
         solved = acoustic_fem.solve(sweep.design(number), sweep.frequency, "atlas")
