@@ -21,6 +21,7 @@ from geometry.design.array_design import validated
 from geometry.design.design_file import prototype, prototype_names, write_design
 from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.shown import Shown
 from geometry.ground.text_files import parse_toml, read_text
 from geometry.ground.typed import Array, PathLike
 from geometry.ground.whole_files import check_own_kind, write_text
@@ -41,7 +42,7 @@ _RENAMED = {
 }
 
 
-class Study:
+class Study(Shown):
     """Study: a set of designs and what to compute for each.
 
     A study file has the same fields. :meth:`load` reads one and :meth:`save` writes one.
@@ -223,6 +224,24 @@ class Study:
         if not known:
             document.add("base", tomlkit.item(tomlkit.parse(write_design(self.base)).unwrap()))
         return tomlkit.dumps(document)
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        varied = {
+            each.name: ", ".join(map(str, each.values)) if each.values else f"{each.low:g} to {each.high:g}"
+            for each in self.parameters
+        }
+        return f"Study {self.name}", {
+            "description": self.description,
+            "base": self.base.name,
+            "varies": "; ".join(f"{name}: {values}" for name, values in varied.items()),
+            "sampling": f"{self.sampling}, {self.cases} cases, seed {self.seed}" if self.cases else self.sampling,
+            "constraints": "; ".join(each.text for each in self.constraints),
+            "fidelity": f"{self.fidelity}, cases outside: {self.outside}" if self.atlas else self.fidelity,
+            "frequency": f"{self.frequency[0]:g} to {self.frequency[-1]:g} Hz, {len(self.frequency)} values",
+            "metrics": ", ".join(self.metrics),
+            "keeps": f"{self.keep}, {self.precision} precision" if self.keep != "metrics" else self.keep,
+        }
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

@@ -24,15 +24,18 @@ from geometry import ArrayDesign
 from geometry.design.design_file import read_completed
 from geometry.ground.argument_checks import check_choice, check_range, check_type
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.shown import Shown
 from studies.output.zarr_files import METADATA
 from studies.study.metric_registry import METRICS
 from studies.study.parameter import StudyError
+from studies.sweep.plots import plot_effects, plot_trade_off
 from studies.sweep.records import DONE, FAILED, FOLDER, FORMAT, MARK, WAITING, Records
 from studies.sweep.summary import Summary
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+    from matplotlib.figure import Figure
 
 #: Words for the states of a case.
 _STATUS = np.array(["waiting", "done", "failed"], object)
@@ -40,8 +43,8 @@ _STATUS = np.array(["waiting", "done", "failed"], object)
 _FOR_PEOPLE = ("title", "description", "fidelity", "code_version")
 
 
-@dataclass(frozen=True, eq=False)
-class Sweep:
+@dataclass(frozen=True, eq=False, repr=False)
+class Sweep(Shown):
     """Results of a study, finished or not."""
 
     records: Records
@@ -53,6 +56,40 @@ class Sweep:
     """Numbers of the cases outside the atlas that were solved in 3-D."""
     run: Summary | None = None
     """Summary of the run that returned the results; None if they were opened."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        done, failed = int(self.done.sum()), int(self.failed.sum())
+        figures = {}
+        for name in self.metrics:
+            values, unit = self.values[name][np.isfinite(self.values[name])], self.units(name)
+            if len(values):
+                figures[name] = f"{values.min():.4g} to {values.max():.4g}{'' if unit == '1' else f' {unit}'}"
+        return f"Sweep {self.attributes['title']}", {
+            "results": self.records.path,
+            "cases": f"{len(self)}: {done} done, {failed} failed, {len(self) - done - failed} waiting",
+            "varies": ", ".join(self.parameters),
+            "fidelity": self.attributes["fidelity"],
+            "keeps": self.keep,
+            **figures,
+        }
+
+    def plot(self, metric: str | None = None, against: str | None = None) -> Figure:
+        """Figure of a metric against each parameter, or of the trade-off between two metrics.
+
+        Args:
+            metric: name of a metric of the study; by default its first.
+            against: another metric, for a trade-off; cases that no other beats in both carry their number.
+
+        Raises:
+            Refusal: the study does not compute a metric.
+            MissingExtra: matplotlib is not installed.
+        """
+        for field, name in (("metric", metric), ("against", against)):
+            if name is not None:
+                check_choice(field, name, self.metrics, kind=Kind.UNKNOWN)
+        chosen = metric or self.metrics[0]
+        return plot_effects(self, chosen) if against is None else plot_trade_off(self, chosen, against)
 
     @property
     def summary(self) -> Summary:
