@@ -13,7 +13,8 @@ import numpy as np
 import tomlkit
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem.atlas import cell_atlas, quick_fidelity
+from acoustic_fem import atlas
+from acoustic_fem.atlas import cell_atlas
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, Fidelity
 from geometry import ArrayDesign, DesignError, load_design
@@ -166,7 +167,7 @@ class Study(Shown):
             self.name, self.description = file.name, file.description
             self.base, self.axes, self.sampling = base, axes, file.sampling
             self.constraints = tuple(parse_constraint(each, base) for each in file.constraints)
-            self.fidelity = file.fidelity or quick_fidelity(base, frequency).name
+            self.fidelity = file.fidelity or atlas.quick_fidelity(base, frequency).name
             self.cases, self.seed = case_count(file), file.seed
             self.frequency, self.metrics = frequency, _metrics(file.metrics, frequency)
             self.keep, self.precision, self.membranes = file.keep, file.precision, file.membranes

@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
 from acoustic_fem.library.provenance import versions
-from acoustic_fem.library.transfer_functions import VARIABLES
 from geometry import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.ground.file_checks import read_bytes
@@ -138,7 +138,7 @@ def _responses(study: Study, numbers: Variable, points: int) -> dict[str, Variab
         coordinates["microphone_2"] = Variable(("microphone_2",), second, microphones)
     dtype, found = {"double": "float64", "single": "float32"}[study.precision], {}
     for name, sizes in response_shapes(study, points).items():
-        dimensions, unit, title = VARIABLES[name]
+        dimensions, unit, title = acoustic_fem.library.VARIABLES[name]
         shape = (len(numbers.start()), *sizes)
         for part in PARTS:
             about = {"units": unit, "long_name": f"{title}, {part} part"}
@@ -150,7 +150,7 @@ def response_shapes(study: Study, points: int) -> dict[str, tuple[int, ...]]:
     """Shape of each response that a study keeps of a case, by name; the largest case has so many points."""
     sizes = {"point": points, "frequency": len(study.frequency)}
     sizes |= dict.fromkeys(("microphone", "microphone_2"), len(study.base.microphones))
-    return {name: tuple(sizes[each] for each in VARIABLES[name][0]) for name in KEPT[study.keep]}
+    return {name: tuple(sizes[each] for each in acoustic_fem.library.VARIABLES[name][0]) for name in KEPT[study.keep]}
 
 
 @dataclass(frozen=True, eq=False)

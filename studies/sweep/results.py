@@ -14,10 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem import Library
-from acoustic_fem.library.network_responses import cell_summaries
+import acoustic_fem
 from acoustic_fem.library.provenance import frequency_hash
-from acoustic_fem.library.transfer_functions import VARIABLES, library_from_arrays
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign
@@ -166,7 +164,7 @@ class Sweep(Shown):
         rows: dict[str, Any] = {name: column(name) for name in self.metrics}
         rows |= {"status": (("case",), _STATUS[self.values["state"]]), "reason": column("reason")}
         for name in self.records.kept:
-            dimensions, unit, title = VARIABLES[name]
+            dimensions, unit, title = acoustic_fem.library.VARIABLES[name]
             rows[name] = (("case", *dimensions), self._lazy(name), {"units": unit, "long_name": title})
             for each in dimensions:
                 known = variables[f"responses/{each}"]
@@ -242,7 +240,7 @@ class Sweep(Shown):
         """
         return self.base.with_values(self.case(number))
 
-    def library(self, number: int) -> Library:
+    def library(self, number: int) -> acoustic_fem.Library:
         """Library of one case, of a study with ``keep = "libraries"``.
 
         In double precision it is the one that :func:`acoustic_fem.solve` computes for the design, bit for bit, but for
@@ -282,8 +280,8 @@ class Sweep(Shown):
             **about.get(number, {}),
         }
         if fidelity in CLOSED_FORMS:
-            provenance["cells"] = cell_summaries(design, fidelity)
-        return library_from_arrays(design, grid, values, fidelity, design_air(design), provenance)
+            provenance["cells"] = acoustic_fem.library.cell_summaries(design, fidelity)
+        return acoustic_fem.library.library_from_arrays(design, grid, values, fidelity, design_air(design), provenance)
 
     def _held(self, first: int) -> tuple[dict[str, NDArray[np.complex128]], Mapping[int, Mapping[str, Any]]]:
         """Responses of the block that begins with a case, and how they were computed; the last one stays in memory."""

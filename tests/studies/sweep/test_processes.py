@@ -358,14 +358,14 @@ def own(number):
 
 with open_workers(2, None) as team:
     assert all(result[0] == number and result[1] != os.getpid() for number, result in team.run(own, [(0,), (1,)]))
-summary = studies.run_sweep(studies.load_study(sys.argv[1]), sys.argv[2], workers=2)
+summary = studies.run_sweep(studies.load_study(sys.argv[1]), sys.argv[2], workers=2).summary
 print("computed", summary.computed)
 """
 
 
 def test_a_script_without_a_main_guard_may_use_workers(tmp_path: Path) -> None:
     (tmp_path / "study.toml").write_text(
-        'base = "array-2x6"\nfidelity = "lumped"\nfrequencies = "1:100:12"\nmetrics = ["distance_smallest"]\n'
+        'base = "array-2x6"\nfidelity = "lumped"\nfrequency = "1:100:12"\nmetrics = ["distance_smallest"]\n'
         '[vary]\n"tube.length" = [12, 13]\n'
     )
     (tmp_path / "script.py").write_text(SCRIPT)
