@@ -12,7 +12,6 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 import geometry
 from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped, ThermalField, condense
@@ -20,8 +19,9 @@ from acoustic_fem.fields.cylinder_heat import CylinderAir, CylinderField, cylind
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.numerics.refinement import BEST_ORDER, FLOW_ORDER, HEAT_ORDER, Refinement, refined
-from acoustic_fem.quantities.checks import frequency_grid, port_points
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid, port_points
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, face_at, mesh_solid, refuse_large_mesh
 from geometry.air.solid_checks import sound_solid
@@ -118,8 +118,8 @@ class SolvedBody:
 def port_admittance(
     solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str],
     ports: Mapping[str, Point],
-    frequency: ArrayLike,
-    medium: Medium,
+    frequency: FrequencyLike,
+    air: AirLike,
     fidelity: str = "navier-stokes",
     accuracy: float = 1e-3,
     progress: Progress | None = None,
@@ -133,7 +133,7 @@ def port_admittance(
         solid: one closed CadQuery solid of air in mm, or the path of a STEP file.
         ports: name -> a point on its flat face, mm.
         frequency: (n_freq,) Hz, ascending, 1e-3 to 2000, or one number.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         fidelity: ``"navier-stokes"`` (linearised, the one to trust) or ``"helmholtz"`` (scalar; wrong by
             about 5 % where a tube opens into a cavity, see :mod:`acoustic_fem.fields.helmholtz`).
         accuracy: relative error aimed at in the admittances, 2e-4 to 3e-3. The mesh is refined until
@@ -150,6 +150,7 @@ def port_admittance(
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: four refinements do not reach the accuracy.
     """
+    medium = medium_of(air)
     grid = frequency_grid(
         frequency if isinstance(frequency, str) else np.atleast_1d(real_numbers("frequency", frequency))
     )
@@ -162,7 +163,7 @@ def solve_solid(
     solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str],
     ports: Mapping[str, Point],
     band: tuple[float, float],
-    medium: Medium,
+    air: AirLike,
     fidelity: str = "navier-stokes",
     accuracy: float = 1e-3,
     progress: Progress | None = None,
@@ -175,7 +176,7 @@ def solve_solid(
         solid: as for :func:`port_admittance`.
         ports: name -> a point on its flat face, mm.
         band: lowest and highest frequency, Hz.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
         accuracy: as for :func:`port_admittance`.
         progress: called with a label and the fraction done.
@@ -183,6 +184,7 @@ def solve_solid(
     Raises:
         As :func:`port_admittance`.
     """
+    medium = medium_of(air)
     accuracy = check_range("accuracy", accuracy, *_ACCURACY_RANGE)
     physics = checked_physics(fidelity)
     ports = port_points(ports)

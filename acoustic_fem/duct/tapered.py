@@ -14,9 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from numpy.typing import ArrayLike
 
 from acoustic_fem.duct.plane_wave import Line
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.medium import Medium
 from geometry.ground.argument_checks import check_range, check_shape, out_of_range, positive_numbers
 from geometry.ground.refusal import Field, Kind, Refusal
@@ -49,7 +49,7 @@ class TaperedTwoPort:
 def port_admittance(
     section: Callable[[float], Line],
     length: float,
-    frequency: ArrayLike,
+    frequency: FrequencyLike,
     medium: Medium,
     breaks: Sequence[float] = (),
     accuracy: float = 1e-9,
@@ -73,7 +73,7 @@ def port_admittance(
 def solve(
     section: Callable[[float], Line],
     length: float,
-    frequency: ArrayLike,
+    frequency: FrequencyLike,
     medium: Medium,
     breaks: Sequence[float] = (),
     accuracy: float = 1e-9,
@@ -95,7 +95,7 @@ def solve(
         TaperError: 4096 elements do not reach the accuracy (a break may be missing).
     """
     whole = float(positive_numbers("length", length, "m"))
-    grid = np.atleast_1d(positive_numbers("frequency", frequency, "Hz"))
+    grid = np.atleast_1d(frequencies(frequency))
     check_shape("frequency", grid, ("n_freq",))
     check_range("accuracy", accuracy, 1e-12, 0.1)
     nodes = np.array([0.0, *breaks, whole])

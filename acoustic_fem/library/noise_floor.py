@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from acoustic_fem.library.touch_pressure import TOUCHES
 from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.network.microphone import noise_density as own_noise_density, noise_density_behind_vent
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from geometry.ground.argument_checks import check_choice, check_range, positive_numbers, wrong_type
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal, counted
@@ -36,8 +36,9 @@ NoiseAt = Literal["front", "output"]
 _FEWEST_FREQUENCIES = 8
 
 
-def gas_temperature(medium: Medium) -> float:
+def gas_temperature(air: AirLike) -> float:
     """Temperature of the ideal gas, gamma p / ((gamma - 1) rho cp), K."""
+    medium = medium_of(air)
     return medium.gamma * medium.pressure / ((medium.gamma - 1) * medium.density * medium.heat_capacity)
 
 

@@ -17,7 +17,7 @@ from acoustic_fem.library.other_air import air_ratio
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.response_plot import Quantity, plot_responses
 from acoustic_fem.library.touch_pressure import touch_flow, touch_response
-from acoustic_fem.quantities.local_air import LocalAir, checked_air, design_air
+from acoustic_fem.quantities.local_air import AirLike, LocalAir, checked_air, design_air, medium_of
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
@@ -267,7 +267,7 @@ def library_from_arrays(
     frequency: Array,
     values: Mapping[str, ComplexArray],
     fidelity: str,
-    medium: Medium,
+    air: AirLike,
     provenance: Mapping[str, Any],
     deviation: Array | None = None,
 ) -> Library:
@@ -279,10 +279,11 @@ def library_from_arrays(
         values: complex128 arrays by the names of :data:`VARIABLES`, of the dimensions, such as (point, microphone,
             frequency), and in the units that are listed there; those of :data:`OPTIONAL` may be missing.
         fidelity: how the cells were computed, one of :data:`acoustic_fem.FIDELITIES`, or :data:`MEASURED`.
-        medium: the air.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         provenance: what made the values.
         deviation: (n_point, n_microphone, n_freq) float64, Pa/Pa, that of the transfer function, where it was measured.
     """
+    medium = medium_of(air)
     rows: dict[str, NDArray[Any]] = {name: values[name] for name in VARIABLES if name in values or name not in OPTIONAL}
     if deviation is not None:
         rows["transfer_function_deviation"] = deviation

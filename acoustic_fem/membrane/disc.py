@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc
 from acoustic_fem.membrane.rubber import ELASTIC, Rubber
 from acoustic_fem.membrane.solved_discs import solved_disc
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
@@ -135,7 +135,7 @@ class DiscSolution:
     model: ElasticDisc
     """The dimensionless dynamic model."""
 
-    def response(self, frequency: ArrayLike, rubber: Rubber = ELASTIC) -> DiscResponse:
+    def response(self, frequency: FrequencyLike, rubber: Rubber = ELASTIC) -> DiscResponse:
         """Responses to pressures and to a force on the patch as sums over modes with static correction.
 
         The stiffness is the complex modulus, by the stated one, times its elastic part plus that of the pre-stress,
@@ -150,7 +150,7 @@ class DiscSolution:
         Raises:
             Refusal: a frequency that is not finite and positive.
         """
-        frequency = positive_numbers("frequency", frequency, "Hz")
+        frequency = frequencies(frequency)
         if frequency.size and frequency.max() > self.modes.frequency[-1] / 2:
             warn_caller(
                 f"membrane: {frequency.max():.4g} Hz is above half of the highest mode that is kept "
@@ -172,7 +172,7 @@ class DiscSolution:
             volume_per_pressure=answer[..., 0, 2] * volume,
         )
 
-    def compliance(self, frequency: ArrayLike, rubber: Rubber = ELASTIC) -> ComplexArray:
+    def compliance(self, frequency: FrequencyLike, rubber: Rubber = ELASTIC) -> ComplexArray:
         """Volume compliance C(w) at frequencies in Hz; arguments, validity and errors as :meth:`response`.
 
         Returns:
@@ -399,7 +399,7 @@ def design_rubber(design: DesignLike) -> Rubber:
     return Rubber.of(design.material(design.membrane.material))
 
 
-def design_compliance(design: DesignLike, frequency: ArrayLike, known: KnownDiscs | None = None) -> ComplexArray:
+def design_compliance(design: DesignLike, frequency: FrequencyLike, known: KnownDiscs | None = None) -> ComplexArray:
     """Volume compliance of a design's membrane by the law of its material, m^3/Pa.
 
     Args:

@@ -1,4 +1,6 @@
 from .checks import (
+    FrequencyLike as FrequencyLike,
+    frequencies as frequencies,
     frequency_grid as frequency_grid,
     port_points as port_points,
 )
@@ -8,6 +10,6 @@ from .fidelity import (
     ONE_DESIGN as ONE_DESIGN,
     Fidelity as Fidelity,
 )
-from .local_air import LocalAir as LocalAir
+from .local_air import AirLike as AirLike, LocalAir as LocalAir, medium_of as medium_of
 from .medium import Medium as Medium
 from .units import cubic_metres as cubic_metres, metres as metres, pascals as pascals

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from geometry.ground.argument_checks import check_range, real_numbers, wrong_type
+from geometry.ground.argument_checks import check_range, positive_numbers, real_numbers, wrong_type
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 
@@ -51,7 +52,21 @@ def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float,
     return points
 
 
-def frequency_grid(frequency: ArrayLike | str) -> Array:
+FrequencyLike: TypeAlias = ArrayLike | str
+"""An argument ``frequency``: numbers in Hz, or the text ``FIRST:LAST:COUNT`` for evenly spaced ones."""
+
+
+def frequencies(frequency: FrequencyLike) -> Array:
+    """The frequencies as an array, same shape as given, float64, Hz, in any order; those of a text are evenly spaced.
+
+    Raises:
+        Refusal: not real numbers, not finite or not above 0; a text of another form.
+    """
+    given = _evenly_spaced(frequency) if isinstance(frequency, str) else frequency
+    return positive_numbers("frequency", given, "Hz")
+
+
+def frequency_grid(frequency: FrequencyLike) -> Array:
     """The grid as an array, (n_freq,) float64, Hz, ascending within 0.001 to 2000 Hz.
 
     Frequency 0 is refused: a sealed network has no impedance there. All its pressures become equal as the

@@ -6,8 +6,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from numpy.typing import ArrayLike
-
+from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from studies.bending.bending_files import RESULT, save_bending
 from studies.bending.bending_rig import BendingRig
@@ -32,7 +31,7 @@ def bending_study(
     rig: BendingRig | None = None,
     *,
     fidelity: str = ONE_DESIGN,
-    frequency: ArrayLike | str = FREQUENCIES,
+    frequency: FrequencyLike = FREQUENCIES,
     display: Display | None = None,
 ) -> BendingStudy:
     """Results of bending a tube on the publication's rig, the bent bore solved in 3-D: does it transmit less?

@@ -27,6 +27,7 @@ from functools import reduce
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals.noise_model import NoiseSpectrum
@@ -60,7 +61,7 @@ class PredictedConfusion:
 
 def predict_confusion(
     transfer_function: ArrayLike,
-    frequency: ArrayLike,
+    frequency: FrequencyLike,
     microphone_noise: float | NoiseSpectrum | ArrayLike,
     *,
     listener: Listener = "network",
@@ -92,7 +93,7 @@ def predict_confusion(
 
 def predict_confusions(
     transfer_function: ArrayLike,
-    frequency: ArrayLike,
+    frequency: FrequencyLike,
     noises: Sequence[float | NoiseSpectrum | ArrayLike],
     *,
     listener: Listener = "network",
@@ -103,7 +104,7 @@ def predict_confusions(
     """Confusions under several noises, of the same touches, which are simulated once; arguments and errors as
     :func:`predict_confusion`.
     """
-    h, grid = np.asarray(transfer_function, np.complex128), np.asarray(frequency, np.float64)
+    h, grid = np.asarray(transfer_function, np.complex128), frequencies(frequency)
     _check(h, grid, touches)
     designs, points, microphones, _ = h.shape
     powers = [noise_of_filters(noise, designs, listener) for noise in noises]

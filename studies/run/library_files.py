@@ -5,11 +5,10 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
-from numpy.typing import ArrayLike
-
 import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import FORMATS, load, write_library
+from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from geometry.design.design_file import DesignLike, resolve_design
@@ -27,7 +26,7 @@ def solve_library(
     out: PathLike,
     *,
     fidelity: str = ONE_DESIGN,
-    frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
+    frequency: FrequencyLike = LIBRARY_FREQUENCIES,
     air: LocalAir | None = None,
     display: Display | None = None,
 ) -> Library:

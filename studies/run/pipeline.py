@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 import acoustic_fem
 import geometry
@@ -16,7 +15,7 @@ import localize
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import write_library
 from acoustic_fem.numerics.disk_cache import CacheWarning
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry import export, print_report
 from geometry.assembly.model import ArrayModel, put_together
@@ -76,7 +75,7 @@ def run_design(
     *,
     display: Display | None = None,
     fidelity: str = ONE_DESIGN,
-    frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
+    frequency: FrequencyLike = LIBRARY_FREQUENCIES,
     plan: TrainingPlan | None = None,
     allow_overlaps: bool = False,
 ) -> RunResult:

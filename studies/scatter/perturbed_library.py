@@ -15,12 +15,12 @@ from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.atlas.fidelity_choice import QuickFidelity
 from acoustic_fem.library.provenance import versions
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
@@ -51,7 +51,7 @@ def write_perturbed_library(
     path: str | os.PathLike[str],
     design: DesignLike,
     count: int,
-    frequency: ArrayLike | str,
+    frequency: FrequencyLike,
     *,
     tolerances: Sequence[Tolerance] = TOLERANCES,
     seed: int = 0,

@@ -8,9 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from numpy.typing import ArrayLike
-
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
@@ -51,7 +49,7 @@ def tolerance_study(
     tolerances: PathLike | Sequence[Tolerance] | None = None,
     microphone_noise: NoiseChoice = "design",
     seed: int = SEED,
-    frequency: ArrayLike | str = FREQUENCIES,
+    frequency: FrequencyLike = FREQUENCIES,
     display: Display | None = None,
 ) -> ToleranceStudy:
     """Spread of transfer functions and accuracy by manufacturing scatter, and which tolerance matters most.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 import acoustic_fem
 import localize
@@ -17,7 +17,7 @@ from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.calibration.manifest import read_manifest
 from acoustic_fem.calibration.measured_library import calibrate
 from acoustic_fem.calibration.model_updating import update
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
@@ -59,7 +59,7 @@ def calibrate_sensor(
     out: PathLike,
     *,
     fidelity: str = ONE_DESIGN,
-    frequency: ArrayLike | str = CALIBRATION_FREQUENCIES,
+    frequency: FrequencyLike = CALIBRATION_FREQUENCIES,
     tolerances: PathLike | Sequence[Tolerance] | None = None,
     air: LocalAir | None = None,
     display: Display | None = None,

@@ -29,6 +29,7 @@ from acoustic_fem.calibration.fitted_model import PartScatter
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import noise_density, response
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
 from acoustic_fem.quantities.local_air import design_air, standard_pressure
 from acoustic_fem.quantities.medium import Medium
@@ -204,18 +205,19 @@ class Rig:
         self.hidden = _relaxing(self.hidden, abs(float(steeper)) * scatter.slope)
         self.medium = Medium.at(air.temperature + warmer, air.humidity, pressure)
 
-    def transfer_function(self, frequency: Array) -> Complex:
+    def transfer_function(self, frequency: FrequencyLike) -> Complex:
         """Transfer functions that recordings without noise give: microphones with their gains and high-passes.
 
         Args:
-            frequency: (n_freq,) float64, Hz, 0.4 to 160.
+            frequency: (n_freq,) Hz, 0.4 to 160, or FIRST:LAST:COUNT.
 
         Returns:
             (n_point, n_microphone, n_freq) complex128, Pa/Pa, by the nominal microphone's response.
         """
-        check_range("frequency", float(np.min(frequency)), _NODES[0], _NODES[-1], "Hz")
-        check_range("frequency", float(np.max(frequency)), _NODES[0], _NODES[-1], "Hz")
-        level, phase = self._curves(np.log(frequency))
+        grid = frequencies(frequency)
+        for value in (grid.min(), grid.max()):
+            check_range("frequency", float(value), _NODES[0], _NODES[-1], "Hz")
+        level, phase = self._curves(np.log(grid))
         return np.asarray(np.exp(level + 1j * phase))
 
     @cached_property

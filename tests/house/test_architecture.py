@@ -128,6 +128,29 @@ FAULTS: dict[str, tuple[Rule, dict[str, str], str]] = {
         {"acoustic_fem/air/__init__.pyi": "from .wind import wind as wind\n"},
         "acoustic_fem.air.wind is public and a module",
     ),
+    "an argument of another name": (
+        house_rules.one_form_of_arguments,
+        {"acoustic_fem/air/wind.py": "def breeze(medium): ...\n"},
+        "acoustic_fem.air.breeze(medium=) is called air elsewhere",
+    ),
+    "a grid that takes no text": (
+        house_rules.one_form_of_arguments,
+        {
+            "geometry/upper/wall.py": "from geometry.ground import Stone\n\nclass Wall(Stone):\n"
+            "    def sound(self, frequency: ArrayLike): ...\n"
+        },
+        "geometry.upper.Wall.sound(frequency: ArrayLike) is FrequencyLike elsewhere",
+    ),
+    "an air of another type": (
+        house_rules.one_form_of_arguments,
+        {"acoustic_fem/air/wind.py": "def breeze(*, air: Medium = None): ...\n"},
+        "acoustic_fem.air.breeze(air: Medium) is AirLike elsewhere",
+    ),
+    "another default": (
+        house_rules.one_form_of_arguments,
+        {"acoustic_fem/air/wind.py": "def breeze(microphone_noise: float = 1e-3): ...\n"},
+        "acoustic_fem.air.breeze(microphone_noise=0.001) has the default 'design' elsewhere",
+    ),
 }
 
 

@@ -171,13 +171,13 @@ BODIES = {
     "accuracy": {"accuracy": np.nan},
     "accuracy in words": {"accuracy": "fine"},
     "fidelity": {"fidelity": "lumped"},
-    "no gas": {"medium": None},
+    "no gas": {"air": "thin"},
 }
 
 
 @pytest.mark.usefixtures("no_meshing")
 def test_a_bad_body_of_air_is_refused_by_name_before_any_work():
-    good = {"solid": BOX, "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "medium": AIR}
+    good = {"solid": BOX, "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "air": AIR}
     cases = {name: partial(solid.port_admittance, **{**good, **change}) for name, change in BODIES.items()}
     check_messages(Path(__file__).with_name("bodies.txt"), cases)
 

@@ -74,7 +74,7 @@ def test_a_case_that_cannot_be_timed_stops_no_plan(monkeypatch: pytest.MonkeyPat
 
 def test_costly_cases_are_worth_workers(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cost, "cores", lambda: 4)
-    assert [cost.team_size(seconds) for seconds in (1.0, 20.0, 60.0, 1e5)] == [1, 1, 4, 4]
+    assert [cost.team_size(seconds) for seconds in (1.0, 10.0, 60.0, 1e5)] == [1, 1, 4, 4]
     monkeypatch.setattr(cost, "cores", lambda: 1)
     assert cost.team_size(1e5) == 1
 
