@@ -109,7 +109,7 @@ def read_bytes(path: str | os.PathLike[str], what: str, refusal: type[Refusal], 
 
 
 def check_own_file(path: Path, what: str, refusal: type[Refusal]) -> None:
-    """Refuse to write on in anything but an ordinary file, also a link, which may lead to another's. The file may be new.
+    """Refuse to write on in anything but an ordinary or new file, also in a link, which may lead to another's.
 
     Args:
         path: the file.

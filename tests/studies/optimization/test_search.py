@@ -368,7 +368,10 @@ def test_the_messages_of_searches() -> None:
 
 BEGUN = '{"op_code": 0, "worker_id": "a", "study_name": "acoustic-fem", "directions": [1]}\n'
 TRIAL = '{"op_code": 4, "worker_id": "a", "study_id": 0, "datetime_start": "2026-01-01T00:00:00"}\n'
-SET = '{"op_code": 5, "worker_id": "a", "trial_id": 0, "param_name": "x", "param_value_internal": 1, "distribution": "%s"}\n'
+SET = (
+    '{"op_code": 5, "worker_id": "a", "trial_id": 0, "param_name": "x", "param_value_internal": 1, '
+    '"distribution": "%s"}\n'
+)
 LINES = {
     "an operation that there is not": '{"op_code": 99}\n',
     "an operation below 0": '{"op_code": -1}\n',
