@@ -112,7 +112,7 @@ class SensorFit:
 
     @property
     def _consequence(self) -> str:
-        """What the misfit means for the points, by its size."""
+        """Consequence of the misfit for the points, by its size."""
         if self.trust > 0.5:
             return "some points may be wrong"
         return "many points are wrong" if self.trust > 0.1 else "the points mean nothing"
@@ -316,7 +316,7 @@ class _FaultSearch:
     def _refined(
         self, name: str, kind: FaultOfConnection, amounts: Sequence[float], steps: Sequence[float], frames: Array
     ) -> ConnectionFault:
-        """Fault of a microphone of the amount at which frames are explained best; 0 if that is none.
+        """Fault of a microphone of the amount at which frames are explained best; 0 if nothing is better.
 
         Args:
             name: of the microphone.
