@@ -120,7 +120,7 @@ class _Reader:
         try:
             return next(csv.reader([line], delimiter=self._separator, strict=True))
         except csv.Error as error:
-            raise self._fault(f"is no row of a table: {error}", field=f"line {number}") from None
+            raise self._fault(f"cannot be read as a row of a table: {error}", field=f"line {number}") from None
 
     def _numbers(self, line: int, row: list[str], names: list[str]) -> list[float]:
         """Values of a row; not a number where a column without a name is empty."""

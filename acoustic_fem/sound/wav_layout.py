@@ -24,9 +24,7 @@ _COUNTED_IN = 9
 #: Names of chunks of samples, formats and what recorders add, to tell a chunk from samples.
 _NAMES = frozenset(
     b"fmt |data|fact|LIST|INFO|bext|iXML|JUNK|junk|PAD |FLLR|PEAK|cue |plst|labl|note|smpl|inst|ID3 |id3 |ds64|axml|"
-    b"chna|cart|aXML|umid|minf|elm1|regn|olym|acid|strc|levl|link|Fake|afsp|DISP|_PMX|SAUR|SNDM|TIME|wamd|guan".split(
-        b"|"
-    )
+    b"chna|cart|aXML|umid|minf|elm1|regn|olym|acid|strc|link|Fake|afsp|DISP|_PMX|SAUR|SNDM|TIME|wamd|guan".split(b"|")
 )
 
 
@@ -41,7 +39,7 @@ class WavLayout:
     pieces: list[tuple[int, int]] = field(default_factory=list)
     """First byte and number of bytes of each piece of the samples."""
     notes: list[str] = field(default_factory=list)
-    """What is not true in the header, each as a clause that follows the name of the file."""
+    """Faults of the header, each as a clause that follows the name of the file."""
     is_regular: bool = True
     """True if a reader that believes the header finds all samples."""
 

@@ -1,4 +1,4 @@
-"""A recording with wrongly connected microphones: the fault is found, and touches are right once it is corrected."""
+"""Recordings of microphones that are connected wrongly: the fault is found, and touches are right once corrected."""
 
 from __future__ import annotations
 
