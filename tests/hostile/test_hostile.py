@@ -71,7 +71,7 @@ def test_texts_that_are_wrong_are_refused_by_whoever_reads_them(tmp_path: Path) 
     tried = 0
     for case in all_cases():
         name = _read_file(case)
-        if case.group not in ("bombs", "wrong TOML") or not name:
+        if case.group not in ("bombs", "wrong TOML") or case.ending != "refused" or not name:
             continue
         for other, (text, _) in READERS.items():
             (tmp_path / other).write_text(text, encoding="utf-8")
