@@ -54,7 +54,7 @@ def _shapes_in(path: str) -> bytes:
     pieces = []
     for shape in cq.importers.importStep(path).vals():
         if not isinstance(shape, cq.Shape):
-            raise ValueError(f"it holds {type(shape).__name__}, not a shape")
+            raise Refusal(f"it holds {type(shape).__name__}, not a shape", kind=Kind.UNREADABLE)
         held = io.BytesIO()
         shape.exportBin(held)
         pieces += [len(held.getvalue()).to_bytes(_LENGTH, "little"), held.getvalue()]

@@ -15,7 +15,7 @@ from geometry import Kind
 from geometry.ground.process_messages import ChildError
 from geometry.ground.refusal import visible
 from studies.cli import app, terminal_tables
-from studies.cli.surroundings import check_surroundings
+from studies.cli.environment import check_environment
 from studies.cli.terminal_tables import say, show, table_of
 
 CLI = Path(app.__file__).parent
@@ -26,7 +26,7 @@ HIDDEN = ["\x1b[2J", "\x07", "\r", "\x9b8m", "\u202e", "\u2066", "\x7f", "\0", "
 @pytest.mark.parametrize("name", ["COLUMNS", "LINES", "TERMINAL_WIDTH"])
 def test_a_size_that_no_terminal_has_is_passed_over(name: str, size: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(name, size)
-    check_surroundings()
+    check_environment()
     assert name not in os.environ
     assert Console(force_terminal=True).width > 0
 
@@ -34,21 +34,21 @@ def test_a_size_that_no_terminal_has_is_passed_over(name: str, size: str, monkey
 @pytest.mark.parametrize("size", ["1", "80", "10000"])
 def test_a_size_of_a_terminal_is_kept(size: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", size)
-    check_surroundings()
+    check_environment()
     assert Console(force_terminal=True).width == int(size)
 
 
 @pytest.mark.parametrize("backend", ["nonsense", "qtagg", "module://none", " ", "tkagg"])
 def test_the_choice_of_a_window_is_passed_over(backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MPLBACKEND", backend)
-    check_surroundings()
+    check_environment()
     assert os.environ["MPLBACKEND"] == "agg"
 
 
 def test_a_time_of_nonsense_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "soon")
     with refused(Kind.OUT_OF_RANGE, "SOURCE_DATE_EPOCH", "soon"):
-        check_surroundings()
+        check_environment()
 
 
 @pytest.mark.parametrize("hidden", HIDDEN)

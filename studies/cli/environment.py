@@ -12,7 +12,7 @@ _SIZES = ("COLUMNS", "LINES", "TERMINAL_WIDTH")
 _LARGEST = 10_000
 
 
-def check_surroundings() -> None:
+def check_environment() -> None:
     """Ignore sizes of a terminal that no terminal has, and matplotlib's choice of a window: no verb opens one.
 
     Raises:
