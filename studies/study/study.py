@@ -173,7 +173,7 @@ class Study(Shown):
             self.keep, self.precision, self.membranes = file.keep, file.precision, file.membranes
             self.outside = _outside(file.outside, self.fidelity)
         except Refusal as error:
-            raise StudyError.of(error, file=source) from None
+            raise StudyError.of(error, file=source or None) from None
         self._given = file
         self.text = text or self._written()
 

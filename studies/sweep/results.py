@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -24,6 +24,7 @@ from geometry.ground.argument_checks import check_choice, check_range, check_typ
 from geometry.ground.file_checks import check_local, read_bytes
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
+from localize.signals.array_response import ArrayResponse, response_of, response_of_design
 from studies.output.zarr_files import METADATA
 from studies.study.metric_registry import METRICS
 from studies.study.parameter import StudyError
@@ -257,17 +258,11 @@ class Sweep(Shown):
             Refusal: the study has no such case, does not keep libraries, or the case is waiting or failed.
             StudyError: a part of the results is damaged.
         """
-        number = self._checked(number)
+        number, arrays, about = self._computed(number)
         if self.keep != "libraries":
             allowed = "'libraries', in a sweep whose cases have libraries"
             raise Refusal(kind=Kind.MISMATCH, file=self.records.path, field="keep", value=self.keep, allowed=allowed)
-        if self.values["state"][number] != DONE:
-            status, reason = _STATUS[self.values["state"][number]], str(self.values["reason"][number])
-            problem = f"is {status}{': ' * bool(reason)}{reason}"
-            raise Refusal(problem, kind=Kind.NO_RESULT, file=self.records.path, field="case", value=number)
-        first = number - number % self.records.layout.block
-        arrays, about = self._held(first)
-        design, place = self.design(number), number - first
+        design, place = self.design(number), number % self.records.layout.block
         count, grid = design.point_count, self.frequency
         values = {name: whole[place].copy() for name, whole in arrays.items()}
         for name in ("transfer_function", "point_impedance"):
@@ -285,6 +280,84 @@ class Sweep(Shown):
         if fidelity in CLOSED_FORMS:
             provenance["cells"] = acoustic_fem.library.cell_summaries(design, fidelity)
         return acoustic_fem.library.library_from_arrays(design, grid, values, fidelity, design_air(design), provenance)
+
+    # -- for data sets: an array source of localize.datasets --------------------------------------
+    @property
+    def case_numbers(self) -> NDArray[np.int64]:
+        """Numbers of the cases that were computed, ascending; (n,) int64."""
+        return np.flatnonzero(self.done).astype(np.int64)
+
+    @property
+    def parameter_names(self) -> tuple[str, ...]:
+        """Names of the parameters, as :attr:`parameters`."""
+        return self.parameters
+
+    @property
+    def parameter_units(self) -> tuple[str, ...]:
+        """Unit of each parameter; of a text "number of the value", from 0 in the order of the alphabet."""
+        return tuple(
+            "number of the value" if self.values[name].dtype == object else self.units(name) or "1"
+            for name in self.parameters
+        )
+
+    @property
+    def array_sizes(self) -> NDArray[np.int64]:
+        """Number of points and of microphones of each case that was computed; (n, 2) int64."""
+        points = np.zeros(len(self), np.int64)
+        for number, line in enumerate(self.base.lines):
+            points += np.asarray(self.values.get(f"lines.{number}.points", line.points), np.int64)
+        sizes = np.column_stack([points, np.full(len(self), len(self.base.microphones))])
+        return np.asarray(sizes[self.done])
+
+    def parameter_values(self, case: int) -> NDArray[np.float64]:
+        """Values of the parameters of one case, in the units of :attr:`parameter_units`; (n_parameter,) float64."""
+        case = self._checked(case)
+        columns = [self.values[name] for name in self.parameters]
+        return np.array(
+            [
+                np.unique(column.astype(str)).searchsorted(str(column[case]))
+                if column.dtype == object
+                else column[case]
+                for column in columns
+            ],
+            np.float64,
+        )
+
+    def arrays(self, cases: Sequence[int], sound: bool = False) -> list[ArrayResponse]:
+        """Arrays of some cases as data sets take them, of a study that keeps responses or libraries.
+
+        Args:
+            cases: numbers of the cases.
+            sound: whether their response to sound outside is needed, for which the study must keep libraries and the
+                membranes are solved.
+
+        Raises:
+            Refusal: as :meth:`library`.
+        """
+        # In the order of their blocks, because one block is held in memory.
+        found = {case: self._array(case, sound) for case in sorted(set(cases))}
+        return [found[case] for case in cases]
+
+    def _array(self, case: int, sound: bool) -> ArrayResponse:
+        if sound:
+            return response_of(self.library(case))
+        number, arrays, _ = self._computed(case)
+        design = self.design(number)
+        h = arrays["transfer_function"][number % self.records.layout.block][: design.point_count]
+        made = {"sweep": self.attributes["title"], "case": number}
+        return response_of_design(design, np.array(h, np.complex128), self.frequency, design_air(design), made)
+
+    def _computed(self, number: int) -> tuple[int, dict[str, NDArray[np.complex128]], Mapping[int, Mapping[str, Any]]]:
+        """The number of a case whose responses are kept, the responses of its block, and how they were computed."""
+        number = self._checked(number)
+        if self.keep == "metrics":
+            allowed = "'responses' or 'libraries', in a sweep whose cases have transfer functions"
+            raise Refusal(kind=Kind.MISMATCH, file=self.records.path, field="keep", value=self.keep, allowed=allowed)
+        if self.values["state"][number] != DONE:
+            status, reason = _STATUS[self.values["state"][number]], str(self.values["reason"][number])
+            problem = f"is {status}{': ' * bool(reason)}{reason}"
+            raise Refusal(problem, kind=Kind.NO_RESULT, file=self.records.path, field="case", value=number)
+        return number, *self._held(number - number % self.records.layout.block)
 
     def _held(self, first: int) -> tuple[dict[str, NDArray[np.complex128]], Mapping[int, Mapping[str, Any]]]:
         """Responses of the block that begins with a case, and how they were computed; the last one stays in memory."""
