@@ -58,7 +58,8 @@ class Track(Shown):
         figure = new_figure(6.4, 4.4)
         axes = figure.subplots()
         axes.plot(*self.place.T, color="#cccccc", linewidth=1)
-        dots = axes.scatter(*self.place[self.detected].T, c=self.time[self.detected], cmap="viridis", s=14, zorder=2)
+        x, y = self.place[self.detected].T
+        dots = axes.scatter(x, y, c=self.time[self.detected], cmap="viridis", s=14, zorder=2)
         figure.colorbar(dots, ax=axes, label="time  (s)")
         axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")
         return figure
