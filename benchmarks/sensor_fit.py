@@ -47,7 +47,7 @@ def fitted(decoder: TolerantDecoder, recordings: list[NDArray[np.float64]], fact
     for number, signals in enumerate(recordings):
         stream = TouchStream(_Anyhow(decoder), options=StreamOptions(frames=True))
         loud.take(stream.push(signals * factor[:, None], 10**6 * number))
-    found = sensor_fit(decoder, loud.frames)
+    found = sensor_fit(decoder, loud.frames())
     assert found is not None
     return found
 
@@ -64,9 +64,9 @@ class _Anyhow(Locator):
 
 def is_found(fit: SensorFit, microphone: str, level: float) -> bool:
     """True if a level was found to 2 dB; for two microphones, the difference of both."""
-    if fit.off_level is None:
+    if fit.fault is None or fit.fault.kind != "level":
         return False
-    name, found = fit.off_level
+    name, found = fit.fault.microphones[0], fit.fault.amount
     if len(fit.microphones) == 2 and name != microphone:
         found = -found
     return (name == microphone or len(fit.microphones) == 2) and abs(found - level) < 2
@@ -89,7 +89,7 @@ def main() -> None:
                 if decoder.microphones == microphones:
                     fit = fitted(decoder, heard, unchanged)
                     what = "own library accepted" if other == name else "another's library rejected"
-                    rows[what, count].append((fit.warning is None) == (other == name) and fit.off_level is None)
+                    rows[what, count].append((fit.warning is None) == (other == name) and fit.fault is None)
                     print(name, seed, other, fit, flush=True)
             for level in LEVELS:
                 channel = int(random.integers(count))

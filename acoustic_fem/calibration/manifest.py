@@ -3,6 +3,7 @@
 ::
 
     design = "array-2x6"          # a prototype, or a design file beside the manifest
+    response = "reference.csv"    # of the calibration microphone: frequency (Hz), dB and degrees; by default flat
     [channels]                    # of WAV files and matrices, from 1; by default in this order
     reference = 1                 # the calibration microphone at the touched cavity
     A = 2
@@ -11,6 +12,8 @@
     reference = 20.0
     [started_late]                # s by which a channel's recorder started after the others; by default 0
     reference = 0.0123
+    [clock_ppm]                   # by which a channel's recorder samples faster than it states; by default estimated
+    A = 21.5
     [points]
     1 = "point-01.wav"
     2 = {reference = "point-02-cavity.wav", A = "point-02-a.csv", B = "point-02-b.wav"}
@@ -19,13 +22,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, PlainValidator
 from pydantic_core import PydanticCustomError
 
+from acoustic_fem.calibration.reference_response import ReferenceResponse, read_response
 from acoustic_fem.sound.estimate import Estimator
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names, resolve_design
@@ -65,6 +69,8 @@ class _File(BaseModel):
     channels: dict[str, Annotated[int, Field(ge=1, le=1024)]] | None = None
     pascals: dict[str, Annotated[_Number, Field(ge=1e-12, le=1e12)]] = {}
     started_late: dict[str, Annotated[_Number, Field(ge=-60, le=60)]] = {}
+    clock_ppm: dict[str, Annotated[_Number, Field(ge=-1000, le=1000)]] = {}
+    response: Annotated[str, Field(min_length=1)] | None = None
     estimator: Estimator = "H1"
     least_coherence: Annotated[_Number, Field(ge=0, lt=1)] = 0.9
 
@@ -87,6 +93,11 @@ class Manifest:
     """Estimator of the transfer functions."""
     least_coherence: float = 0.9
     """Median over frequency that the coherence of the best microphone of a point must reach."""
+    clock_ppm: Mapping[str, float] = field(default_factory=dict)
+    """Rate of the recorder of a channel above the one that its files state, 1e-6; of channels that are not there it is
+    estimated against the reference."""
+    response: ReferenceResponse | None = None
+    """Response of the calibration microphone; None for a flat one."""
 
 
 def read_manifest(path: Path) -> Manifest:
@@ -107,10 +118,16 @@ def read_manifest(path: Path) -> Manifest:
             field="design",
             remedy="rename the microphone",
         )
-    for field, given in (("channels", file.channels), ("pascals", file.pascals), ("started_late", file.started_late)):
+    by_channel_name: dict[str, Mapping[str, float] | None] = {
+        "channels": file.channels,
+        "pascals": file.pascals,
+        "started_late": file.started_late,
+        "clock_ppm": file.clock_ppm,
+    }
+    for key, given in by_channel_name.items():
         unknown = [name for name in given or {} if name not in names]
         if unknown:
-            raise ManifestError(kind=Kind.UNKNOWN, file=path, field=f"{field}.{unknown[0]}", allowed=names)
+            raise ManifestError(kind=Kind.UNKNOWN, file=path, field=f"{key}.{unknown[0]}", allowed=names)
     channels = file.channels or {name: number for number, name in enumerate(names, 1)}
     if set(channels) != set(names) or len(set(channels.values())) < len(names):
         raise _fault(path, f"must give {', '.join(names)} a number each, all different", field="channels")
@@ -141,4 +158,6 @@ def read_manifest(path: Path) -> Manifest:
         {name: file.started_late.get(name, 0.0) for name in names},
         file.estimator,
         file.least_coherence,
+        {name: file.clock_ppm[name] for name in names if name in file.clock_ppm},
+        None if file.response is None else read_response(path.parent / file.response),
     )

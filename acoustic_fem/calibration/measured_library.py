@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from acoustic_fem.calibration.clock_drift import at_nominal_times, clock_difference
 from acoustic_fem.calibration.manifest import REFERENCE, Manifest
 from acoustic_fem.calibration.model_updating import Update
 from acoustic_fem.calibration.recording_checks import (
@@ -189,22 +190,54 @@ def _point(
     """
     channels, rate, limits = read_point(manifest, number)
     check_signals(channels, rate, limits, float(frequency[-1]))
+    channels = {name: at_nominal_times(values, manifest.clock_ppm.get(name, 0.0)) for name, values in channels.items()}
     channels, rest = _together(channels, rate, manifest.started_late)
     samples = min(len(values) for values in channels.values())
     signals = np.stack([manifest.pascals[name] * values[:samples] for name, values in channels.items()])
     digest = hashlib.sha256(signals.tobytes()).hexdigest()
     signals, notes = _without_hum(signals, rate)
+    signals, drifted = _without_drift(signals, rate, frequency, manifest, number)
+    notes += drifted
     phasor = np.exp(-2j * np.pi * frequency * (rest[1:] - rest[0])[:, None])
     microphones = tuple(manifest.design.microphones)
     check_steady(signals, rate, frequency, microphones)
     found = transfer_estimate(signals[0], signals[1:], rate, frequency, manifest.estimator)
-    whole = TransferEstimate(found.transfer_function * phasor, found.deviation, found.coherence, found.segments)
+    deviation = found.deviation
+    if manifest.response is not None:
+        known = manifest.response.at(frequency)
+        phasor, deviation = phasor * known, deviation * np.abs(known)
+    whole = TransferEstimate(found.transfer_function * phasor, deviation, found.coherence, found.segments)
     check_estimate(whole, microphones, manifest.least_coherence)
     notes += check_against_model(whole, expected, number - 1, frequency, microphones, tuple(manifest.pascals.values()))
     weak = [name for name, row in zip(microphones, whole.coherence, strict=True) if np.median(row) < 0.5]
     if weak:
         notes += (f"coherence of microphone {', '.join(weak)} is below 0.5 at half of the frequencies",)
     return whole, notes, digest
+
+
+def _without_drift(
+    signals: Array, rate: float, frequency: Array, manifest: Manifest, number: int
+) -> tuple[Array, tuple[str, ...]]:
+    """Signals at the times of the reference's clock, and notes on recorders whose clocks differ from it.
+
+    Channels of one file are of one recorder. Where the manifest states a channel's clock, nothing is estimated for it.
+    """
+    files, names = manifest.points[number], list(manifest.design.microphones)
+    notes: tuple[str, ...] = ()
+    corrected = list(signals)
+    for file in dict.fromkeys(files[name] for name in names):
+        own = [name for name in names if files[name] == file and name not in manifest.clock_ppm]
+        rows = [1 + names.index(name) for name in own]
+        drift = clock_difference(signals[[0, *rows]], rate, frequency) if own else 0.0
+        if drift:
+            for row in rows:
+                corrected[row] = at_nominal_times(signals[row], drift)
+            notes += (
+                f"the clock of {', '.join(own)} is {abs(drift):.1f} ppm {'faster' if drift > 0 else 'slower'} than "
+                "that of the reference; this was corrected, or give it as clock_ppm",
+            )
+    shortest = min(len(row) for row in corrected)
+    return np.stack([row[:shortest] for row in corrected]), notes
 
 
 def _together(

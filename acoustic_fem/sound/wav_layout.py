@@ -23,8 +23,8 @@ _UNKNOWN = 0x7FFF0000
 _COUNTED_IN = 9
 #: Names of chunks of samples, formats and what recorders add, to tell a chunk from samples.
 _NAMES = frozenset(
-    b"fmt |data|fact|LIST|INFO|bext|iXML|JUNK|junk|PAD |FLLR|PEAK|cue |plst|labl|note|smpl|inst|ID3 |id3 |ds64|axml|chna|"
-    b"cart|aXML|umid|minf|elm1|regn|olym|acid|strc|levl|link|Fake|afsp|DISP|_PMX|SAUR|SNDM|TIME|wamd|guan".split(b"|")
+    b"fmt |data|fact|LIST|INFO|bext|iXML|JUNK|junk|PAD |FLLR|PEAK|cue |plst|labl|note|smpl|inst|ID3 |id3 |ds64|axml|"
+    b"chna|cart|aXML|umid|minf|elm1|regn|olym|acid|strc|link|Fake|afsp|DISP|_PMX|SAUR|SNDM|TIME|wamd|guan".split(b"|")
 )
 
 
@@ -39,7 +39,7 @@ class WavLayout:
     pieces: list[tuple[int, int]] = field(default_factory=list)
     """First byte and number of bytes of each piece of the samples."""
     notes: list[str] = field(default_factory=list)
-    """What is not true in the header, each as a clause that follows the name of the file."""
+    """Faults of the header, each as a clause that follows the name of the file."""
     is_regular: bool = True
     """True if a reader that believes the header finds all samples."""
 
@@ -61,7 +61,9 @@ class WavLayout:
         del samples[len(samples) - len(samples) % max(self.frame, 1) :]
         chunks = b"fmt " + len(self.format).to_bytes(4, self.order) + self.format
         chunks += b"data" + len(samples).to_bytes(4, self.order) + bytes(samples)
-        return (b"RIFX" if self.order == "big" else b"RIFF") + (4 + len(chunks)).to_bytes(4, self.order) + b"WAVE" + chunks
+        return (
+            (b"RIFX" if self.order == "big" else b"RIFF") + (4 + len(chunks)).to_bytes(4, self.order) + b"WAVE" + chunks
+        )
 
 
 def wav_layout(path: Path, refusal: type[Refusal]) -> WavLayout:
@@ -100,7 +102,9 @@ class _Reader:
             elif name == b"data":
                 found.pieces.append((place, length))
         if len(found.format) < 16 or not found.pieces:
-            raise self._fault("is cut short or not a WAV file: it has no samples; recorders that are stopped at once leave this")
+            raise self._fault(
+                "is cut short or not a WAV file: it has no samples; recorders that are stopped at once leave this"
+            )
         unknown = end - 8 >= _UNKNOWN or end == 8
         if self._size + _COUNTED_IN < end and not unknown and not found.notes:
             raise self._cut(end)
@@ -125,7 +129,8 @@ class _Reader:
             elif place + length > self._size:
                 if not found.pieces:
                     raise self._cut(place + length)
-                self._note(found, "is cut off behind its samples, which are all there and are read")
+                if name in _NAMES:
+                    self._note(found, "is cut off behind its samples, which are all there and are read")
                 return
             yield name, place, length
             place = self._behind(place + length, length, found)
@@ -152,8 +157,8 @@ class _Reader:
             return stated  # a title of the old kind, or room that was not used
         self._note(
             found,
-            f"states {stated} bytes of samples and holds {there}; all are read, because recorders that are cut off leave "
-            "such headers",
+            f"states {stated} bytes of samples and holds {there}; all are read, because recorders that are cut off "
+            "leave such headers",
         )
         return there
 
@@ -177,8 +182,8 @@ class _Reader:
             if name not in _NAMES and not _is_name(name):
                 return False
             place += 8 + length
-            if name == b"data" and place > self._size:
-                return True  # its length is looked at where it is read
+            if place > self._size + 1:
+                return name in _NAMES  # what is missing is looked at where it is read
             place += 0 if self._bytes(place, 4) in _NAMES else length % 2
         return False
 
@@ -205,8 +210,8 @@ class _Reader:
 
     def _cut(self, end: int) -> Refusal:
         return self._fault(
-            f"is cut short: it has {self._size} of {end} bytes; the recorder was stopped, the disk was full, or the copy "
-            "is not whole"
+            f"is cut short: it has {self._size} of {end} bytes; the recorder was stopped, the disk was full, or the "
+            "copy is not whole"
         )
 
     def _fault(self, problem: str, **facts: Any) -> Refusal:
@@ -215,4 +220,9 @@ class _Reader:
 
 def _is_name(name: bytes) -> bool:
     """True for four letters, digits or blanks, of which the first two are no blanks."""
-    return len(name) == 4 and name[:2].isalnum() and all(byte == 32 or chr(byte).isalnum() for byte in name) and name.isascii()
+    return (
+        len(name) == 4
+        and name[:2].isalnum()
+        and all(byte == 32 or chr(byte).isalnum() for byte in name)
+        and name.isascii()
+    )

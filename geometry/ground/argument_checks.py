@@ -18,6 +18,7 @@ from geometry.ground.typed import Array
 
 _MOST_DIGITS = 9  # of a number that counts or numbers something
 
+
 def check_range(
     field: str,
     value: float,

@@ -13,6 +13,7 @@ import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import IO
 
 from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Field, Kind, Refusal, said_by
@@ -30,6 +31,7 @@ _KINDS = {
     stat.S_IFSOCK: "a socket",
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
+    stat.S_IFLNK: "a link",
 }
 
 
@@ -106,6 +108,35 @@ def read_bytes(path: str | os.PathLike[str], what: str, refusal: type[Refusal], 
     return content
 
 
+def check_own_file(path: Path, what: str, refusal: type[Refusal]) -> None:
+    """Refuse to write on in anything but an ordinary or new file, also in a link, which may lead to another's.
+
+    Args:
+        path: the file.
+        what: what it should be, such as ``the log of a sweep``, for messages.
+        refusal: class of the errors.
+
+    Raises:
+        Refusal: of that class.
+    """
+    try:
+        found = stat.S_IFMT(path.lstat().st_mode)
+    except FileNotFoundError:
+        return
+    if found != stat.S_IFREG:
+        problem = f"is {_KINDS.get(found, 'no file')}, not {what}"
+        raise refusal(problem, kind=Kind.EXISTS, file=path, remedy="remove it, or name another place")
+
+
+def open_to_append(path: Path, what: str, refusal: type[Refusal]) -> IO[str]:
+    """A text file opened to write on in it, made where there is none; arguments and errors as for
+    :func:`check_own_file`. A link or a pipe that was put there since is not opened.
+    """
+    check_own_file(path, what, refusal)
+    flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+    return open(os.open(path, flags, 0o666), "a", encoding="utf-8")
+
+
 @contextmanager
 def library_reads(path: str | os.PathLike[str], what: str, refusal: type[Refusal]) -> Iterator[None]:
     """Refuse a file by its name, whatever a library raises while it reads it; around its call and nothing of ours.
@@ -122,6 +153,9 @@ def library_reads(path: str | os.PathLike[str], what: str, refusal: type[Refusal
         yield
     except Refusal:
         raise
+    except MemoryError:
+        problem = f"takes more memory to read than there is; it is damaged, or not {what}"
+        raise refusal(problem, kind=Kind.UNREADABLE, file=path) from None
     except Exception as error:
         raise not_as_written(path, what, refusal, said_by(error)) from None
 

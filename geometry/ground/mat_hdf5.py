@@ -45,7 +45,9 @@ def read_hdf5_mat(path: Path, what: str, refusal: type[Refusal], most_numbers: i
     except ChildError as error:
         said = "it ends what reads it" if error.status is not None else f"it cannot be read in {_PATIENCE:g} s"
     if said.startswith("more"):
-        raise refusal(f"holds more than {most_numbers} numbers, the most that are read", kind=Kind.OUT_OF_RANGE, file=path)
+        raise refusal(
+            f"holds more than {most_numbers} numbers, the most that are read", kind=Kind.OUT_OF_RANGE, file=path
+        )
     if said:
         raise not_as_written(path, what, refusal, said)
     with library_reads(path, what, refusal), h5py.File(path, "r") as file:

@@ -18,8 +18,8 @@ LARGEST_TEXT = 1_000_000
 _DEEPEST = 32  # levels of lists and tables in a file, and parts of a dotted key; designs and studies have five
 #: What no text of a file may hold: controls but for tab and line ends, marks that turn the line, halves of a letter.
 _UNSEEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
-#: Pieces of TOML by which dotted keys are found: remarks, texts, dots, what no dotted key goes across, and the quotes of
-#: a text without an end.
+#: Pieces of TOML by which dotted keys are found: remarks, texts, dots, what no dotted key goes across, and the quotes
+#: of a text without an end.
 _PIECES = re.compile(
     r"""\#[^\n]*|"{3}(?:[^"\\]|\\.|"{1,2}(?!"))*+"{3,5}|'{3}(?:[^']|'{1,2}(?!'))*+'{3,5}|(?P<open>"{3}|'{3})"""
     r"""|"(?:[^"\\\n]|\\[^\n])*+"|'[^'\n]*+'|(?P<dot>\.)|(?P<end>[\n=,{}\[\]"'])""",

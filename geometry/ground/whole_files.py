@@ -39,6 +39,7 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         path.lstat()  # a name that is too long is reported for the file itself, before anything is written
     # Only a part of the name: nothing could be added to a name that is as long as can be.
     beside = path.with_name(f".{path.stem[:40]}.{os.getpid()}{path.suffix}")
+    beside.unlink(missing_ok=True)  # whatever is there, such as a link, which would be followed
     try:
         yield beside
         # Without this a power cut may leave the new name before its content.

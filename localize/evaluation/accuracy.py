@@ -138,8 +138,8 @@ class Evaluation(Shown):
         figure = new_figure(6.4, 5.4)
         axes = figure.subplots()
         percent = 100 * self.confusion / np.maximum(self.confusion.sum(axis=1, keepdims=True), 1)
-        last = len(percent) + 0.5
-        picture = axes.imshow(percent, cmap="Blues", vmin=0, vmax=100, extent=(0.5, last, last, 0.5))
+        first, last = 0.5, len(percent) + 0.5
+        picture = axes.imshow(percent, cmap="Blues", vmin=0, vmax=100, extent=(first, last, last, first))
         figure.colorbar(picture, ax=axes, label="touches of the row's point  (%)")
         axes.set(xlabel="point that was given", ylabel="touched point", title=f"top-1 accuracy {self.top1:.1%}")
         return figure

@@ -59,15 +59,17 @@ class FitOptions:
     """Level from which on a microphone is far off, dB: its own tolerance is 1 dB."""
     latest: int = 100
     """Largest lateness of a channel that is tried, ms, at most :data:`MARGIN`."""
-    late_step: int = 3
+    late_step: int = 2
     """Step of the latenesses that are tried first, ms: half a period of the highest frequency of touches is 5 ms."""
     late_frames: int = 8
     """Number of loud frames that the lateness is looked for with."""
-    late_steps: tuple[float, ...] = (1.5, 0.75, 0.375, 0.1875, 0.09375)
+    late_steps: tuple[float, ...] = (1.0, 0.5, 0.25, 0.125, 0.0625)
     """Steps in which the lateness is looked for then, ms, each around the best so far."""
+    refined: int = 3
+    """Number of the best levels, or latenesses, that are tried first, around each of which finer ones are tried."""
     late: float = 1.5
     """Lateness from which on a channel is late, ms."""
-    falls: float = 2.0
+    falls: float = 1.7
     """Factor by which the residual must fall at least, and to the expected one, when a level or a time is corrected; by
     libraries of other arrays it falls to 6.6 at best (seeds 9100 to 9112)."""
     falls_by_order: float = 1.4
@@ -112,7 +114,7 @@ class SensorFit:
 
     @property
     def _consequence(self) -> str:
-        """What the misfit means for the points, by its size."""
+        """Consequence of the misfit for the points, by its size."""
         if self.trust > 0.5:
             return "some points may be wrong"
         return "many points are wrong" if self.trust > 0.1 else "the points mean nothing"
@@ -138,8 +140,8 @@ class LoudFrames:
         self._options = options
         self._kept: list[tuple[Decision, Array]] = []
         self._waiting: deque[Decision] = deque()
-        self._newest: Array = np.zeros((0, 0))
-        self._time = -np.inf
+        self._newest: Array = np.zeros((0, 0))  # samples up to the time, of the last decision or what passed since
+        self._time = 0.0
 
     def take(self, events: Iterable[object]) -> None:
         """Take what a stream says next, whose decisions carry their samples."""
@@ -148,44 +150,44 @@ class LoudFrames:
                 self._take(event)
 
     def _take(self, event: Decision) -> None:
-        if event.frame is not None and not self._newest.size:
-            self._newest = np.zeros((len(event.frame), FRAME + 2 * MARGIN))
         if not self._newest.size:
-            return
-        passed = round((event.time - self._time) * SAMPLE_RATE) if np.isfinite(self._time) else 0
+            if event.frame is None:
+                return
+            self._newest = np.zeros((len(event.frame), 2 * (FRAME + MARGIN)))
+            self._time = event.time
+        passed = round((event.time - self._time) * SAMPLE_RATE)
         if not 0 <= passed <= FRAME:  # samples were lost, or the device counts anew
-            self._keep_waiting()
+            if self._waiting:
+                self._keep_waiting()
             self._newest[:] = 0.0
             passed = 0
         self._pass(passed)
         self._time = event.time
         if event.frame is not None:
             self._newest[:, -FRAME:] = event.frame
-        if event.state == "touch" and event.frame is not None:
-            self._waiting.append(event)
+            if event.state == "touch":
+                self._waiting.append(event)
+        self._keep_due()
 
     def _pass(self, samples: int) -> None:
         """Let time pass: samples that no decision carries are silence."""
-        while samples:
-            due = self._due()
-            step = samples if due is None else min(samples, max(due, 0))
-            if step:
-                self._newest = np.roll(self._newest, -step, axis=1)
-                self._newest[:, -step:] = 0.0
-                self._time += step / SAMPLE_RATE
-                samples -= step
-            if self._due() == 0:
-                self._keep(self._waiting.popleft(), self._newest.copy())
+        if samples:
+            self._newest = np.roll(self._newest, -samples, axis=1)
+            self._newest[:, -samples:] = 0.0
+            self._time += samples / SAMPLE_RATE
 
-    def _due(self) -> int | None:
-        """Number of samples until the margin after the first waiting frame is there."""
-        if not self._waiting:
-            return None
-        return MARGIN - round((self._time - self._waiting[0].time) * SAMPLE_RATE)
+    def _keep_due(self) -> None:
+        """Keep the waiting frames whose margin behind them is there."""
+        while self._waiting:
+            behind = round((self._time - self._waiting[0].time) * SAMPLE_RATE) - MARGIN
+            if behind < 0:
+                return
+            end = self._newest.shape[1] - behind
+            self._keep(self._waiting.popleft(), self._newest[:, end - FRAME - 2 * MARGIN : end].copy())
 
     def _keep_waiting(self) -> None:
-        if self._waiting:
-            self._pass(MARGIN)
+        self._pass(MARGIN)
+        self._keep_due()
 
     def _keep(self, event: Decision, samples: Array) -> None:
         near = [each for each in self._kept if abs(each[0].time - event.time) < FRAME / SAMPLE_RATE]
@@ -202,7 +204,8 @@ class LoudFrames:
         Returns:
             (n_microphone, 474) float64 each, Pa: 112 samples, the 250 of the frame, and 112 samples.
         """
-        self._keep_waiting()
+        if self._waiting:
+            self._keep_waiting()
         return [samples for _, samples in self._kept]
 
 
@@ -315,7 +318,7 @@ class _FaultSearch:
     def _refined(
         self, name: str, kind: FaultOfConnection, amounts: Sequence[float], steps: Sequence[float], frames: Array
     ) -> ConnectionFault:
-        """Fault of a microphone of the amount at which frames are explained best; 0 if that is none.
+        """Fault of a microphone of the amount at which frames are explained best; 0 if nothing is better.
 
         Args:
             name: of the microphone.
@@ -329,11 +332,12 @@ class _FaultSearch:
             return _typical(self._misfit(ConnectionFault(kind, (name,), amount), frames))
 
         tried = {amount: left(amount) for amount in amounts}
-        for step in steps:
-            best = min(tried, key=lambda each: tried[each])
-            if best == 0:
-                break
-            tried |= {amount: left(amount) for amount in (best - step, best + step)}
+        for begin in sorted(tried, key=lambda each: tried[each])[: self._options.refined]:
+            best = begin
+            for step in steps if begin else ():
+                near = {amount: left(amount) for amount in (best - step, best + step)} | {best: tried[best]}
+                tried |= near
+                best = min(near, key=lambda each: near[each])
         return ConnectionFault(kind, (name,), min(tried, key=lambda each: tried[each]))
 
 

@@ -28,7 +28,7 @@ from studies.cli.options import (
     display_on_stderr,
     noise_choice,
 )
-from studies.cli.terminal_tables import show, show_library, table_of, tell
+from studies.cli.terminal_tables import say, show, show_library, table_of, tell
 from studies.output.call_defaults import MANIFEST, SEED
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
 
@@ -65,7 +65,7 @@ def rig(
     with display_on_stderr() as display:
         made = studies.record_rig(design, out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
-        print(path)
+        say(path)
     tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")
 
 
@@ -108,7 +108,7 @@ def calibrate(
             recordings, out, fidelity=fidelity, frequency=frequencies, tolerances=tolerances, air=air, display=display
         )
     _show_calibration(found)
-    print(found.figure)
+    say(found.figure)
 
 
 def _show_calibration(found: SensorCalibration) -> None:

@@ -10,7 +10,7 @@ import typer
 import studies
 from geometry.ground.refusal import Kind, Refusal, counted
 from studies.cli.options import Noise, display_on_stderr, noise_choice
-from studies.cli.terminal_tables import tell
+from studies.cli.terminal_tables import say, tell
 from studies.output.call_defaults import DATASET_FORMAT, SAMPLES_PER_SHARD, SEED, TOUCHES
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def dataset(
     samples = ", ".join(f"{count:,} {split}" for split, count in made.samples.items())
     kept = f", {made.continued} of them from before" if made.continued else ""
     tell(f"{samples} samples in {counted(made.shards, 'shard')}{kept}; {made.size / 1e6:,.0f} MB")
-    print(made.folder / "README.md")
+    say(made.folder / "README.md")
 
 
 def _shares(field: str, text: str) -> dict[str, float]:

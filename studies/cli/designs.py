@@ -22,6 +22,7 @@ from studies.cli.options import (
     display_on_stderr,
 )
 from studies.cli.terminal_tables import (
+    say,
     show,
     show_check,
     show_fields,
@@ -31,6 +32,7 @@ from studies.cli.terminal_tables import (
     table_of,
     tell,
 )
+from studies.output.folders import as_picture
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Continue although parts overlap.")]
@@ -69,7 +71,9 @@ def check(
     out: Annotated[Path | None, typer.Option(help="JSON file to write the findings to.", show_default=False)] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(help="PNG file to draw the predicted accuracy of each point in.", show_default=False),
+        typer.Option(
+            help="File to draw the predicted accuracy of each point in: .png, .pdf or .svg.", show_default=False
+        ),
     ] = None,
 ) -> None:
     """Validate a design and predict how well it will work.
@@ -90,7 +94,7 @@ def check(
         found = studies.check_design(design, out, picture=picture, display=display)
     show_check(found)
     if picture is not None:
-        print(picture)
+        say(as_picture(picture))
     if found.error is not None:
         raise found.error
 
@@ -103,7 +107,8 @@ def wiring(
         int, typer.Argument(metavar="POINTS", help="Points on each line, 1 to 1000.", show_default=False)
     ],
     out: Annotated[
-        Path | None, typer.Option(help="PNG file to draw the counts for 2 to MICROPHONES in.", show_default=False)
+        Path | None,
+        typer.Option(help="File to draw the counts for 2 to MICROPHONES in: .png, .pdf or .svg.", show_default=False),
     ] = None,
 ) -> None:
     """Compare how many points a number of microphones can serve, with other wirings.
@@ -125,7 +130,7 @@ def wiring(
         )
     show(table)
     if out is not None:
-        print(out)
+        say(as_picture(out))
 
 
 def solve(
@@ -195,7 +200,7 @@ def parts(
         )
     show_parts(made)
     show_findings(made.printing)
-    print(made.report)
+    say(made.report)
 
 
 def run(
@@ -217,12 +222,12 @@ def run(
     """
     with display_on_stderr() as display:
         result = studies.run_design(design, out, allow_overlaps=allow_overlaps, display=display)
-    print(studies.run.verdict(result))
+    say(studies.run.verdict(result))
     table = table_of("top-1 accuracy", "trained localizer", "Bayes decoder", "tolerance-aware decoder")
     for row in studies.run.accuracy_rows(result):
         table.add_row(row.touches, row.localizer, row.bayes, row.tolerant)
     show(table)
-    print(f"{out / 'report.html'}")
+    say(f"{out / 'report.html'}")
 
 
 def verify(

@@ -15,7 +15,8 @@ from rich.console import Console
 import acoustic_fem
 import localize
 import studies
-from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.argument_checks import whole_number
+from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
 from studies.cli.options import Altitude, Model, Pressure, Temperature, channel_map, noise_choice
 from studies.cli.terminal_tables import show, table_of
@@ -122,7 +123,8 @@ def live(
         raise typer.BadParameter("--device must not be given beside --replay")
     if rate is not None and replay is not None:
         raise typer.BadParameter("--rate must not be given beside --replay, which has its own rate")
-    wanted = int(device) if device is not None and device.isdecimal() else device
+    number = -1 if device is None else whole_number(device)
+    wanted = device if number < 0 else number
     source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate)
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
@@ -194,4 +196,4 @@ def _print_summary(summary: LiveSummary) -> None:
         *([] if summary.warning is None else [f"warning: {summary.warning}"]),
         *summary.recordings,
     ):
-        print(line, file=sys.stderr)
+        print(in_one_line(str(line)), file=sys.stderr)

@@ -159,7 +159,11 @@ def locate(
     ] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.png", help="Picture to draw of the signals and the touches.", show_default=False),
+        typer.Option(
+            metavar="FILE.png",
+            help="Picture to draw of the signals and the touches: .png, .pdf or .svg.",
+            show_default=False,
+        ),
     ] = None,
     full_scale: FullScale = None,
     noise: DecoderNoise = None,
@@ -220,7 +224,7 @@ def locate(
 
 
 def _consequence(found: LocatedTouches) -> str:
-    """What was done about a sensor that does not fit, as a clause after the warning."""
+    """Measures against a sensor that does not fit, as clauses after the warning."""
     corrected = "; this was corrected before the touches were located" if found.corrected else ""
     lowered = "; probabilities were lowered" if found.trust < 1 else ""
     if found.fault is not None and not found.corrected:
@@ -301,7 +305,11 @@ def track(
     out: Annotated[Path, typer.Option(help="CSV file for a row per 16 ms of each path.", show_default=False)],
     picture: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.png", help="Picture to draw of the paths on the array.", show_default=False),
+        typer.Option(
+            metavar="FILE.png",
+            help="Picture to draw of the paths on the array: .png, .pdf or .svg.",
+            show_default=False,
+        ),
     ] = None,
     radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm; a stylus has 0.5.")] = MOVING,
     full_scale: FullScale = None,
@@ -350,7 +358,11 @@ def pulse(
     out: Annotated[Path | None, typer.Option(help="CSV file to write the waveform to.", show_default=False)] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.png", help="Picture to draw of the waveform and its waves.", show_default=False),
+        typer.Option(
+            metavar="FILE.png",
+            help="Picture to draw of the waveform and its waves: .png, .pdf or .svg.",
+            show_default=False,
+        ),
     ] = None,
     point: Annotated[
         int | None,

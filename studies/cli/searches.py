@@ -20,7 +20,7 @@ from studies.cli.options import (
     display_on_stderr,
     noise_choice,
 )
-from studies.cli.terminal_tables import show, table_of, tell
+from studies.cli.terminal_tables import say, show, table_of, tell
 from studies.output.call_defaults import BASE_SAMPLES, SEED, SENSORS, STORED_SENSORS
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
@@ -74,7 +74,7 @@ def tolerance(
         )
     _show_scatter(study)
     for file in study.files:
-        print(file)
+        say(file)
 
 
 def _show_scatter(study: ToleranceStudy) -> None:
@@ -143,10 +143,10 @@ def optimize(
         found = studies.optimize(study, out, workers=workers, scheduler=scheduler, display=display)
     result = found.result
     _show_front(found.problem, (result.base, *result.front[:_SHOWN]))
-    print(f"{counted(len(result.candidates), 'design')} computed, {sum(count for _, count in result.refused)} refused, "
+    say(f"{counted(len(result.candidates), 'design')} computed, {sum(count for _, count in result.refused)} refused, "
           f"{len(result.front)} on the front")  # fmt: skip
     for file in found.files:
-        print(file)
+        say(file)
 
 
 def _show_front(problem: Optimization, rows: tuple[Candidate, ...]) -> None:

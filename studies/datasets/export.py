@@ -25,7 +25,7 @@ from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import read_bytes
 from geometry.ground.record import sha256
 from geometry.ground.refusal import Field, Kind, Refusal, counted
-from geometry.ground.text_files import read_text
+from geometry.ground.text_files import parse_json, read_text
 from geometry.ground.typed import PathLike
 from geometry.ground.whole_files import write_text
 from localize.datasets.array_source import ArraySource, source_of
@@ -40,9 +40,8 @@ from studies.datasets.data_card import data_card
 from studies.datasets.shard_files import FORMATS, ZarrShards, writer_of
 from studies.output.call_defaults import DATASET_FORMAT, SAMPLES_PER_SHARD, SEED, TOUCHES
 from studies.output.display import Display
-from studies.output.folders import check_folder, write_json
+from studies.output.folders import check_folder, claimed_folder, write_json
 from studies.output.frequencies import LIBRARY_FREQUENCIES
-from studies.output.sole_writer import sole_writer_of
 
 #: Files of a data set beside its shards.
 DESCRIPTION, SUMS, CARD = "dataset.json", "SHA256SUMS", "README.md"
@@ -123,7 +122,7 @@ def export_dataset(
         ambient=ambient,
     )  # fmt: skip
     request = _request(parts, file_format, samples_per_shard, shares, licence)
-    with sole_writer_of(folder, "dataset", Refusal), (display or Display()).stage("dataset") as report:
+    with claimed_folder(folder, "dataset", DESCRIPTION), (display or Display()).stage("dataset") as report:
         _claim(folder, request)
         sums = _written(folder)
         total = sum(math.ceil(len(data) / samples_per_shard) for data in parts.values())
@@ -236,7 +235,7 @@ def _claim(folder: Path, request: Mapping[str, Any]) -> None:
     described = folder / DESCRIPTION
     if described.exists():
         try:
-            found = json.loads(read_text(described, "a description of a data set", Refusal))
+            found = parse_json(read_text(described, "a description of a data set", Refusal), str(described), Refusal)
         except ValueError:
             found = None
         if not isinstance(found, dict):

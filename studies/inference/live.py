@@ -54,8 +54,10 @@ class LiveInput:
         if self.rate is not None:
             check_range("rate", self.rate, LOWEST_RATE, HIGHEST_RATE, "Hz", whole=True)
             if self.replay is not None:
-                problem = ("must not be given beside ", Field("replay"), ", which has its own")
-                raise Refusal(problem, kind=Kind.CONFLICT, field="rate")
+                remedy = "a recording is played at its own rate"
+                raise Refusal(
+                    ("must not be given beside ", Field("replay")), kind=Kind.CONFLICT, field="rate", remedy=remedy
+                )
         check_full_scale(self.full_scale)
 
     def open(self, microphones: tuple[str, ...]) -> Source:

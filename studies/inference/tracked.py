@@ -23,7 +23,7 @@ from localize.tracking.path import Track
 from localize.tracking.path_gestures import Gesture, gesture_of
 from localize.tracking.signal_track import tracks_of
 from studies.output.figure_style import figure_in_style, line_colours, save_figure
-from studies.output.folders import check_new_file, is_own_table
+from studies.output.folders import check_new_file, is_own_table, new_picture
 
 #: Columns of the table.
 COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "detected")
@@ -59,7 +59,7 @@ def track_recording(
         library: of the array, with a design: a path, a library or an open model.
         recording: see :func:`localize.read_recording`.
         out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
-        picture: of the paths on the array, ``.png``; an earlier one is replaced.
+        picture: of the paths on the array, ``.png`` by default; an earlier one is replaced.
         contact_radius_mm: of the contact, mm, 0.05 to 100.
         full_scale: as of :func:`studies.locate_recording`.
         decoding: how signals are read.
@@ -68,11 +68,11 @@ def track_recording(
     Raises:
         Refusal: a file that cannot be written or read, no library, or a radius out of range.
     """
-    table, drawn = (None if each is None else Path(each) for each in (out, picture))
+    table = None if out is None else Path(out)
     reads = (*files_of(library), recording)
     kept = None if table is None or is_own_table(table, COLUMNS) else "a table that does not come from track"
     check_new_file(table, ".csv", reads=reads, kept=kept)
-    check_new_file(drawn, ".png", reads=reads, option="picture")
+    drawn = new_picture(picture, reads=reads, option="picture")
     check_sound_there(recording)
     model = opened_as_designed(library, decoding)
     tracker, array = model.tracker(contact_radius_mm), model.locator.array

@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.file_checks import check_own_file, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
-from geometry.ground.refusal import Kind
+from geometry.ground.refusal import Kind, said_by
 from geometry.ground.whole_files import temporary_folder
 from studies.study.differences import other_table
 from studies.study.parameter import StudyError
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 JOURNAL = "trials.journal"
 """Name of the file of the trials in the folder of an optimisation."""
 _SEAL = "trials.seal"
+_LOCK = f"{JOURNAL}.lock"  # Optuna's own; it waits without end for one that is a link to nothing
 _KIND = "search 2"
 _LARGEST = 2_000_000_000
 """Most bytes of a journal; a trial has about a thousand."""
@@ -45,11 +46,13 @@ class Seal:
 
 def journal_exists(out: Path) -> bool:
     """True if a folder holds trials."""
-    return os.path.isfile(out / JOURNAL)
+    return os.path.lexists(out / JOURNAL)
 
 
 def opened(out: Path, directions: Directions, identity: dict[str, Any], atlas: str) -> optuna.Study:
     """The trials of a folder, to be continued; a line that a kill left half written is cut off.
+
+    The caller holds the folder: :func:`studies.output.sole_writer.sole_writer_of`.
 
     Args:
         out: the folder; it must exist.
@@ -61,7 +64,9 @@ def opened(out: Path, directions: Directions, identity: dict[str, Any], atlas: s
         StudyError: the journal is damaged, or holds the trials of another problem or of another table.
     """
     path = out / JOURNAL
-    if path.is_file():
+    (out / _LOCK).unlink(missing_ok=True)  # of a search that was killed: nobody else writes here, as the caller sees to
+    if os.path.lexists(path):
+        check_own_file(path, "the journal of a search", StudyError)
         read_seal(out)
         whole = path.read_bytes().rfind(b"\n") + 1
         if whole < path.stat().st_size:
@@ -119,7 +124,7 @@ def read_seal(out: Path) -> Seal:
 
 def _stated(out: Path) -> Seal:
     """The seal as it stands on disk."""
-    if not (out / _SEAL).is_file():
+    if not os.path.lexists(out / _SEAL):
         return Seal()
     length, digest, unprintable = json.loads(read_record(out / _SEAL, _KIND, JOURNAL, StudyError))
     return Seal(length, digest, dict(unprintable))
@@ -134,13 +139,18 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
     import optuna
     from optuna.storages.journal import JournalFileBackend
 
-    with library_reads(path, "the journal of a search", StudyError):  # lines of others, beyond what was sealed
+    try:
         return optuna.create_study(
             storage=optuna.storages.JournalStorage(JournalFileBackend(str(path))),
             study_name="acoustic-fem",
             directions=directions,
             load_if_exists=True,
         )
+    except (OSError, MemoryError):
+        raise
+    except Exception as error:  # at lines of others, beyond what was sealed
+        problem = f"is not the journal of a search: {type(error).__name__}: {said_by(error)}"
+        raise StudyError(problem, kind=Kind.UNREADABLE, file=path) from None
 
 
 def _check_owner(path: Path, of_whom: object, identity: dict[str, Any]) -> None:

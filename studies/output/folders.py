@@ -18,8 +18,9 @@ from typing import Any
 
 import acoustic_fem
 from geometry.ground.extras import check_extras
-from geometry.ground.file_checks import check_local, read_bytes
-from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.file_checks import check_local, ordinary_file, read_bytes
+from geometry.ground.refusal import Field, Kind, Refusal, said_by
+from geometry.ground.stated_times import stopped_time
 from geometry.ground.text_files import LARGEST_TEXT, read_text
 from geometry.ground.whole_files import leftovers, write_text
 from studies.output.sole_writer import sole_writer_of, sole_writer_of_file
@@ -34,6 +35,9 @@ RESULTS = ("library.nc", "parts", "localizer", "figures")
 REPORT = ("report.html", "results.json")
 MANIFEST = "MANIFEST.json"
 
+
+PICTURES = (".png", ".pdf", ".svg", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".eps", ".ps")
+"""Suffixes of the formats of pictures."""
 
 Files = Iterable[str | os.PathLike[str] | None]
 """Files and folders that a call reads; None for one that is not given."""
@@ -98,7 +102,7 @@ def check_new_file(
     if path is None:
         return
     check_local(path, field=option)
-    if path.suffix == ".png":
+    if path.suffix.lower() in PICTURES:
         check_extras(f"what draws {path}", "plots")
     if path.is_dir():
         raise Refusal("must be a file, not a folder", kind=Kind.EXISTS, file=path, field=Field(option))
@@ -115,6 +119,63 @@ def check_new_file(
         problem = f"must lie in a folder that exists; there is no {path.parent}"
         raise Refusal(problem, kind=Kind.MISSING, file=path, field=Field(option))
     _check_writable(path, path.parent, option)
+
+
+def as_picture(path: str | os.PathLike[str], option: str = "out") -> Path:
+    """Path of the file of a picture: a name without a suffix gets ``.png``.
+
+    Args:
+        path: of the file.
+        option: name of the argument by which it was given.
+
+    Raises:
+        Refusal: its suffix is not that of a format of pictures.
+    """
+    path = Path(path)
+    if path.is_dir():
+        return path
+    if not path.suffix:
+        path = path.with_name(f"{path.name}.png")
+    if path.suffix.lower() not in PICTURES:
+        allowed = f"a picture, which ends in {', '.join(PICTURES[:-1])} or {PICTURES[-1]}"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field(option), allowed=allowed)
+    return path
+
+
+def new_picture(
+    path: str | os.PathLike[str] | None, *, reads: Files = (), option: str = "out", kept: str | None = None
+) -> Path | None:
+    """Path of a picture that can be drawn and written, as of :func:`as_picture`; None where none is asked for.
+
+    Arguments are those of :func:`check_new_file`.
+
+    Raises:
+        Refusal: as :func:`as_picture` and :func:`check_new_file`, or :func:`check_drawing`.
+    """
+    if path is None:
+        return None
+    drawn = as_picture(path, option)
+    check_new_file(drawn, drawn.suffix.lower(), reads=reads, option=option, kept=kept)
+    check_drawing()
+    return drawn
+
+
+def check_drawing() -> None:
+    """Refuse to draw where matplotlib does not start or write, because of what is around it.
+
+    Raises:
+        Refusal: ``MPLBACKEND`` or ``SOURCE_DATE_EPOCH`` has a wrong value, or a matplotlibrc cannot be read.
+    """
+    stopped_time()
+    for path in ("matplotlibrc", os.environ.get("MATPLOTLIBRC", "")):  # matplotlib would wait for a pipe without end
+        if os.path.exists(path) and not os.path.isdir(path) and path != os.devnull:
+            ordinary_file(path, "a matplotlibrc", Refusal, LARGEST_TEXT)
+    try:
+        import matplotlib as mpl  # noqa: F401
+    except ValueError as error:
+        field = "MPLBACKEND" if "backend" in str(error) else "matplotlibrc"
+        problem = f"keeps matplotlib from starting: {said_by(error)}"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field=field) from None
 
 
 def is_own_table(path: Path, columns: Sequence[str]) -> bool:
@@ -189,7 +250,7 @@ def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files
 
 
 def _unfinished(folder: Path, marks: Iterable[str]) -> Iterator[Path]:
-    """What a call leaves in a folder that is killed before, or while, it writes one of the marks."""
+    """Files and folders of a call that was killed before it had written one of the marks, or while it wrote one."""
     for mark in marks:
         yield from leftovers(folder / mark)
         if (fresh := _beside_list(folder, mark)).is_dir():
@@ -200,10 +261,10 @@ def _unfinished(folder: Path, marks: Iterable[str]) -> Iterator[Path]:
 def claimed_folder(path: Path, maker: str, *marks: str, reads: Files = ()) -> Iterator[None]:
     """A folder to which nobody else writes while the block runs; arguments and errors as for :func:`check_folder`.
 
-    What a call that was killed left half written is removed.
+    Files that a killed call left half written are removed.
 
     Raises:
-        Refusal: another process is writing to it, too.
+        Refusal: as there, or another process is writing to it.
     """
     check_folder(path, maker, *marks, reads=reads)
     with sole_writer_of(path, maker, Refusal):

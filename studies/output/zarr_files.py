@@ -169,6 +169,7 @@ class ZarrFiles:
                 continue
             path.parent.mkdir(parents=True, exist_ok=True)
             beside = path.with_name(f"{path.name}.partial")
+            beside.unlink(missing_ok=True)  # whatever is there, such as a link, which would be followed
             beside.write_bytes(content)
             os.replace(beside, path)
 

@@ -42,7 +42,7 @@ from localize.signals.stimulus import BAND
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import worst_heard
 from studies.output.display import Display, Report
-from studies.output.folders import check_new_file, write_json
+from studies.output.folders import check_new_file, new_picture, write_json
 from studies.run.quality import DesignQuality, design_quality, draw_quality
 from studies.run.validity import Validity, model_validity
 
@@ -205,7 +205,7 @@ def check_design(
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
         out: a JSON file for all findings; an earlier one is replaced.
-        picture: a PNG file for the array in plan, each point coloured by its predicted accuracy.
+        picture: a file, ``.png`` by default, for the array in plan, each point coloured by its predicted accuracy.
         quality: whether to predict how good it is: :func:`studies.run.design_quality`; with a picture in any case.
         display: shows what is being done.
 
@@ -213,10 +213,10 @@ def check_design(
         Refusal: no such design, a part cannot be built, the membrane's proportions are outside what can be solved, a
             file cannot be written, or a picture is asked for of a design with one point or microphone.
     """
-    path, drawn = None if out is None else Path(out), None if picture is None else Path(picture)
+    path = None if out is None else Path(out)
     design = resolve_design(design)
     check_new_file(path, ".json")
-    check_new_file(drawn, ".png", option="picture")
+    drawn = new_picture(picture, option="picture")
     if drawn is not None:
         check_extras("what judges points", "train")
     judge = drawn is not None or (quality and is_installed("train"))

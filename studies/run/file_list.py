@@ -49,7 +49,7 @@ class _Listed(NamedTuple):
     digest: str
 
 
-def write_manifest(folder: Path, names: Sequence[str]) -> None:
+def write_file_list(folder: Path, names: Sequence[str]) -> None:
     """Write ``MANIFEST.json``: size and SHA-256 of files of a run.
 
     Args:

@@ -45,7 +45,7 @@ from studies.output.display import Display, Report
 from studies.output.figure_style import crop_picture
 from studies.output.folders import DESIGN, MARK, REPORT, RESULTS, claim_folder, claimed_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES
-from studies.run.file_list import write_manifest
+from studies.run.file_list import write_file_list
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
@@ -162,7 +162,7 @@ def _run(
     )
     write_results(result, folder / "results.json")
     write_report(result, folder / "report.html")
-    write_manifest(folder, (MARK, DESIGN, *RESULTS, *REPORT))
+    write_file_list(folder, (MARK, DESIGN, *RESULTS, *REPORT))
     return result
 
 

@@ -26,7 +26,7 @@ from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidel
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, read_completed, write_design
-from geometry.ground.file_checks import read_bytes
+from geometry.ground.file_checks import check_local, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import writing
@@ -147,6 +147,7 @@ class PerturbedLibrary:
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
+        check_local(path)
         self.path = Path(path)
         if not (self.path / _MANIFEST).exists():
             raise Refusal(

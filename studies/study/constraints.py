@@ -88,9 +88,9 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
         return f"_{names.index(name)}"
 
     pieces, end = [], 0
-    for quoted in _TEXT.finditer(text):  # nothing is a name inside quotes
-        pieces += [_NAME.sub(placed, text[end : quoted.start()]), quoted[0]]
-        end = quoted.end()
+    for literal in _TEXT.finditer(text):  # nothing is a name inside quotes
+        pieces += [_NAME.sub(placed, text[end : literal.start()]), literal[0]]
+        end = literal.end()
     pieces.append(_NAME.sub(placed, text[end:]))
     try:
         tree = ast.parse("".join(pieces).strip(), mode="eval").body
@@ -172,7 +172,7 @@ def _number(value: Any) -> float:
     """A value that is to be computed with: Python would also multiply a text, by any number.
 
     Raises:
-        TypeError: it is no number.
+        TypeError: it is not a number.
     """
     if isinstance(value, (int, float)):
         return value

@@ -21,6 +21,7 @@ from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign
 from geometry.design.design_file import read_completed
 from geometry.ground.argument_checks import check_choice, check_range, check_type
+from geometry.ground.file_checks import check_local, read_bytes
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
 from studies.output.zarr_files import METADATA
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
+#: Most bytes of what a store of an older version says of itself.
+_MOST_METADATA = 2**26
 #: Words for the states of a case.
 _STATUS = np.array(["waiting", "done", "failed"], object)
 #: Attributes of the store that say what the results are, for people.
@@ -318,6 +321,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     Raises:
         StudyError: the folder is not the results of a sweep, or they are damaged; names the record, and what to do.
     """
+    check_local(path, StudyError, "results")
     path = Path(path)
     check_sweep(path)
     try:
@@ -355,8 +359,8 @@ def check_sweep(path: Path) -> None:
     if (path / FOLDER).is_dir():
         return
     older = None
-    with suppress(OSError, ValueError, KeyError, TypeError):
-        older = json.loads((path / METADATA).read_bytes())["attributes"][MARK]
+    with suppress(ValueError, KeyError, TypeError, RecursionError):
+        older = json.loads(read_bytes(path / METADATA, "a store", StudyError, _MOST_METADATA))["attributes"][MARK]
     if older in (None, FORMAT):
         raise StudyError(f"is not the results of a sweep: it has no {FOLDER}", kind=Kind.MISMATCH, file=path)
     raise StudyError(

@@ -19,6 +19,7 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.file_checks import open_to_append
 from geometry.ground.refusal import Field, Kind
 from geometry.ground.whole_files import writing
 from studies.output.folders import check_folder
@@ -175,10 +176,10 @@ def sole_writer(path: Path) -> Iterator[IO[str]]:
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f"{path.name}.log")
-    with writing(beside), beside.open("a", encoding="utf-8") as log:
+    with writing(beside), open_to_append(beside, "the log of a sweep", StudyError) as log:
         try:
             hold(log.fileno(), path, "sweep", StudyError)
         except OSError as error:
             problem, remedy = f"cannot be locked ({error.strerror})", (Field("out"), " must be where files can")
-            raise StudyError(problem, kind=Kind.UNREADABLE, file=log.name, remedy=remedy) from None
+            raise StudyError(problem, kind=Kind.UNREADABLE, file=beside, remedy=remedy) from None
         yield log

@@ -187,7 +187,9 @@ def test_a_step_file_cut_short_is_refused_by_its_name(tmp_path, length):
     whole, cut = tmp_path / "whole.step", tmp_path / "cut.step"
     cq.exporters.export(cq.Workplane(BOX), str(whole))
     cut.write_bytes(whole.read_bytes()[:length])
-    with pytest.raises(ValueError, match=r"cut\.step: cut short, damaged or not a STEP file|solid must be one CadQuery shape"):
+    with pytest.raises(
+        ValueError, match=r"cut\.step: cut short, damaged or not a STEP file|solid must be one CadQuery shape"
+    ):
         solid.port_admittance(cut, {"a": (0.5, 0.5, 0)}, [1.0], AIR)
 
 

@@ -51,7 +51,9 @@ def test_the_bytes_that_the_reader_makes_come_back(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("read", [sleep, loop, crash, take_all_memory, recurse, leave])
-def test_a_reader_that_does_not_come_back_is_refused_with_the_file(read: Callable[[str], bytes], tmp_path: Path) -> None:
+def test_a_reader_that_does_not_come_back_is_refused_with_the_file(
+    read: Callable[[str], bytes], tmp_path: Path
+) -> None:
     path = tmp_path / "file.x"
     path.write_bytes(b"12345")
     began = time.monotonic()

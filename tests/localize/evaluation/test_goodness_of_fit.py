@@ -16,8 +16,10 @@ from acoustic_fem.scatter import ScatteredDesign, scatter_factors
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
 from geometry import Kind
 from localize import Decision
-from localize.evaluation.goodness_of_fit import FitOptions, LoudFrames, sensor_fit
+from localize.evaluation.connection_faults import ConnectionFault, earlier
+from localize.evaluation.goodness_of_fit import FAULTY_TRUST, MARGIN, FitOptions, LoudFrames, SensorFit, sensor_fit
 from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import FRAME
 
 GRID = np.arange(1.0, 201.0)
 NOISE = 1e-3
@@ -51,7 +53,7 @@ def heard(response: ArrayResponse, noise: float = NOISE) -> np.ndarray:
 def test_a_sensor_within_its_tolerances_is_not_doubted(decoder: localize.TolerantDecoder, made: ArrayResponse) -> None:
     fit = sensor_fit(decoder, heard(made))
     assert fit is not None
-    assert (fit.warning, fit.off_level) == (None, None)
+    assert (fit.warning, fit.fault, fit.trust) == (None, None, 1.0)
     assert 0.5 < fit.misfit < fit.expected
 
 
@@ -71,12 +73,64 @@ def test_a_microphone_far_off_its_level_is_told_and_by_how_much(
     frames[:, microphone] *= 10 ** (level / 20)
     fit = sensor_fit(decoder, frames)
     assert fit is not None
-    assert fit.off_level is not None
-    name, found = fit.off_level
+    assert fit.fault is not None
+    assert fit.fault.kind == "level"
     # of two microphones only the difference is known
-    assert found if name == decoder.microphones[microphone] else -found == pytest.approx(level, abs=1.5)
+    own = fit.fault.microphones == (decoder.microphones[microphone],)
+    assert (fit.fault.amount if own else -fit.fault.amount) == pytest.approx(level, abs=1.5)
     assert fit.warning is not None
-    assert f"{abs(found):.0f} dB" in fit.warning
+    assert f"{abs(fit.fault.amount):.0f} dB" in fit.warning
+    assert (fit.trust <= FAULTY_TRUST, fit.trust_of(fit.fault)) == (True, 1.0)
+    assert sensor_fit(decoder, fit.fault.corrected(frames, decoder.microphones)).fault is None  # type: ignore[union-attr]
+
+
+def with_margins(response: ArrayResponse) -> np.ndarray:
+    """Loud frames of touches with the samples before and after."""
+    touches = localize.TouchGenerator(response, 3, "evaluation", NOISE).samples(0, 24)
+    return touches.signals[..., -FRAME - 2 * MARGIN :].numpy()
+
+
+@pytest.mark.parametrize("fault", [
+    ConnectionFault("reversed", ("A",)), ConnectionFault("late", ("A",), 0.02), ConnectionFault("late", ("A",), -0.0075)
+], ids=str)  # fmt: skip
+def test_a_fault_of_the_connection_is_found_without_a_calibration(
+    decoder: localize.TolerantDecoder, made: ArrayResponse, fault: ConnectionFault
+) -> None:
+    names = decoder.microphones
+    frames = replace(fault, amount=-fault.amount).corrected(with_margins(made), names)
+    fit = sensor_fit(decoder, frames)
+    assert fit is not None
+    assert fit.fault is not None
+    assert (fit.fault.kind, fit.fault.microphones) == (fault.kind, fault.microphones)
+    assert fit.fault.amount == pytest.approx(fault.amount, abs=1e-3)
+    assert fit.warning is not None
+    assert fit.fault.described(names) in fit.warning
+    right = sensor_fit(decoder, fit.fault.corrected(frames, names))
+    assert right is not None
+    assert (right.fault, right.warning) == (None, None)
+
+
+def test_exchanged_microphones_are_found_once_the_sensor_is_calibrated(made: ArrayResponse) -> None:
+    measured = replace(made, provenance={**made.provenance, "fidelity": MEASURED})
+    known, fault = localize.BayesDecoder(measured, NOISE), ConnectionFault("exchanged", ("A", "B"))
+    fit = sensor_fit(known, fault.corrected(heard(made), ("A", "B")))
+    assert fit is not None
+    assert fit.fault == fault
+
+
+def test_probabilities_are_trusted_the_less_the_worse_the_sensor_fits() -> None:
+    trusts = [SensorFit(misfit, 4.0, ("A", "B")).trust for misfit in (1.0, 4.0, 8.0, 100.0)]
+    assert trusts == pytest.approx([1.0, 1.0, 0.5, 0.04])
+    texts = [SensorFit(misfit, 4.0, ("A", "B")).warning for misfit in (5.0, 20.0, 100.0)]
+    assert len({str(text).split("; ")[0].split(", so ")[1] for text in texts}) == 3
+
+
+@pytest.mark.parametrize("samples", [-3.0, 0.0, 7.0, 12.4, -30.6, 5000.0])
+def test_a_signal_is_moved_by_any_number_of_samples(samples: float) -> None:
+    time = np.arange(1000.0)
+    smooth = np.sin(0.3 * time) * np.exp(-(((time - 500) / 100) ** 2))
+    moved = np.sin(0.3 * (time + samples)) * np.exp(-(((time + samples - 500) / 100) ** 2))
+    assert earlier(smooth, samples) == pytest.approx(moved, abs=1e-6)
 
 
 def test_noise_that_is_louder_than_told_is_no_misfit_once_it_is_measured(
@@ -123,16 +177,36 @@ def test_the_loudest_frames_are_kept_and_none_overlap() -> None:
     random, loud = np.random.default_rng(0), LoudFrames()
     events = [
         Decision(
-            0.016 * k, "touch" if k % 7 else "no touch", float(random.uniform()), 1, 1.0, frame=np.full((2, 250), k)
+            0.016 * k,
+            "touch" if k % 7 else "no touch",
+            float(random.uniform()),
+            1,
+            1.0,
+            frame=np.tile(16.0 * k + np.arange(-249, 1), (2, 1)),  # numbers of the samples
         )
         for k in range(2000)
     ]
     for first in range(0, 2000, 100):
         loud.take([*events[first : first + 100], "anything else"])
-    numbers = sorted(int(frame[0, 0]) for frame in loud.frames)
+    found = loud.frames()
+    numbers = sorted(round(frame[0, MARGIN + FRAME - 1]) // 16 for frame in found)
+    assert {frame.shape for frame in found} == {(2, FRAME + 2 * MARGIN)}
     assert len(numbers) == FitOptions.most
     assert np.diff(numbers).min() * 0.016 >= 0.25
     assert all(number % 7 for number in numbers)
     assert max(events, key=lambda event: event.level if event.state == "touch" else 0.0).time == pytest.approx(
         0.016 * max(numbers, key=lambda number: events[number].level)
     )
+
+
+def test_loud_frames_come_with_the_samples_around_them() -> None:
+    samples = np.random.default_rng(1).standard_normal((2, 3000)) * np.exp(-(((np.arange(3000) - 1500) / 300) ** 2))
+    loud = LoudFrames()
+    ends = range(FRAME, 3001, 16)
+    levels = {end: float(samples[:, end - FRAME : end].std()) for end in ends}
+    for end in ends:
+        frame = samples[:, end - FRAME : end]
+        loud.take([Decision(end / 1000, "touch", levels[end], 1, 1.0, frame=frame)])
+    best = max(levels, key=lambda end: levels[end])
+    around = samples[:, best - FRAME - MARGIN : best + MARGIN]
+    assert any(np.array_equal(each, around) for each in loud.frames())

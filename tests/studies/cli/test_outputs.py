@@ -67,6 +67,7 @@ FOLDERS = {
     "evaluate": "localizer library.nc",
     "bend": "",
     "sweep": "study.toml",
+    "dataset": "library.nc --touches 12",
     "tolerance": "row.toml",
     "optimize": "search.toml",
 }

@@ -80,7 +80,7 @@ def test_no_state_of_a_folder_mixes_two_designs(tmp_path: Path, monkeypatch: pyt
             assert of_design == "one" or not results_left
         else:
             break
-    assert killed_at == 7  # every step was tried
+    assert killed_at == 8  # every step was tried
 
 
 def test_a_folder_is_replaced_only_when_all_went_well(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from geometry.ground.record import SEAL, sealed
 from geometry.ground.refusal import Kind
 from geometry.ground.stated_times import VARIABLE
 from studies.output.folders import MANIFEST
-from studies.run.file_list import verify_run, write_manifest
+from studies.run.file_list import verify_run, write_file_list
 from studies.run.pipeline import run_design
 
 
@@ -27,7 +27,7 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "parts").mkdir()
     (tmp_path / "parts" / "lid.stl").write_bytes(b"solid")
     (tmp_path / "design.toml").write_bytes(b"name = 'row'\n")
-    write_manifest(tmp_path, ("design.toml", "parts"))
+    write_file_list(tmp_path, ("design.toml", "parts"))
     return tmp_path
 
 

@@ -107,6 +107,16 @@ WRONG_PARAMETERS = {
     '"membrane.material" = {from = 1, to = 2, count = 3}': (Kind.WRONG_TYPE, "vary.membrane.material"),
     "": (Kind.MISSING, "vary"),
     '[[together]]\n"tube.length" = [9, 10]\n"tube.inner_diameter" = [0.3, 0.4, 0.5]': (Kind.CONFLICT, "together.0"),
+    '"tube.length" = [9, 10, 9]': (Kind.CONFLICT, "parameters.tube.length"),
+    '"tube.length" = [9, 9.0]': (Kind.CONFLICT, "parameters.tube.length"),
+    '"lines.0.points" = [6, 12, 6]': (Kind.CONFLICT, "parameters.lines.0.points"),
+    '"membrane.material" = ["silicone-shore-a-10", "silicone-shore-a-10"]': (
+        Kind.CONFLICT,
+        "parameters.membrane.material",
+    ),
+    '"tube.length" = {from = 9, to = 10, step = 0.5, count = 9}': (Kind.CONFLICT, "parameters.tube.length"),
+    '"tube.length" = {from = 9, to = 10, count = 5000}': (Kind.CONFLICT, "parameters.tube.length"),
+    '[[together]]\n"tube.length" = [9, 10, 9]\n"tube.inner_diameter" = [0.3, 0.4, 0.3]': (Kind.CONFLICT, "together.0"),
     '"tube.length" = [9]\n[[together]]\n"tube.length" = [9]': (Kind.CONFLICT, "together.0.tube.length"),
 }
 TEXTS = {name: study(name + "\n") for name in WRONG_FIELDS} | {
@@ -124,6 +134,24 @@ def test_a_wrong_field_is_refused_by_name(name: str, text: str) -> None:
 def test_the_messages_of_wrong_studies() -> None:
     calls = {name.replace("\n", " "): partial(read_study, text, "s.toml") for name, text in TEXTS.items()}
     check_messages(Path(__file__).parent / "messages.txt", calls)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ('[parameters]\n"tube.length" = [9, 10, 9.0]\n', 9.0),
+        ('[[together]]\n"tube.length" = [9, 10, 10]\n"tube.inner_diameter" = [0.3, 0.4, 0.4]\n', [10.0, 0.4]),
+    ],
+)
+@pytest.mark.parametrize("head", ["", 'sampling = "random"\ncases = 3\n'])
+def test_values_that_are_there_twice_are_refused_with_the_value(text: str, value: object, head: str) -> None:
+    with refused(Kind.CONFLICT, value=value, error=StudyError):
+        read_study(study(head, text))
+
+
+def test_rows_of_a_group_may_share_values() -> None:
+    rows = '[[together]]\n"tube.length" = [9, 9, 10]\n"tube.inner_diameter" = [0.3, 0.4, 0.4]\n'
+    assert len(cases_of(read_study(study(parameters=rows)))) == 3
 
 
 @pytest.mark.parametrize("base", ["x" * 300, "folder", "/dev/zero", "", "array-9"])

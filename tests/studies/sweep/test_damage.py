@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 from collections.abc import Callable
 from functools import partial
@@ -321,3 +322,54 @@ def test_any_damage_is_refused_or_changes_nothing(study: Study, store: Path, fin
 @pytest.mark.slow
 def test_much_damage_is_refused_or_changes_nothing(study: Study, store: Path, finished: Path) -> None:
     check_damage(study, store, finished, many(100), 2, many(20))
+
+
+def pipe(path: Path) -> None:
+    os.mkfifo(path)
+
+
+def endless(path: Path) -> None:
+    path.symlink_to("/dev/zero")
+
+
+def link(path: Path) -> None:
+    path.symlink_to(path.parent.parent / "another's")
+
+
+NO_LOGS = {"a pipe": pipe, "a device": endless, "a link": link, "a circle": lambda path: path.symlink_to(path)}
+
+
+@pytest.mark.parametrize("what", [*NO_LOGS, "a folder"])
+def test_a_log_that_is_no_file_is_refused_before_it_is_opened(what: str, study: Study, tmp_path: Path) -> None:
+    out = tmp_path / "results.zarr"
+    NO_LOGS.get(what, Path.mkdir)(tmp_path / "results.zarr.log")
+    with refused(Kind.EXISTS, file=tmp_path / "results.zarr.log", error=StudyError):
+        run_sweep(study, out, workers=1)
+    assert not out.exists()
+    assert not (tmp_path.parent / "another's").exists()
+
+
+@pytest.mark.parametrize("make", [pipe, endless])
+@pytest.mark.parametrize(
+    "name", ["records/study", METRICS_3, RESPONSES_2, "zarr.json", "volume/c/3", "volume/zarr.json"]
+)
+def test_what_is_no_file_in_a_store_is_refused_or_made_anew(
+    name: str, make: Callable[[Path], None], study: Study, finished: Path, store: Path
+) -> None:
+    assert (store / name).is_file()
+    (store / name).unlink()
+    make(store / name)
+    if name.startswith("records") and name != RESPONSES_2:
+        with refused(Kind.UNREADABLE, file=store / name, error=StudyError):
+            open_sweep(store)
+    else:
+        assert (open_sweep(store).done | open_sweep(store).failed).all()
+    run_sweep(study, store, workers=1)
+    assert_same_store(store, finished)
+
+
+def test_a_folder_with_a_pipe_for_a_description_is_no_sweep(tmp_path: Path) -> None:
+    (tmp_path / "old.zarr").mkdir()
+    pipe(tmp_path / "old.zarr" / "zarr.json")
+    with refused(Kind.MISMATCH, file=tmp_path / "old.zarr", error=StudyError):
+        open_sweep(tmp_path / "old.zarr")

@@ -108,6 +108,19 @@ def test_the_store_opens_in_xarray_with_units_and_carries_its_study(
     np.testing.assert_array_equal(dataset["tube.length"].values, cases_of(study).columns[1])
 
 
+def test_the_store_and_what_is_read_from_it_can_be_written_as_netcdf(
+    finished: tuple[Path, Summary], tmp_path: Path
+) -> None:
+    for name, dataset in (("store", xr.open_zarr(finished[0])), ("read", open_sweep(finished[0]).dataset)):
+        assert all(isinstance(value, (str, int, float)) for value in dataset.attrs.values())
+        path = tmp_path / f"{name}.nc"
+        dataset.to_netcdf(path, engine="h5netcdf", invalid_netcdf=False)
+        again = xr.open_dataset(path, engine="h5netcdf")
+        assert again.attrs == dataset.attrs
+        np.testing.assert_array_equal(again["distance_smallest"], dataset["distance_smallest"])
+        assert "numpy" in json.loads(again.attrs["libraries"])
+
+
 def test_air_that_differs_from_case_to_case_is_each_cases_own(tmp_path: Path) -> None:
     text = TEXT.split("[vary]")[0].replace("cases = 40", "cases = 5") + (
         '[vary]\n"air.temperature" = [0, 20, 40]\n"tube.length" = {from = 12, to = 20}\n'

@@ -16,6 +16,7 @@ from hostile.commands import Commands
 from localize import TouchGenerator
 from localize.signals.array_response import response_of
 from studies import Rig
+from studies.run.file_list import write_file_list
 from studies.test_rig import Recorder
 from studies.test_rig.rig_touches import TouchSession, record_touches
 
@@ -93,6 +94,7 @@ def make(folder: Path, commands: Commands) -> None:
     rig.record(folder / "calibration", [1, 2, 3], Recorder(seconds=20))
     record_touches(rig, folder / "session", range(1, 4), TouchSession(takes=2, seconds=4.0, parts=("taps",)))
     _write_solids(folder)
+    _write_run(folder / "ran")
 
 
 def _write_touches(folder: Path) -> None:
@@ -109,6 +111,14 @@ def _write_touches(folder: Path) -> None:
     np.savetxt(folder / "touches.csv", table, delimiter=",", header=head, comments="")
     np.savez(folder / "touches.npz", signals=signals, sample_rate=1000.0)
     scipy.io.savemat(folder / "touches.mat", {"signals": signals, "sample_rate": 1000.0})
+
+
+def _write_run(folder: Path) -> None:
+    """Two files of a run with their list."""
+    (folder / "parts").mkdir(parents=True)
+    (folder / "design.toml").write_text('name = "row"\n')
+    (folder / "parts" / "lid.stl").write_bytes(b"solid")
+    write_file_list(folder, ("design.toml", "parts"))
 
 
 def _write_solids(folder: Path) -> None:
