@@ -12,7 +12,6 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-import acoustic_fem
 from acoustic_fem.library.other_air import air_ratio
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.response_plot import Quantity, plot_responses
@@ -20,6 +19,7 @@ from acoustic_fem.library.touch_pressure import touch_flow, touch_response
 from acoustic_fem.quantities.local_air import AirLike, LocalAir, checked_air, design_air, medium_of
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.late import function_above
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
 from geometry.ground.typed import Array, ComplexArray
@@ -191,7 +191,7 @@ class Library(Shown):
             LibraryError: another suffix, a file that cannot be written, or one that is there and is not a library, or
                 a measured one.
         """
-        acoustic_fem.library.export(self, path, folders=True)
+        function_above("acoustic_fem.library.exchange", "export")(self, path, folders=True)
 
     def in_air(
         self,

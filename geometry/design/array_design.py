@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any, Self
 
 from pydantic import ValidationError, model_validator
 
-import geometry
 from geometry.design.changes import changed
 from geometry.design.design_rules import check_consistency
+from geometry.ground.late import function_above
 from geometry.ground.shown import Shown
 from geometry.plan.wiring_graph import check_topology
 from geometry.schema.array_fields import StatedArray
@@ -50,7 +50,8 @@ class ArrayDesign(Shown, StatedArray):
         Raises:
             MissingExtra: matplotlib is not installed.
         """
-        return geometry.pictures.draw_plan(self)
+        figure: Figure = function_above("geometry.layout.plan_drawing", "draw_plan")(self)
+        return figure
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:

@@ -1,4 +1,4 @@
-"""What a study varies, from its fields: parameters on their own or in groups, and the number of cases."""
+"""Parameters of a study from its fields, on their own or in groups, and its number of cases."""
 
 from __future__ import annotations
 

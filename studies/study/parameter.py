@@ -1,4 +1,4 @@
-"""What a study varies: one field of the design, with its values or its range."""
+"""A parameter of a study: one field of the design, with its values or its range."""
 
 from __future__ import annotations
 

@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 import tomlkit
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from acoustic_fem import atlas
 from acoustic_fem.atlas import cell_atlas
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, Fidelity
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.array_design import validated
@@ -74,13 +74,13 @@ class Study(Shown):
     metrics: tuple[str, ...]
     """Names of the metrics to compute, of :data:`studies.study.metric_registry.METRICS`."""
     keep: Keep
-    """What the store holds of each case: "metrics", also its "responses", or everything that "libraries" need."""
+    """Content of the store for each case: "metrics", also its "responses", or everything that "libraries" need."""
     precision: Precision
     """Precision of the responses that are kept, "double" or "single"."""
     membranes: Membranes
     """How many membranes of different proportions are computed: "interpolated" between solutions, or each "solved"."""
     outside: Outside
-    """What becomes of a case outside the atlas: "fail", or it is solved with "navier-stokes"."""
+    """Fate of a case outside the atlas: "fail", or it is solved with "navier-stokes"."""
 
     def __init__(
         self,
@@ -94,7 +94,7 @@ class Study(Shown):
         seed: int = 0,
         constraints: Sequence[str] = (),
         fidelity: str | None = None,
-        frequency: ArrayLike | str = "1:100:64",
+        frequency: FrequencyLike = "1:100:64",
         keep: str = "metrics",
         precision: str = "double",
         membranes: str = "interpolated",
@@ -189,7 +189,7 @@ class Study(Shown):
         return read_study(read_text(path, "a study file", StudyError), str(path), path.parent)
 
     def save(self, path: PathLike) -> None:
-        """Write the study file. A base that is no prototype is written into it, so the file stands alone.
+        """Write the study file. A base that is not a prototype is written into it, so the file stands alone.
 
         Raises:
             StudyError: the name does not end with ``.toml``, or the file cannot be written.
@@ -411,7 +411,7 @@ def _plain(value: Any) -> Any:
 
 
 def _values(value: Any) -> Any:
-    """What is given for a field that varies, as TOML gives it: a pair is a range."""
+    """Values that are given for a field that varies, as TOML gives them: a pair is a range."""
     if isinstance(value, tuple) and len(value) == 2:
         return {"from": _plain(value[0]), "to": _plain(value[1])}
     value = _plain(value)

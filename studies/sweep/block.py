@@ -69,9 +69,9 @@ class Job:
     metrics: tuple[str, ...]
     """Names of the metrics."""
     keep: Keep = "metrics"
-    """What is handed back of each case: "metrics", also its "responses", or everything that "libraries" need."""
+    """Results of a case that are handed back: "metrics", also "responses", or everything that "libraries" need."""
     outside: Outside = "fail"
-    """What becomes of a case outside the atlas: "fail", or "navier-stokes" with the cells that are given."""
+    """Fate of a case outside the atlas: "fail", or "navier-stokes" with the cells that are given."""
     discs: KnownDiscs | None = None
     """Membranes that are interpolated between solved ones; None: all are solved."""
 
@@ -313,7 +313,7 @@ def _alone(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell], n
 def _provenance(
     job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell], fidelity: Fidelity
 ) -> dict[str, Any]:
-    """What a library of the design says of itself, beyond what all cases have in common."""
+    """Provenance of a library of the design, beyond what all cases have in common."""
     about: dict[str, Any] = {}
     if fidelity not in CLOSED_FORMS:
         about["cells"] = [{"cell": key[0].label, **cells[key].summary} for key in cells_of(design)]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,13 +14,30 @@ from studies.study.metric_registry import METRICS
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from studies.sweep.results import Sweep
-
 #: Number of steps of a parameter for its median, and of different values up to which each is a step.
 _STEPS = 10
 
 
-def plot_effects(sweep: Sweep, metric: str) -> Figure:
+class Results(Protocol):
+    """Results of a sweep, as far as they are drawn."""
+
+    @property
+    def values(self) -> Mapping[str, NDArray[Any]]:
+        """Values of parameters and metrics by name, (n_case,) each."""
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the parameters."""
+
+    @property
+    def done(self) -> NDArray[np.bool_]:
+        """True if a case was computed; (n_case,) bool."""
+
+    def units(self, name: str) -> str:
+        """Unit of a variable."""
+
+
+def plot_effects(sweep: Results, metric: str) -> Figure:
     """Figure with a panel for each parameter: the metric of each case against it, and the median along it."""
     rows = sweep.done & np.isfinite(sweep.values[metric])
     names = sweep.parameters
@@ -40,7 +58,7 @@ def plot_effects(sweep: Sweep, metric: str) -> Figure:
     return figure
 
 
-def plot_trade_off(sweep: Sweep, metric: str, against: str) -> Figure:
+def plot_trade_off(sweep: Results, metric: str, against: str) -> Figure:
     """Figure of one metric against another: all cases, and those that no other case beats in both."""
     rows = np.flatnonzero(sweep.done & np.isfinite(sweep.values[metric]) & np.isfinite(sweep.values[against]))
     figure = new_figure(6.4, 4.4)

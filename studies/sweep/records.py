@@ -224,7 +224,10 @@ class Records:
             yield first, min(first + self.layout.block, count)
 
     def padded(self, result: BlockResult) -> dict[str, NDArray[Any]]:
-        """Responses of a block by variable, as the store holds them; NaN where a case failed or has fewer points."""
+        """Responses of a block by variable, as the store holds them, (n_case, ...) float64 or float32.
+
+        NaN stands where a case failed or has fewer points.
+        """
         found: dict[str, NDArray[Any]] = {}
         for name in self.kept:
             for part in PARTS:

@@ -122,7 +122,7 @@ class Sweep(Shown):
 
     @property
     def keep(self) -> str:
-        """What is kept of each case: "metrics", also its "responses", or everything that "libraries" need."""
+        """Results that are kept of each case: "metrics", also its "responses", or everything that "libraries" need."""
         return str(self.records.content["keep"])
 
     @property
