@@ -67,7 +67,8 @@ def write_file_list(folder: Path, names: Sequence[str]) -> None:
 def verify_run(folder: PathLike) -> FolderCheck:
     """Comparison of the folder of a run with its ``MANIFEST.json``: changed, missing and extra files.
 
-    It finds damage and later changes. It does not replace a signature, because a person who can write to the folder can write another list as well.
+    It finds damage and later changes. It does not replace a signature, because a person who can
+    write to the folder can write another list as well.
 
     Args:
         folder: of :func:`studies.run_design`.

@@ -54,6 +54,7 @@ CALLS = {
     "live": "studies.inference.live.listen",
     "bend": "studies.bending_study",
     "sweep": "studies.run_sweep",
+    "dataset": "studies.export_dataset",
     "tolerance": "studies.tolerance_study",
     "optimize": "studies.optimize",
     "report": "studies.sweep_report",

@@ -40,6 +40,8 @@ SWEEP = ("sweep", "study.toml", "--dry-run")
 SEARCH = ("optimize", "search.toml", "--out", "searched", "--workers", "1")
 LOCATE = ("locate", "library.nc", "touches.wav", "--full-scale", "1")
 PICTURE = (*LOCATE, "--picture", "new.png")
+#: Twelve touches, enough to see how microphones are connected, and their library.
+EXAMPLE = Path(__file__).parents[3] / "docs" / "examples" / "recordings"
 TOML_READERS: tuple[tuple[str, Words, str], ...] = (
     ("design.toml", CHECK, ""),
     ("study.toml", SWEEP, ""),
@@ -271,11 +273,12 @@ def _appended(name: str, line: str) -> Change:
 
 # -- recordings -------------------------------------------------------------------------------------------------------
 def _wav(change_signals: str, **options: float) -> Change:
-    """Rewrites the recording after a change of its signals, (samples, channels)."""
+    """Puts the example with its twelve touches in place of library and recording, its signals changed."""
 
     def change(folder: Path, draw: random.Random) -> None:
-        rate, signals = scipy.io.wavfile.read(folder / "touches.wav")
-        signals = np.array(signals)
+        shutil.copy(EXAMPLE / "library.nc", folder / "library.nc")
+        rate, signals = scipy.io.wavfile.read(EXAMPLE / "touches.wav")
+        signals = np.array(signals, np.float32) / 32768
         match change_signals:
             case "reversed":
                 signals[:, 0] *= -1
@@ -343,7 +346,8 @@ def _table(text_of: str) -> Change:
 
 def recordings() -> Iterator[Variant]:
     """Wrong connections, headers of recorders that died or stream, tables of other programs."""
-    named = ("touches.wav", "reversed", "exchang", "late", "delay", "level", "channel", "fit")
+    connected = (*LOCATE[:-1], "20")  # the full scale of the example
+    named = ("reversed", "exchanged", "late", "no point explains", "silent", "level", "channel")
     for what, options in (
         ("reversed", {}),
         ("exchanged", {}),
@@ -352,7 +356,7 @@ def recordings() -> Iterator[Variant]:
         ("silent", {}),
     ):
         variant = f"{what} {' '.join(map(str, options.values()))}".strip()
-        yield Variant(f"connection {variant}", LOCATE, "noted", _wav(what, **options), named)
+        yield Variant(f"connection {variant}", connected, "noted", _wav(what, **options), named)
     for value in (0, 1, 0x7FFFF000, 0xFFFFFFFF, 20_000, 39_999):
         yield Variant(f"data length {value:x}", LOCATE, "exact", _header(b"data", value), ("touches.wav",))
     for value in (0, 8, 0xFFFFFFFF, 40_000):
@@ -376,7 +380,8 @@ air = cq.Workplane().box(4, 3, 2).union(cq.Workplane("YZ").circle(0.5).extrude(3
 medium = acoustic_fem.Medium.at(temperature_c=20, humidity=0.5)
 def solved(x, y, z):
     ports = {{"mouth": (3.2 + x, y, z)}}
-    return port_admittance(air.translate((x, y, z)), ports, [10.0], medium, accuracy=0.003, fidelity="helmholtz")[0, 0, 0]
+    options = {{"accuracy": 0.003, "fidelity": "helmholtz"}}
+    return port_admittance(air.translate((x, y, z)), ports, [10.0], medium, **options)[0, 0, 0]
 near, far = solved(0, 0, 0), solved(*{place})
 assert abs(far / near - 1) < 1e-3, (near, far)
 print("equal")
