@@ -100,7 +100,7 @@ class SensorFit:
         """Reason to distrust the decisions, in words; None if the sensor fits the library."""
         if self.fault is not None:
             return (
-                f"{self.fault.described(self.microphones)}: the residual of the touches is {self.misfit:.3g} times "
+                f"{self.fault.described(self.microphones)}; the residual of the touches is {self.misfit:.3g} times "
                 f"that of noise, and {self.corrected_misfit:.3g} times when this is corrected"
             )
         if self.misfit <= self.expected:

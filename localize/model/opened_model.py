@@ -153,7 +153,16 @@ class Model:
         full_scale: float | None = None,
         channels: Mapping[str, int] | None = None,
     ) -> Recording:
-        """Recording of the microphones of the model; arguments as of :meth:`locate_file`."""
+        """Recording of the microphones of the model.
+
+        Args:
+            path: as of :meth:`locate_file`.
+            full_scale: as of :meth:`locate_file`, Pa.
+            channels: as of :meth:`locate_file`.
+
+        Raises:
+            Refusal: a recording that cannot be read or used.
+        """
         fallback = not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
         return read_recording(path, self.locator.microphones, full_scale, fallback=fallback, channels=channels)
 

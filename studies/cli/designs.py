@@ -236,8 +236,8 @@ def verify(
     """Check that the folder of a run holds exactly the files that the run wrote.
 
     Compares every file with its SHA-256 in MANIFEST.json, which the run writes last. Lists the files that were changed,
-    that are missing and that the run did not write; the exit code is then 1. A manifest is no signature: it finds
-    damage and accidents, not somebody who also rewrites the manifest.
+    that are missing and that the run did not write; the exit code is then 1. A manifest does not
+    replace a signature: it finds damage and accidents, but not a person who also rewrites the manifest.
 
     Example: [bold]acoustic-fem verify demo[/bold]
     """

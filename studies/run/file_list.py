@@ -32,7 +32,7 @@ class FolderCheck:
     unchanged: tuple[str, ...]
     """Files that are as the run wrote them, in the order of their names, as are all."""
     changed: tuple[str, ...]
-    """Files with another content, and names that are no ordinary files any more."""
+    """Files with another content, and names under which there is a link, a pipe or a device now."""
     missing: tuple[str, ...]
     """Files that are not there."""
     extra: tuple[str, ...]
@@ -67,13 +67,14 @@ def write_file_list(folder: Path, names: Sequence[str]) -> None:
 def verify_run(folder: PathLike) -> FolderCheck:
     """Comparison of the folder of a run with its ``MANIFEST.json``: changed, missing and extra files.
 
-    It finds damage and later changes. It is no signature: who can write to the folder can write another list as well.
+    It finds damage and later changes. It does not replace a signature, because a person who can
+    write to the folder can write another list as well.
 
     Args:
         folder: of :func:`studies.run_design`.
 
     Raises:
-        Refusal: the folder is none, its list is missing, damaged, or of another version, or a file cannot be read.
+        Refusal: there is no such folder, its list is missing, damaged, or of another version, or a file cannot be read.
     """
     folder = Path(folder)
     if not folder.is_dir():
