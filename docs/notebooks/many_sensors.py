@@ -25,51 +25,58 @@ import localize
 import studies
 
 torch.manual_seed(0)
-torch.set_num_threads(2)
+torch.set_num_threads(1)
 GRID = "1:500:500"
 many = studies.as_built("array-2x6", 300, seed=1, frequency=GRID)
 print(many)
 
 # %% [markdown]
-# `TouchDataset` makes touches while the network trains. Splits are by sensor, so the test sensors stay unseen. The
-# network reads maps of level and phase instead of signals. Touches are the sums of sinusoids that the publication
-# trains on, because these maps of the end of a touch say little about a tap.
+# `TouchDataset` makes touches while the network trains. Splits are by sensor, so the test sensors stay unseen.
 
 # %%
-common = {"mix": {"multi-sines": 1.0}, "batch_size": 64, "features": "phasors", "seed": 3}
-train = localize.TouchDataset(many, touches=96, split="train", **common)
-one = localize.TouchDataset(many.nominal, touches=96 * len(train.cases), split="train", **common)
-test = localize.TouchDataset(many, touches=48, split="test", **common)
+common = {"mix": {"taps": 0.3, "slides": 0.3, "multi-sines": 0.4}, "batch_size": 128, "seed": 3}
+train = localize.TouchDataset(many, touches=192, split="train", **common)
+one = localize.TouchDataset(many.nominal, touches=192 * len(train.cases), split="train", **common)
+test = localize.TouchDataset(many, touches=96, split="test", **common)
 print(f"{len(train.cases)} sensors to train on, {len(test.cases)} to test on")
 
 
 # %% [markdown]
-# The network is a few convolutions and one linear layer.
+# The network compares the two microphones at 4 to 100 Hz. Neighbouring points may differ by less than a decibel, so
+# level and phase also go in as circles of 10 dB and of a quarter turn, which resolve small differences.
 
 
 # %%
+def maps(signals: torch.Tensor) -> torch.Tensor:
+    pieces = signals.unfold(-1, 250, 50) * torch.hann_window(250)
+    spectrum = torch.fft.rfft(pieces)[..., 1:26]
+    power = spectrum.abs().square().mean(2) + 1e-8  # a floor near the noise of the microphones
+    shared = (spectrum[:, 0] * spectrum[:, 1].conj()).mean(1)
+    coherence = shared / (power[:, 0] * power[:, 1]).sqrt()
+    level = 10 * torch.log10(power[:, 0] / power[:, 1])
+    circle, fine = torch.polar(torch.ones_like(level), 0.2 * torch.pi * level), coherence**4
+    loudness = torch.log10(power.sum(1) / 1e-8)
+    parts = [level / 20, circle.real, circle.imag, coherence.real, coherence.imag, fine.real, fine.imag, loudness / 4]
+    return torch.stack(parts, 1).flatten(1)
+
+
 class Locator(nn.Module):
-    def __init__(self, maps: int, points: int) -> None:
+    def __init__(self) -> None:
         super().__init__()
         self.layers = nn.Sequential(
-            nn.BatchNorm2d(maps),
-            nn.Conv2d(maps, 48, (4, 8), stride=(4, 8)),
-            nn.GELU(),
-            nn.Conv2d(48, 96, 2, stride=2),
-            nn.GELU(),
-            nn.Flatten(),
-            nn.Linear(96 * 8 * 2, points),
+            *(nn.Linear(200, 256), nn.GELU(), nn.BatchNorm1d(256)),
+            *(nn.Linear(256, 256), nn.GELU(), nn.BatchNorm1d(256)),
+            nn.Linear(256, 12),
         )
 
-    def forward(self, maps: torch.Tensor) -> torch.Tensor:
-        return self.layers(maps)
+    def forward(self, signals: torch.Tensor) -> torch.Tensor:
+        return self.layers(maps(signals))
 
 
 def trained(data: localize.TouchDataset, epochs: int) -> Locator:
-    network = Locator(maps=4, points=12)
-    steps = epochs * len(data)
-    optimizer = torch.optim.AdamW(network.parameters(), lr=3e-3)
-    schedule = torch.optim.lr_scheduler.OneCycleLR(optimizer, 3e-3, total_steps=steps)
+    network = Locator()
+    optimizer = torch.optim.AdamW(network.parameters())
+    schedule = torch.optim.lr_scheduler.OneCycleLR(optimizer, 5e-3, epochs=epochs, steps_per_epoch=len(data))
     for epoch in range(epochs):
         data.set_epoch(epoch)
         for batch in DataLoader(data, batch_size=None):
@@ -109,7 +116,7 @@ for name, values in found.items():
 axis.set(xlabel="test sensors, from the worst to the best (%)", ylabel="touches located correctly (%)")
 axis.legend()
 plt.show()
-assert found["many sensors"].mean() > found["one sensor"].mean()
+assert found["many sensors"].mean() > found["one sensor"].mean() + 0.02
 
 # %% [markdown]
 # All touches here are simulated, and the sensors differ as parts from a careful workshop do. See

@@ -29,6 +29,7 @@ import localize
 import studies
 
 torch.manual_seed(0)
+torch.set_num_threads(1)
 folder = TemporaryDirectory()
 study = studies.Study(
     base="array-2x6",
@@ -70,32 +71,41 @@ middle, spread = train[1].mean(0), train[1].std(0) + 1e-6
 print(f"{len(train[0])} designs to train on, {len(test[0])} to test on; output {tuple(train[1].shape[1:])}")
 
 
+# %% [markdown]
+# Curves of all designs look alike, so two dozen principal components hold them. The network predicts these from the
+# logarithms of the parameters, because the physics is one of power laws.
+
 # %%
+outputs = ((train[1] - middle) / spread).flatten(1)
+_, weight, components = torch.linalg.svd(outputs, full_matrices=False)
+components = weight[:24, None] / len(outputs) ** 0.5 * components[:24]
+target = outputs @ torch.linalg.pinv(components)
+importance = components.norm(dim=1).sqrt() / components[0].norm().sqrt()
+
+
 class Surrogate(nn.Module):
-    def __init__(self, shape: torch.Size) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self.shape = shape
-        self.layers = nn.Sequential(
-            nn.Linear(3, 96), nn.SiLU(), nn.Linear(96, 96), nn.SiLU(), nn.Linear(96, int(np.prod(shape)))
-        )
+        self.layers = nn.Sequential(nn.Linear(3, 96), nn.Tanh(), nn.Linear(96, 96), nn.Tanh(), nn.Linear(96, 24))
+
+    def coefficients(self, parameters: torch.Tensor) -> torch.Tensor:
+        return self.layers(2 * torch.log(parameters / low) / torch.log(high / low) - 1)
 
     def forward(self, parameters: torch.Tensor) -> torch.Tensor:
-        place = 2 * (parameters - low) / (high - low) - 1
-        return middle + spread * self.layers(place).unflatten(-1, self.shape)
+        return middle + spread * (self.coefficients(parameters) @ components).unflatten(-1, middle.shape)
 
 
-surrogate = Surrogate(train[1].shape[1:])
-optimizer = torch.optim.Adam(surrogate.parameters(), lr=3e-3)
-epochs = 120
-schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, epochs)
+surrogate = Surrogate()
+optimizer = torch.optim.Adam(surrogate.parameters())
+epochs = 200
+schedule = torch.optim.lr_scheduler.OneCycleLR(optimizer, 1e-2, epochs=epochs, steps_per_epoch=-(-len(target) // 128))
 for _ in range(epochs):
-    for rows in torch.randperm(len(train[0])).split(256):
-        error = (surrogate(train[0][rows]) - train[1][rows]) / spread
-        loss = error.square().mean()
+    for rows in torch.randperm(len(target)).split(128):
+        loss = ((surrogate.coefficients(train[0][rows]) - target[rows]) * importance).square().mean()
         optimizer.zero_grad()
         loss.backward()
         optimizer.step()
-    schedule.step()
+        schedule.step()
 
 # %% [markdown]
 # The error on unseen designs is the relative difference of the complex transfer functions. The atlas states its own
@@ -117,7 +127,7 @@ for share in (0.5, 0.95, 0.99):
 axis.set(xlabel="frequency (Hz)", ylabel="relative error on unseen designs")
 axis.legend()
 plt.show()
-assert relative.median() < 5e-3
+assert relative.median() < 3e-3
 
 # %% [markdown]
 # The gradient of the surrogate leads to a design. Here the level differences between the microphones of neighbouring
@@ -156,5 +166,5 @@ steps = np.concatenate([np.diff(difference[:6], axis=0), np.diff(difference[6:],
 real = np.sqrt((steps**2).mean(-1)).min()
 print(values)
 print(f"smallest step: {start:.2f} dB before, {float(separation(parameters)):.2f} dB predicted, {real:.2f} dB solved")
-assert abs(real - float(separation(parameters))) < 0.1
+assert abs(real - float(separation(parameters))) < 0.05 * real
 folder.cleanup()
