@@ -3,6 +3,8 @@
 # make unit        those of them to run while working: neither 3-D verification nor whole runs of commands
 # make slow-test   the slow ones
 # make docs        the manual as a site, in docs/build/html/index.html
+# make lock        a lock with hashes and an SBOM of each extra, in build/supply-chain
+# make audit       the installed packages against published advisories, where an index is reached
 #
 # All create a virtual environment in .venv and install into it what is missing; the second time nothing is.
 
@@ -16,10 +18,10 @@ WORKERS ?= auto
 
 PIP_INSTALL = $(BIN)/python -m pip install --constraint constraints.txt
 
-.PHONY: demo test unit slow-test docs clean help
+.PHONY: demo test unit slow-test docs lock audit clean help
 
 help:
-	@sed -n 's/^# //p' Makefile | head -5
+	@sed -n 's/^# //p' Makefile | head -7
 
 demo: $(VENV)/.installed
 	$(BIN)/acoustic-fem run $(DESIGN) --out $(OUT)
@@ -40,6 +42,13 @@ docs: $(VENV)/.installed-docs
 	$(BIN)/python docs/site/built.py docs/build/html
 	$(BIN)/python docs/site/in_browser.py docs/build/html
 	@echo "The manual: $(abspath docs/build/html/index.html)"
+
+lock: $(VENV)/.created
+	$(BIN)/python .ci/supply_chain.py lock
+	$(BIN)/python .ci/supply_chain.py sbom
+
+audit: $(VENV)/.installed
+	$(BIN)/python .ci/supply_chain.py audit
 
 # The package is installed in place: changed code needs no new installation, changed dependencies do.
 $(VENV)/.installed: pyproject.toml constraints.txt | $(VENV)/.created

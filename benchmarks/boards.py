@@ -1,8 +1,8 @@
 """The decoder as C on emulated boards: compiled with arm-none-eabi-gcc, run by qemu-system-arm, instructions counted.
 
-Under ``-icount shift=0`` every instruction takes a nanosecond of the board's time, which its own clock tells: a count
-of instructions to within a tick, whatever the host does meanwhile. It says nothing of waits for flash or of divisions,
-which take more than one cycle on silicon.
+Under ``-icount shift=0`` every instruction takes a nanosecond of the board's time. So the clock of the board counts
+instructions to within a tick, however busy the host is. The count does not include waits for flash, and divisions take
+more than one cycle on silicon.
 """
 
 from __future__ import annotations
@@ -89,11 +89,11 @@ def run_on_board(
     """Decisions of an exported decoder on a board.
 
     Args:
-        folder: of an export; what is built lies there too.
+        folder: of an export; the built program is written there too.
         samples: (n_sample, n_microphone), Pa.
         name: of the board.
-        limit: Pa, from which on a sample is clipped; 0 where none is.
-        everything: whether nothing is given up early, which makes every frame the longest that there is.
+        limit: pressure from which a sample counts as clipped, Pa; 0 if none does.
+        everything: True to score every point fully, so that each frame takes the longest possible time.
     """
     board = BOARDS[name]
     linked = folder / f"{name}.elf"

@@ -1,8 +1,8 @@
-"""A virtual rig calibrated from its recordings: coverage of what is stated, and what decoding gains.
+"""A virtual rig calibrated from its recordings: coverage of the stated bands, and gain in accuracy.
 
-``python benchmarks/calibration.py`` writes the table of docs/evidence/calibration.md anew and prints
-the rest; ``python benchmarks/calibration.py 3 2x6`` is for three rigs of one kind. Every sensor is recorded to WAV
-files and read back from them, and fitted as the verb does with the tolerances of the rig.
+``python benchmarks/calibration.py`` writes the table of docs/evidence/calibration.md and prints the other
+figures. ``python benchmarks/calibration.py 3 2x6`` does three rigs of one kind. Every sensor is recorded to WAV files,
+read back from them, and fitted as ``calibrate`` does, with the tolerances of the rig.
 """
 
 from __future__ import annotations

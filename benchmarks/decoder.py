@@ -1,6 +1,6 @@
 """The decoders that need no training: accuracy and calibration on 36, 108 and 216 points.
 
-``python benchmarks/decoder.py`` writes the table of docs/evidence/decoder.md anew, with the 3-D cells of the default
+``python benchmarks/decoder.py`` writes the table of docs/evidence/decoder.md, with the 3-D cells of the default
 fidelity; some minutes of one core the first time.
 """
 

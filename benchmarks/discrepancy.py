@@ -1,6 +1,6 @@
 """Discrepancies that no parameters of a fit explain.
 
-``python benchmarks/discrepancy.py`` writes a table of docs/evidence/calibration.md anew.
+``python benchmarks/discrepancy.py`` writes a table of docs/evidence/calibration.md.
 """
 
 from __future__ import annotations
@@ -26,9 +26,10 @@ DESIGNS = ("array-2x6", "fingertip-3x4", "line-2")
 
 
 def parts(name: str) -> list[float]:
-    """Root mean square of what all transfer functions share, of a microphone's, of each one's own, and of all, in %.
+    """Root mean squares in %: of the part that all transfer functions share, of a microphone's, of each one's own, of
+    all.
 
-    Relative to the family at the true parameters of each rig, not at those of a fit, which explain more than is true.
+    Deviations are relative to the model at the true parameters of each rig. A fit would explain more than is true.
     """
     design = geometry.prototype(name)
     model = UpdatedModel(acoustic_fem.solve(design, GRID, "lumped"))

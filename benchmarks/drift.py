@@ -1,9 +1,9 @@
-"""Touches of a calibrated sensor that drifts: named with the library as it was, and with the drift followed.
+"""Accuracy on a calibrated sensor that drifts: with the library as it was, and with the drift followed.
 
-``python benchmarks/drift.py --write`` writes a table of docs/evidence/calibration.md anew; ``--sensors 3`` for a
-look. Sensors are virtual rigs at ``navier-stokes`` fidelity, with all that rigs scatter, of seeds from ``FIRST`` on,
-of which no constant was chosen. The calibrated library is the sensor's own before the drift, off by what a calibration
-leaves (:func:`acoustic_fem.calibration.model_discrepancy.draw`).
+``python benchmarks/drift.py --write`` writes a table of docs/evidence/calibration.md; ``--sensors 3`` is a quick
+trial. Sensors are virtual rigs at ``navier-stokes`` fidelity, with all their hidden deviations. Seeds begin at
+``FIRST``, and no constant was chosen on them. The calibrated library is that of the sensor before the drift, with the
+error of a calibration (:func:`acoustic_fem.calibration.model_discrepancy.draw`).
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Time and memory of the decoder as C on a microcontroller. ``python benchmarks/embed.py`` writes the tables of
-docs/evidence/embed.md anew: what fits where for all prototypes in minutes, then differences from Python and counts on
-the emulated board.
+docs/evidence/embed.md in some minutes: the chips that fit each prototype, then differences from Python and counts of
+instructions on the emulated board.
 
-Touches are the decoding library's own, of the generator of this project, on seeds on which nothing was chosen;
-libraries are lumped, "calibrated" ones those of a made sensor drawn with the workshop's tolerances.
+Touches are simulated with the library that decodes them, on seeds on which no constant was chosen. Libraries are
+lumped. "Calibrated" ones are the exact libraries of a random as-built sensor with the workshop's tolerances.
 """
 
 from __future__ import annotations

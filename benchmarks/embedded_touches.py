@@ -73,7 +73,7 @@ def calibrated(library: Library, seed: int = 11) -> ArrayResponse:
 
 @functools.cache
 def array_of(name: str, is_calibrated: bool) -> ArrayResponse:
-    """A prototype as it was designed, or as a made sensor of it would be calibrated; lumped."""
+    """Responses of a prototype as designed, or of an as-built sensor as calibrated without error; lumped."""
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "entrance loss", UserWarning)
         library = acoustic_fem.solve(geometry.prototype(name), np.arange(1.0, 501.0), "lumped")
@@ -101,13 +101,13 @@ def in_the_wake(samples: NDArray[np.float32], decided: Decided) -> NDArray[np.bo
 
 
 def touches(response: ArrayResponse, seed: int, takes: int, apart: bool = True) -> NDArray[np.float32]:
-    """Taps and sums of sines of the project one after the other, a second each, some clipped, some as quiet as noise.
+    """Signals of taps and multi-sine touches of a second one after the other, some clipped, some as quiet as noise.
 
     Args:
         response: of the array that is touched.
         seed: of the touches.
         takes: of each kind.
-        apart: whether samples are lost between them, so that no frame holds two.
+        apart: True if samples are lost between them, so that no frame contains two.
 
     Returns:
         (n_microphone, n) float32, Pa.

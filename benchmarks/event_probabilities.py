@@ -1,10 +1,9 @@
-"""Calibration of the probabilities of touches: those of ``down`` and ``up``, stated while they happen, and those of
-the touches that ``locate`` prints afterwards.
+"""Calibration of the stated probabilities: of the reports ``down`` and ``up``, and of the touches that ``locate``
+prints.
 
-``python benchmarks/event_probabilities.py --write`` writes the table of docs/evidence/streams.md anew, without rows
-of which every event was right. Signals are those of ``streams.py``: a sensor as designed and made ones, none of the
-decoder's own; taps and presses of 1 to 10 Pa. Seeds
-from ``FIRST`` on: what is stated was chosen on 9100 to 9102.
+``python benchmarks/event_probabilities.py --write`` writes the table of docs/evidence/streams.md, without the rows in
+which every answer was correct. Signals are those of ``streams.py``: taps and presses of 1 to 10 Pa on sensors as
+designed and as built. Seeds begin at ``FIRST``; constants were chosen on 9100 to 9102.
 """
 
 from __future__ import annotations
@@ -52,7 +51,7 @@ def events_of(decoder: localize.BayesDecoder, sensor: Sensor, kind: str) -> list
 
 
 def cell_of(found: list[tuple[float, bool]]) -> str:
-    """Number of events, share that was right, mean of what was stated and expected calibration error."""
+    """Number of events, fraction that is correct, mean stated probability and expected calibration error."""
     stated, right = (np.array(each, float) for each in zip(*found, strict=True))
     bins = np.minimum((stated * BINS).astype(int), BINS - 1)
     error = sum(abs((right - stated)[bins == k].sum()) for k in range(BINS)) / len(stated)

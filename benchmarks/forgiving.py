@@ -1,8 +1,8 @@
 """Ranks of designs by the predicted error under scatter, against touches on as-built sensors.
 
-``python benchmarks/forgiving.py --write`` writes the table of docs/evidence/designs.md anew. Made sensors and touches
-are those of benchmarks/tolerant.py with 5 % of bores and volumes and 10 % of membranes, of seeds of its own; some
-minutes of one core.
+``python benchmarks/forgiving.py --write`` writes the table of docs/evidence/designs.md in some minutes of one core.
+As-built sensors and touches are those of benchmarks/tolerant.py on other seeds, with a scatter of 5 % for bores and
+volumes and 10 % for membranes.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ CELLS: Mapping[str, tuple[tuple[float, float, float, float], ...]] = {
 
 
 def right(design: ArrayDesign, sensors: int) -> list[tuple[float, float]]:
-    """Mean and 5th percentile of touches named right, %, by the nominal and by the tolerant decoder."""
+    """Mean and 5th percentile of the top-1 accuracy, %, of the nominal and of the tolerance-aware decoder."""
     library = acoustic_fem.solve(design, np.arange(1.0, 501.0), "lumped")
     response, grid = response_of(library), np.arange(1.0, 161.0)
     rigs = [Rig(design, FIRST + k, PARTS, fidelity="lumped") for k in range(sensors)]

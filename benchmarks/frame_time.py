@@ -33,13 +33,13 @@ class FrameTime:
 
 
 def frame_time(locator: Locator, response: ArrayResponse, frames: int = 2000) -> FrameTime:
-    """Time that each frame of touches takes that is pushed through :class:`localize.TouchStream`, 16 samples at a time,
-    and is judged as it comes.
+    """Time of each frame of touches in :class:`localize.TouchStream`, which gets 16 samples at a time and decides at
+    once.
 
     Args:
         locator: anything that can listen to a stream.
         response: the array that is touched.
-        frames: how many are timed.
+        frames: number of frames that are timed.
     """
     from localize import Decision, TouchStream
     from localize.live import AS_IT_COMES

@@ -1,10 +1,10 @@
 """Kinds of touch on the glove: events and textures, nominal and as-built. ``python benchmarks/kinds.py`` trains both
 recognizers, prints the tables of docs/evidence/moving-touches.md and writes them there, in a quarter of an hour of one
-core; ``kinds`` or ``slides`` makes one of them.
+core. With ``kinds`` or ``slides`` it makes only one of them.
 
-Lumped fidelity, the noise of the design's microphone, hum and drift of a recorder. Made sensors are the virtual rig's,
-with effects that no library has; their waveforms are made with the nominal library. No constant was chosen on these
-seeds; how slides are told was chosen on seed 7203 with sensors 400 to 405.
+The fidelity is lumped, with the noise of the design's microphone and the hum and drift of a recorder. As-built sensors
+are virtual rigs, and their waveforms are reconstructed with the nominal library. No constant was chosen on these seeds.
+The classification of slides was tuned on seed 7203 with sensors 400 to 405.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def cell(right: NDArray[np.bool_]) -> str:
 
 
 class Judge:
-    """Takes of one subject, told by one recognizer."""
+    """One recognizer, and takes of its subject."""
 
     def __init__(self, subject: str, response: ArrayResponse) -> None:
         begun = perf_counter()
@@ -81,7 +81,7 @@ class Judge:
         return named == kind
 
     def with_points_named(self, sensors: tuple[ArrayResponse, ...], locator: Any) -> tuple[str, str]:
-        """Points that are named right, and kinds at the points that are named."""
+        """Cells of the points that are located correctly, and of the kinds recognized at the located points."""
         maker, points, kinds = self.maker(sensors), [], []
         for number in range(self.count):
             signals, kind, point, _ = maker.signals("evaluation", number)
@@ -122,7 +122,7 @@ def _among_silence(touch: Contact) -> Contact:
         np.concatenate([[0.0], touch.time + before, [behind]]),
         touch.path[[0, *range(len(touch.path)), -1]],
         np.concatenate([[0.0], touch.force, [0.0]]),
-        touch.radius,
+        touch.contact_radius_mm,
         touch.roughness,
         touch.label,
     )
@@ -136,10 +136,10 @@ def milliseconds(judge: Judge) -> list[str]:
     window = window[np.isfinite(window)][-1024:]
     maps = maps_of(window[None])
     steps = {
-        "where: the model-based decoder, 250 ms": lambda: decoder.locate(signals[:, -250:]),
+        "point: the model-based decoder, 250 ms": lambda: decoder.locate(signals[:, -250:]),
         "the waveform of 1,274 samples": lambda: judge.reconstructor.waveform(signals, point + 1),
-        "its maps, 2 x 64 x 32": lambda: maps_of(window[None]),
-        "what: the network": lambda: judge.recognizer.of_maps(maps),
+        "wavelet maps, 2 x 64 x 32": lambda: maps_of(window[None]),
+        "kind: the network": lambda: judge.recognizer.of_maps(maps),
     }
     rows, total = [], 0.0
     for name, step in steps.items():
@@ -156,7 +156,7 @@ def milliseconds(judge: Judge) -> list[str]:
         "| a decision, processor time of one core, medians of 60 | ms |",
         "|---|---|",
         *rows,
-        f"| in all (the paper: 1.5 + 2.7 + 1.2) | {total:.2f} |",
+        f"| sum (the publication: 1.5 + 2.7 + 1.2) | {total:.2f} |",
     ]
 
 
@@ -228,7 +228,7 @@ def kinds() -> None:
     response = nominal()
     sensors = {"nominal": (response,), "as-built": made_sensors(response, DESIGN, SENSORS)}
     events = Judge("events", response)
-    lines = [f"| {DESIGN}, right (%) | nominal | as-built, nominal library |", "|---|---|---|"]
+    lines = [f"| {DESIGN}, recognised correctly (%) | nominal | as-built, nominal library |", "|---|---|---|"]
 
     def row(title: str, judge: Judge, **how: Any) -> None:
         lines.append(f"| {title} | " + " | ".join(cell(judge.right(each, **how)) for each in sensors.values()) + " |")
@@ -242,8 +242,8 @@ def kinds() -> None:
     library = acoustic_fem.solve(geometry.prototype(DESIGN), np.arange(1.0, 501.0), "lumped")
     locators["as-built"] = localize.TolerantDecoder(library, microphone_noise=1e-3)
     named = [events.with_points_named(sensors[name], locators[name]) for name in sensors]
-    lines.append(f"| their points, by the decoder | {named[0][0]} | {named[1][0]} |")
-    lines.append(f"| events at the points of the decoder | {named[0][1]} | {named[1][1]} |")
+    lines.append(f"| points of the events, located by the decoder | {named[0][0]} | {named[1][0]} |")
+    lines.append(f"| events, with the point located by the decoder | {named[0][1]} | {named[1][1]} |")
     textures = Judge("textures", response)
     for name, (low, high) in SPEEDS.items():
         speeds = (low * SPEED, high * SPEED)
@@ -253,9 +253,9 @@ def kinds() -> None:
         row(f"textures, speed {name}, a finger 1.5 times as blunt", textures, speeds=speeds, blunter=1.5)
     lines.append("")
     lines.append(
-        f"{events.count} and {textures.count} takes in a cell. Training: {events.seconds:.0f} s and "
-        f"{textures.seconds:.0f} s of one core, of {events.recognizer.training['takes']} and "
-        f"{textures.recognizer.training['takes']} takes."
+        f"A cell has {events.count} takes of events or {textures.count} of textures. Training took "
+        f"{events.seconds:.0f} s and {textures.seconds:.0f} s of one core, with "
+        f"{events.recognizer.training['takes']} and {textures.recognizer.training['takes']} takes."
     )
     lines += milliseconds(events)
     print("\n".join(lines))

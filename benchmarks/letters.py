@@ -1,10 +1,10 @@
 """Letters A to Z written on arrays. ``python benchmarks/letters.py`` trains a recognizer for each array, prints the
-table of docs/evidence/moving-touches.md and writes it there, in three quarters of an hour of one core; names of arrays
-make those columns anew.
+table of docs/evidence/moving-touches.md and writes it there, in three quarters of an hour of one core. If you name
+arrays, only their columns are made.
 
-Simulated handwriting, the noise of the design's microphone, lumped fidelity. Made sensors are the virtual rig's, read
-with the nominal library, with their own, and with those that `calibrate` makes of recordings. No constant was chosen on
-these seeds: those that served to choose were 7200 to 7206, with sensors 400 to 405.
+The handwriting is simulated at lumped fidelity with the noise of the design's microphone. As-built sensors are virtual
+rigs. They are decoded with the nominal library, with their own, and with libraries that `calibrate` makes from
+recordings. No constant was chosen on these seeds. Constants were chosen on 7200 to 7206, with sensors 400 to 405.
 """
 
 from __future__ import annotations

@@ -87,7 +87,9 @@ def measured(title: str, folder: Path, seconds: int) -> dict[str, Any]:
         if late is not None and "state" in line:
             latencies.add(late)
     at_once = folder / f"{model.stem}.jsonl"
-    studies.locate_recording(model, recording, at_once, full_scale=FULL_SCALE, decoding=studies.Decoding(noise=noise))
+    studies.locate_recording(
+        model, recording, at_once, full_scale=FULL_SCALE, decoding=studies.Decoding(microphone_noise=noise)
+    )
     offline = [json.loads(line) for line in at_once.read_text(encoding="utf-8").splitlines()]
     for line in offline:
         line.pop("latency", None)

@@ -19,7 +19,7 @@ HEARD = np.geomspace(0.5, 160.0, 150)
 
 
 def made_sensors(response: ArrayResponse, design: str, seeds: Iterable[int]) -> tuple[ArrayResponse, ...]:
-    """Made sensors of a design, which keep its microphones' noise and the response of its cavities to a force.
+    """As-built sensors of a design, with the noise of its microphones and the response of its cavities to a force.
 
     Args:
         response: of the design, over 0.5 to 160 Hz at least.

@@ -1,10 +1,10 @@
-"""Behaviour of a sensor on the table: made, recorded, calibrated and aged, each step by the verbs that a designer uses.
+"""Accuracy of a sensor in use: recorded, calibrated and aged, each step by the verbs that a designer uses.
 
-``python benchmarks/on_the_table.py --write`` writes a table of docs/evidence/calibration.md anew, in half an hour of
-one core; ``--designs array-2x6 --sensors 2`` for a look. Nothing is the library's own: sensors are virtual rigs at
-``navier-stokes`` fidelity of seeds from ``FIRST`` on, of which no constant was chosen, each of a batch of rubber of its
-own; they record their calibration and touches of fingers whose spectrum, play and slow pressure no decoder knows, with
-hum and wander. Evaluated are the decisions that ``locate`` makes with its defaults, recording by recording.
+``python benchmarks/on_the_table.py --write`` writes a table of docs/evidence/calibration.md, in half an hour of one
+core; ``--designs array-2x6 --sensors 2`` is a quick trial. Sensors are virtual rigs at ``navier-stokes`` fidelity, each
+with its own batch of rubber. Seeds begin at ``FIRST``, and no constant was chosen on them. The rigs record a
+calibration and touches of fingers with hum and slow drift. No decoder is given the spectrum, hysteresis and slow
+pressure of these touches. The decisions of ``locate`` with its defaults are evaluated, recording by recording.
 """
 
 from __future__ import annotations
@@ -55,14 +55,14 @@ class Counts:
 
     @property
     def cells(self) -> tuple[float, ...]:
-        """Frames of each kind and touches that are named right, %, and the error of the probabilities."""
+        """Correct frames of each kind and correct touches, %, and the calibration error of the probabilities."""
         frames = (100 * float(np.mean(self.right[kind])) for kind in KINDS)
         return (*frames, 100 * float(np.mean(self.touches)), self.error)
 
 
 @dataclass(frozen=True)
 class Case:
-    """A way to decode a session of touches."""
+    """One choice of library and options for decoding a session of touches."""
 
     name: str
     session: str

@@ -1,9 +1,9 @@
 """The paper's table as a study: top-1 accuracy by number of microphones, points, noise and decoder.
 
-``python benchmarks/paper_table.py --out DIR`` takes about two hours of one core; every row is stored when it is
-done, a training that is stopped goes on where it was, and running the command again takes up the rest. ``--full``
-trains by :meth:`localize.TrainingPlan.paper`, 14,000 touches of every point over 30 epochs, which takes hours for 12
-points and days for all; ``--seconds`` cuts each training short.
+``python benchmarks/paper_table.py --out DIR`` takes about two hours of one core. Every row is stored when it is done.
+If you stop the command and run it again, it continues where it was. ``--full`` trains with
+:meth:`localize.TrainingPlan.paper`, 14,000 touches of every point over 30 epochs, which takes hours for 12 points and
+days for all. ``--seconds`` cuts each training short.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Row:
 
 
 def plan_of(full: bool, row: Row, seconds: float | None = None) -> TrainingPlan:
-    """Plan by which the network of a row is trained: with the noise it is judged in."""
+    """Plan for the network of a row, which is trained with the noise in which it is evaluated."""
     from localize import TrainingPlan
 
     if full:
@@ -153,7 +153,7 @@ def full_table(rows: list[dict[str, Any]]) -> str:
 
 
 def with_interval(share: float, touches: int) -> str:
-    """A share with its 95 % interval over so many touches, %."""
+    """Percentage with its 95 % interval over so many touches."""
     from localize.evaluation.accuracy import wilson_interval
 
     low, high = wilson_interval(share, touches)

@@ -1,7 +1,8 @@
 """Predicted top-1 accuracy against that of trained networks and of the model-based decoder, on designs and noises.
 
-``python benchmarks/predicted_accuracy.py`` trains what docs/predicted_accuracy.json does not hold yet (about a
-quarter of a minute of one core per 12 points), predicts again, and writes the table of docs/evidence/designs.md anew.
+``python benchmarks/predicted_accuracy.py`` trains the networks that docs/predicted_accuracy.json lacks (about a
+quarter of a minute of one core per 12 points), repeats the predictions, and writes the table of
+docs/evidence/designs.md.
 """
 
 from __future__ import annotations

@@ -1,9 +1,11 @@
-"""The paper's five made prototypes: top-1 accuracy of nominal, as-built and calibrated sensors.
+"""The paper's five prototypes: top-1 accuracy of nominal, as-built and calibrated sensors.
 
 ``python benchmarks/prototypes.py`` writes the table of docs/studies/paper_table/README.md, in some minutes of one core;
-names of prototypes make those rows anew.
-As-built sensors are virtual rigs with all that they hide, recorded to WAV files and calibrated from them as the verb
-does. No constant was chosen on these seeds.
+if you name
+prototypes, only their rows are made.
+
+As-built sensors are virtual rigs with all their hidden deviations. They are recorded to WAV files and calibrated from
+these as the verb does. No constant was chosen on these seeds.
 """
 
 from __future__ import annotations
@@ -62,7 +64,7 @@ def over_sensors(shares: list[float]) -> str:
 
 
 def calibrated(rig: studies.Rig, measured: range) -> acoustic_fem.Library:
-    """The library that ``calibrate`` makes of recordings of some points of a made sensor."""
+    """Library that ``calibrate`` makes from recordings of some points of an as-built sensor."""
     with tempfile.TemporaryDirectory() as folder:
         recorder = studies.Recorder(seconds=SECONDS, level=LEVEL)
         manifest = rig.record(Path(folder) / "calibration", measured, recorder)

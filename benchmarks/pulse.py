@@ -1,9 +1,10 @@
 """The pulse under a finger: its point, waveform, waves and rate. ``python benchmarks/pulse.py`` prints the table of
 docs/evidence/moving-touches.md and writes it there, in some minutes of one core.
 
-Contacts of :func:`localize.contacts.pulse_wave`, a finger on the middle of one point, 50 to 100 beats a minute, 10 s,
-the noise of the design's microphone, lumped fidelity. Made sensors are the virtual rig's, read with the nominal library
-and with their own. No constant was chosen on these seeds: those that served to choose were 960 and sensors 960 to 965.
+Contacts come from :func:`localize.contacts.pulse_wave`: a finger on the middle of one point for 10 s, 50 to 100 beats a
+minute. The fidelity is lumped, and the noise is that of the design's microphone. As-built sensors are virtual rigs,
+which are decoded with the nominal library and with their own. No constant was chosen on these seeds. Constants were
+chosen on seed 960 with sensors 960 to 965.
 """
 
 from __future__ import annotations
@@ -61,7 +62,8 @@ def compared(waveform: Array, force: Array) -> tuple[float, Array, Array]:
 
 
 def left_by_noise(sensor: ArrayResponse, contact: Contact, point: int) -> float:
-    """Signal over error, dB, of the best linear filter of a whole recording: it knows the sensor, the noise and the
+    """Ratio of signal to error, dB, of the best linear filter of a whole recording. It is given the sensor, the noise
+    and the
     spectrum of this pulse to 1 Hz, but not that beats repeat (Wiener 1949).
     """
     high = scipy.signal.butter(2, LOWEST, "highpass", fs=1000, output="sos")
@@ -151,12 +153,12 @@ def main() -> None:
         "point by the decoder of pulses, 1 s, top-1 (%)",
         "point by the decoder of pulses, 2 s, top-1 (%)",
         "point by the decoder of pulses, 8 s, top-1 (%)",
-        "signal over error, least / mean (dB)",
-        "signal over error of the best linear filter, least / mean (dB)",
+        "ratio of signal to error, smallest / mean (dB)",
+        "ratio of signal to error of the best linear filter, smallest / mean (dB)",
         f"pulses of {WANTED:g} dB and more (%)",
         *(f"{name} wave found within {1000 * FOUND:.0f} ms (%)" for name in WAVES),
-        "error of the rate, from the first beat found to the last, rms / most (a minute)",
-        "rate of the heart, of which 10 s are heard, within two stated deviations (%)",
+        "error of the heart rate between the first and the last beat found, rms / largest (beats per minute)",
+        "heart rate from 10 s of signal, within two stated deviations (%)",
     ]
     heads, columns = [], []
     for name in DESIGNS:

@@ -1,8 +1,8 @@
 """Reconstructed waveforms: signal over error against window and latency.
 
-``python benchmarks/reconstruction.py`` writes the table of docs/evidence/decoder.md anew: about a minute of one core.
-Signals are exact steady states of multi-sines with microphone noise; the error holds the whole band of the stimulus,
-its noise up to 500 Hz included.
+``python benchmarks/reconstruction.py`` writes the table of docs/evidence/decoder.md in about a minute of one core.
+Signals are exact steady states of multi-sines with microphone noise. The error covers the whole band of the stimulus,
+including its noise up to 500 Hz.
 """
 
 from __future__ import annotations

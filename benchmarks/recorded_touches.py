@@ -1,9 +1,8 @@
 """Gain from recorded touches of an as-built sensor. ``python benchmarks/recorded_touches.py [SEED ...]``.
 
-For each seed a sensor of the virtual rig, array-2x6 with a modulus 15 % below its design's, records touches of the
-paper's four parts; localizers are trained on simulated touches of the design, on both, and on recorded ones alone, and
-judged on recordings that none was trained on, beside the model-based decoder with the design's library and with the
-made sensor's own transfer functions.
+For each seed, a virtual rig of array-2x6 with a modulus 15 % below that of the design records touches of the paper's
+four parts. Localizers are trained on simulated touches, on recorded ones, and on both. They are evaluated on held-out
+recordings, and so is the model-based decoder with the design's library and with the sensor's own transfer functions.
 """
 
 from __future__ import annotations

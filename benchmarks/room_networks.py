@@ -1,9 +1,9 @@
-"""Networks in the sound of rooms: trained in silence and in rooms, judged over levels of sound and of touches.
+"""Networks in the sound of rooms: trained in silence and in rooms, evaluated over levels of sound and of touches.
 
 ``python benchmarks/room_networks.py`` writes the tables of docs/evidence/localizer.md, in about ten minutes of one
-core; ``louder`` behind it makes the second one alone, in less than a minute. Touches are the library's own sums of
-sines; made sensors are the virtual rig's, with membranes that sound presses as it does the design's. No constant was
-chosen on these seeds; maps and batch were chosen on seed 9100 (trained with 9101) of the nominal glove.
+core; with ``louder`` it makes only the second one, in less than a minute. Touches are multi-sines simulated with the
+library. As-built sensors are virtual rigs, on whose membranes sound presses as on those of the design. No constant was
+chosen on these seeds. Maps and batch were chosen on seed 9100 (trained with 9101) of the nominal glove.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ LOUDER, LOUD = (0.0, 6.0, 12.0, 17.0, 22.0), 90.0
 
 
 def share(locator: Locator, arrays: Sequence[ArrayResponse], sound: float | None, louder: float = 0.0) -> str:
-    """Touches named right, %, with the half width of the 95 % interval over touches."""
+    """Top-1 accuracy, %, with the half width of the 95 % interval over touches."""
     each = TOUCHES // (arrays[0].point_count * len(arrays))
     source = Louder(multi_sines, louder)
     right = [

@@ -1,9 +1,9 @@
-"""Sound of a room: is it told from touches, and are touches named in it? ``python benchmarks/rooms.py`` writes the
-table of docs/evidence/decoder.md anew, in some minutes of one core.
+"""Touches in room sound: how often they are taken for sound, and how often they are located correctly.
 
-Frames of 250 ms, pink sound of 20 to 500 Hz, 1 mPa of microphone noise, lumped fidelity. Made sensors differ from the
-library by the workshop's tolerances, and their microphones' gains by 5 %. The seed is not that which the decoder's
-constants were chosen on.
+``python benchmarks/rooms.py`` writes the table of docs/evidence/decoder.md, in some minutes of one core.
+
+Frames have 250 ms, with pink sound of 20 to 500 Hz and 1 mPa of microphone noise, at lumped fidelity. As-built sensors
+have the workshop's tolerances, and the gains of their microphones deviate by 5 %. No constant was chosen on the seed.
 """
 
 from __future__ import annotations

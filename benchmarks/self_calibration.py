@@ -1,7 +1,7 @@
-"""Self-calibration of virtual rigs from unlabelled touches: what it does to decoding, and what it refuses.
+"""Self-calibration of virtual rigs from unlabelled touches: its effect on the accuracy, and the cases that it rejects.
 
-``python benchmarks/self_calibration.py sines`` and ``fingers`` write the two tables of docs/evidence/calibration.md
-anew, in a quarter and half an hour of one core; with more arguments, such as ``sines 3 "2x36, soft"`` or
+``python benchmarks/self_calibration.py sines`` and ``fingers`` write the two tables of docs/evidence/calibration.md,
+in a quarter and half an hour of one core; with more arguments, such as ``sines 3 "2x36, soft"`` or
 ``fingers 2 line-2``, they print one row of so many rigs.
 """
 
@@ -132,7 +132,7 @@ def table(rigs: int, names: tuple[str, ...]) -> str:
 
 
 def right(known: ArrayResponse, truth: ArrayResponse, seed: int) -> tuple[float, float]:
-    """Shares of touches of fingers and of multi-sines named right, as a stream hears them, %."""
+    """Top-1 accuracy of touches of fingers and of multi-sines after the high-pass of a stream, %."""
     decoder = localize.BayesDecoder(known, NOISE)
     shares = []
     for kind in (NATURAL, SINES):

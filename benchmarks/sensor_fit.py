@@ -1,8 +1,8 @@
 """Test that ``locate`` notices a library of another array, and a microphone that is far off its level.
 
-``python benchmarks/sensor_fit.py`` writes the table of docs/evidence/streams.md anew, in some minutes of one core.
-Signals are taps and friction that virtual rigs record, six points each, of seeds from ``FIRST`` on, of which no
-constant was chosen; libraries are those of the designs, and nobody calibrated.
+``python benchmarks/sensor_fit.py`` writes the table of docs/evidence/streams.md, in some minutes of one core.
+Signals are taps and friction on virtual rigs, at six points each. Seeds begin at ``FIRST``, and no constant was chosen
+on them. Libraries are those of the designs, without calibration.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def fitted(decoder: TolerantDecoder, recordings: list[NDArray[np.float64]], fact
 
 
 class _Anyhow(Locator):
-    """Locator that names no point: which one it is does not matter here, and takes the time."""
+    """Locator that always returns the same probability, because the point does not matter here and takes time."""
 
     def __init__(self, decoder: TolerantDecoder) -> None:
         self.array = decoder.array

@@ -55,12 +55,12 @@ STUDY = """
 name = "speed"
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:64"
+frequency = "1:100:64"
 sampling = "sobol"
 cases = 64
 seed = 1
 metrics = ["sensitivity_force"]
-[parameters]
+[vary]
 "tube.inner_diameter" = { from = 0.3, to = 0.6 }
 """
 
@@ -125,7 +125,7 @@ def openwind_ladder() -> str:
 
 
 def signals(response: ArrayResponse) -> float:
-    """A touch of one second at the microphones, sums of sines, ms."""
+    """Time of a multi-sine touch of one second at the microphones, ms."""
     touches = localize.TouchGenerator(response, 0, "evaluation", 0.0)
     return 1e3 / rate(lambda: len(touches.samples(0, SHARD).point))
 

@@ -1,12 +1,14 @@
-"""Streams that can be lived with, with the defaults of ``locate`` and ``live``. ``python benchmarks/streams.py`` prints
-what is told with nobody touching and writes the table of docs/evidence/streams.md anew, in a quarter of an hour of one
-core; ``python benchmarks/streams.py touches`` does the table alone.
+"""Touches that a stream reports with the defaults of ``locate`` and ``live``.
 
-Signals are not those of the decoder's generator: long records from the transfer functions of a made sensor (the
-workshop's tolerances, its microphones' gains by 5 %), computed at every line of a period of 16.7 s, 0.06 Hz apart, for
-sound of 60 s. Shapes of taps, presses and pulses are this file's. Nothing is told of noise, hum or sound. "Calibrated"
-is a library of the made sensor's own transfer functions, "not calibrated" that of its design, of which the
-tolerances of manufacturing are expected. The seeds are not those that constants were chosen on (those were 101 to 109).
+``python benchmarks/streams.py`` prints the reports while nobody touches, and writes the table of
+docs/evidence/streams.md, in a quarter of an hour of one core. ``python benchmarks/streams.py touches`` makes only the
+table.
+
+Signals are long records from the transfer functions of an as-built sensor (the workshop's tolerances, gains of its
+microphones off by 5 %). They are computed at every line of a period of 16.7 s, 0.06 Hz apart, and of 60 s for sound.
+The shapes of taps, presses and pulses are defined in this file and are not those of the decoder's generator. Noise, hum
+and sound are not configured. "Calibrated" is a library of the sensor's own transfer functions. "Not calibrated" is that
+of its design, with the tolerance-aware decoder. No constant was chosen on these seeds (they were chosen on 101 to 109).
 """
 
 from __future__ import annotations
@@ -208,14 +210,14 @@ def told(known: Library | ArrayResponse, signals: Array) -> Told:
 
 @lru_cache(4)
 def decoder_of(known: Library | ArrayResponse) -> localize.BayesDecoder:
-    """Decoder of a library or of transfer functions, told nothing."""
+    """Decoder of a library or of transfer functions, with the defaults."""
     if isinstance(known, Library):
         return localize.TolerantDecoder(known, microphone_noise="design")
     return localize.BayesDecoder(known, "design")
 
 
 def false_touches(sensor: Sensor) -> dict[str, tuple[float, float]]:
-    """Touches in a minute with nobody touching, and the share of it in which a point is named, %."""
+    """Touches reported in a minute while nobody touches, and the percentage of time with a reported point."""
     result: dict[str, tuple[float, float]] = {}
     for title, kind, size in (
         *((f"sound of {level} dB", "sound", level) for level in (40, 60, 70, 80)),
@@ -241,8 +243,8 @@ def false_touches(sensor: Sensor) -> dict[str, tuple[float, float]]:
 
 
 def of_touches(sensor: Sensor, kind: str, known: Library | ArrayResponse) -> tuple[Array, list[float]]:
-    """Number of touches, of those kept (told within 0.35 s), kept and right, told once, wrong frames and phantoms; and,
-    in ms, how long after its beginning a touch was told while it happened.
+    """Numbers of touches, in all, reported within 0.35 s, at the correct point, reported once; numbers of wrong frames
+    and of wrong touches; and the times from the beginning of a touch to its report, ms.
     """
     sums, late = np.zeros(6), list[float]()
     for record in range(3):
@@ -277,7 +279,7 @@ def sensors(name: str) -> list[Sensor]:
 
 
 def print_nobody(made: list[Sensor]) -> None:
-    """Touches a minute and the share of the time in which a point is named, %, with nobody touching."""
+    """Print the touches in a minute and the percentage of time with a reported point, while nobody touches."""
     found = [false_touches(sensor) for sensor in made]
     for title in found[0]:
         count, share = np.mean([each[title] for each in found], axis=0)

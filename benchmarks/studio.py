@@ -19,18 +19,18 @@ import asyncio
 import gzip
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import time
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 
 FULL_SCALE = 500.0  # Pa, of the taps that are replayed
-TOKEN = "theBenchmarksOwnToken"
 #: Three dimensions by a renderer in software, pages put together by the processor: a machine without a graphics card.
 ARGUMENTS = [
     *("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
@@ -75,20 +75,25 @@ def main() -> None:
 
 def measure(design: str, changes: int) -> None:
     line = [sys.executable, "-c", "from studies.cli.app import main; main()", "studio", design]
-    line += ["--port", "0", "--no-browser", "--token", TOKEN]
+    line += ["--port", "0", "--no-browser"]
     with subprocess.Popen(line, stdout=subprocess.PIPE, text=True) as server:
         try:
             assert server.stdout is not None
-            port = int(server.stdout.readline().split(":")[-1].split("/")[0])
+            address = next_address(server.stdout)
             time.sleep(10)  # the processes have started
-            in_browser(design, port, changes)
-            early, late = asyncio.run(memory(port, server.pid, 10 * changes))
+            in_browser(design, address, changes)
+            early, late = asyncio.run(memory(next_address(server.stdout), server.pid, 10 * changes))
             print(f"  memory of the server: {early:.0f} MB after {changes} changes, {late:.0f} MB after {10 * changes}")
         finally:
             server.terminate()
 
 
-def in_browser(design: str, port: int, changes: int) -> None:
+def next_address(lines: IO[str]) -> str:
+    """The next address that a studio prints; each works once."""
+    return next(line.split(": ")[-1].strip() for line in lines if "?code=" in line)
+
+
+def in_browser(design: str, address: str, changes: int) -> None:
     """Measured figures of the studio."""
     from playwright.sync_api import sync_playwright
 
@@ -98,7 +103,7 @@ def in_browser(design: str, port: int, changes: int) -> None:
         received: list[int] = []
         page.on("websocket", lambda socket: socket.on("framereceived", lambda frame: received.append(len(frame))))
         begin = time.perf_counter()
-        page.goto(f"http://127.0.0.1:{port}/?token={TOKEN}")
+        page.goto(address)
         print(f"\n{design}, load {os.getloadavg()[0]:.1f}")
         print(f"  first curves {wait(page, 'painted') - begin:.2f} s (at most 3)")
         print(f"  first 3-D {wait(page, 'shown_model') - begin:.2f} s (at most 15)")
@@ -175,20 +180,21 @@ def wait(page: Any, name: str) -> float:
     return time.perf_counter()
 
 
-async def memory(port: int, process: int, changes: int) -> tuple[float, float]:
+async def memory(address: str, process: int, changes: int) -> tuple[float, float]:
     """Resident memory of the server in MB after a tenth of the changes and after all, each awaited until its curves."""
     import urllib.request
 
     from websockets.asyncio.client import connect
 
-    here = f"http://127.0.0.1:{port}"
-    with urllib.request.urlopen(f"{here}/?token={TOKEN}") as answer:
+    here = address.partition("/?")[0]
+    with urllib.request.urlopen(address) as answer:
         cookie = answer.headers["set-cookie"].split(";")[0]
+        (secret,) = re.findall('<meta name="secret" content="([^"]*)">', answer.read().decode())
     early = 0.0
     async with connect(
-        f"ws://127.0.0.1:{port}/session", origin=here, additional_headers={"Cookie": cookie}, max_size=None
+        f"ws{here.removeprefix('http')}/session", origin=here, additional_headers={"Cookie": cookie}, max_size=None
     ) as socket:
-        await socket.send(json.dumps({"do": "hello", "session": None, "values": None}))
+        await socket.send(json.dumps({"do": "hello", "session": None, "values": None, "secret": secret}))
         for change in range(changes):
             value = 10 + (change % 997) * 0.01
             await socket.send(json.dumps({"do": "set", "name": "tube.length", "value": value, "gesture": "drag"}))

@@ -20,24 +20,24 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from unittest.mock import patch
 
-import dask
 import joblib
 import numpy as np
 import psutil
-from distributed import LocalCluster
 
 import acoustic_fem
 from geometry import ArrayDesign
 from geometry.ground.whole_files import replace_section
 from studies.study.cases import Cases, cases_of
-from studies.study.file import read_study
 from studies.study.metric_registry import METRICS, metrics_named
-from studies.study.study import Study
+from studies.study.study import Study, read_study
+from studies.sweep import run
 from studies.sweep.block import Job, solve_block
+from studies.sweep.processes import Processes
+from studies.sweep.results import open_sweep
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
-from studies.sweep.workers import ENVIRONMENT, cores, open_workers
+from studies.sweep.workers import Workers, cores, open_workers
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "sweeps.md"
 BEGIN, END = "<!-- speed: made by benchmarks/sweep.py -->", "<!-- end speed -->"
@@ -53,7 +53,7 @@ def study_of(cases: int, metrics: Sequence[str] = METRICS_OF_STUDY) -> Study:
     names = ", ".join(f'"{name}"' for name in metrics)
     return read_study(
         f'base = "array-2x6"\nfidelity = "lumped"\nsampling = "sobol"\ncases = {cases}\nmetrics = [{names}]\n'
-        '[parameters]\n"tube.inner_diameter" = {from = 0.3, to = 0.5}\n"tube.length" = {from = 9, to = 30}\n'
+        '[vary]\n"tube.inner_diameter" = {from = 0.3, to = 0.5}\n"tube.length" = {from = 9, to = 30}\n'
         '"resonator.cavity_height" = {from = 1.5, to = 5}\n'
     )
 
@@ -92,8 +92,14 @@ def _memory() -> float:
     return float(sum(process.memory_info().rss for process in (here, *here.children(recursive=True))))
 
 
-def swept(study: Study, scheduler: str | None = None, check: Callable[[Path], None] | None = None) -> Clock:
+def swept(study: Study, team: Workers | None = None, check: Callable[[Path], None] | None = None) -> Clock:
     """A sweep in this process, or on workers that run."""
+
+    @contextmanager
+    def running(count: int | None, scheduler: str | None) -> Iterator[Workers]:
+        assert team is not None
+        yield team
+
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "results.zarr"
         most = 0.0
@@ -102,8 +108,9 @@ def swept(study: Study, scheduler: str | None = None, check: Callable[[Path], No
             nonlocal most
             most = max(most, _memory())
 
-        with clock() as found:
-            run_sweep(study, out, workers=1 if scheduler is None else None, scheduler=scheduler, progress=watch)
+        opened = open_workers if team is None else running
+        with clock() as found, patch.object(run, "open_workers", opened):
+            run_sweep(study, out, workers=1 if team is None else None, progress=watch)
         found.memory = most
         if check is not None:
             check(out)
@@ -111,17 +118,14 @@ def swept(study: Study, scheduler: str | None = None, check: Callable[[Path], No
 
 
 @contextmanager
-def started(workers: int) -> Iterator[str]:
-    """Address of workers of this machine that have computed a small sweep: all modules are loaded."""
-    own = {f"distributed.nanny.pre-spawn-environ.{name}": value for name, value in ENVIRONMENT.items()}
-    with (
-        dask.config.set(own),
-        LocalCluster(
-            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=40
-        ) as cluster,
-    ):
-        swept(study_of(128), cluster.scheduler_address)
-        yield cluster.scheduler_address
+def started(workers: int) -> Iterator[Workers]:
+    """Worker processes of this machine that have computed a small sweep: all modules are loaded."""
+    processes = Processes(workers)
+    try:
+        swept(study_of(128), processes)
+        yield processes
+    finally:
+        processes.close()
 
 
 def table(first: str) -> list[str]:
@@ -154,14 +158,14 @@ def against_others(cases: int) -> list[str]:
     get_reusable_executor().shutdown()
 
     def same(out: Path) -> None:
-        result = open_sweep(out).dataset
+        result = open_sweep(out).to_xarray()
         values = np.stack([result[name].values for name in METRICS_OF_STUDY], axis=1)
         worst = float(np.abs(values / expected - 1).max())
         print(f"largest relative difference to the loop: {worst:.1e}")
 
     lines.append(row("`sweep`, the calling process", cases, swept(study, check=same)))
-    with started(2) as address:
-        lines.append(row("`sweep`, 2 workers that have started", cases, swept(study, address)))
+    with started(2) as team:
+        lines.append(row("`sweep`, 2 workers that have started", cases, swept(study, team)))
     return lines
 
 
@@ -173,16 +177,16 @@ def scaling(cases: int) -> list[str]:
     study = study_of(cases)
     lines = [*table("`sweep` by"), row("the calling process", cases, swept(study))]
     for workers in (1, 2):
-        with started(workers) as address:
+        with started(workers) as team:
             name = f"{workers} worker{'s' * (workers > 1)} that ha{'ve' if workers > 1 else 's'} started"
-            lines.append(row(name, cases, swept(study, address)))
+            lines.append(row(name, cases, swept(study, team)))
     return lines
 
 
 def growth(sizes: list[int]) -> list[str]:
     lines = table("size of the study")
-    with started(2) as address:
-        lines += [row("2 workers that have started", cases, swept(study_of(cases), address)) for cases in sizes]
+    with started(2) as team:
+        lines += [row("2 workers that have started", cases, swept(study_of(cases), team)) for cases in sizes]
     return lines
 
 
@@ -190,9 +194,9 @@ def all_metrics(cases: int) -> list[str]:
     study = study_of(cases, ALL_METRICS)
     swept(study_of(128, ALL_METRICS))  # all modules are loaded
     lines = [*table("all metrics by"), row("the calling process", cases, swept(study))]
-    with started(2) as address:
-        swept(study_of(128, ALL_METRICS), address)
-        lines.append(row("2 workers that have started", cases, swept(study, address)))
+    with started(2) as team:
+        swept(study_of(128, ALL_METRICS), team)
+        lines.append(row("2 workers that have started", cases, swept(study, team)))
     return lines
 
 

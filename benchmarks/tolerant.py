@@ -1,9 +1,9 @@
-"""Decoders for a sensor that nobody calibrated: the nominal decoder and the one that knows the tolerances.
+"""Decoders for a sensor that nobody calibrated: the nominal and the tolerance-aware decoder.
 
-``python benchmarks/tolerant.py --write`` writes docs/evidence/tolerant.csv and the table of docs/evidence/decoder.md
-anew. Signals are those of virtual rigs (:mod:`studies.test_rig.virtual_rig`), which have more than the decoder
-draws; seeds from ``FIRST`` on, of which no constant was chosen. ``--sensors 4 --designs line-2`` for a look; all of
-it takes a quarter of an hour of one core.
+``python benchmarks/tolerant.py --write`` writes docs/evidence/tolerant.csv and the table of docs/evidence/decoder.md,
+in a quarter of an hour of one core; ``--sensors 4 --designs line-2`` is a quick trial. Signals are those of virtual
+rigs (:mod:`studies.test_rig.virtual_rig`), which deviate in more ways than the decoder models. Seeds begin at
+``FIRST``, and no constant was chosen on them.
 """
 
 from __future__ import annotations
@@ -142,7 +142,7 @@ def _error(found: list[Evaluation]) -> float:
 
 
 def decoders_of(library: acoustic_fem.Library) -> tuple[localize.BayesDecoder, localize.TolerantDecoder]:
-    """The nominal decoder, and that which knows the tolerances."""
+    """The nominal and the tolerance-aware decoder."""
     return localize.BayesDecoder(library, NOISE), localize.TolerantDecoder(library, microphone_noise=NOISE)
 
 

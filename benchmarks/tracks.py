@@ -1,8 +1,8 @@
-"""How far paths of a writing finger are off: large-area-64, by speed, on the nominal sensor and on as-built ones.
+"""Errors of the path of a writing finger: large-area-64, by speed, on the nominal sensor and on as-built ones.
 
 ``python benchmarks/tracks.py`` writes the tables of docs/evidence/moving-touches.md and the picture of docs/tracks.md,
-in about a quarter of an hour; ``paths``, ``places`` or ``between`` makes one of them. No constant was chosen on these
-seeds: those that served to choose were 100 to 104, and 9100 to 9103 for places.
+in about a quarter of an hour. ``paths``, ``places`` or ``between`` makes only one of them. No constant was chosen on
+these seeds. Constants were chosen on 100 to 104, and on 9100 to 9103 for places.
 """
 
 from __future__ import annotations
@@ -148,7 +148,7 @@ def places() -> list[str]:
     recorder = ContactRecorder(library, microphone_noise=NOISE, seed=SEED)
     for radius in (2.0, 4.0):
         decoder = localize.PositionDecoder(library, radius, NOISE)
-        tool = replace(FINGER, radius=(radius, radius))
+        tool = replace(FINGER, contact_radius_mm=(radius, radius))
         random = np.random.default_rng(SEED)
         true = random.uniform(position.min(0), position.max(0), (TAPS, 2))
         frames = []
@@ -192,7 +192,7 @@ def between() -> list[str]:
         "| median error and stated deviation | covered |",
         "|---|---|---|---|---|---|---|---|",
     ]
-    tool = replace(FINGER, radius=(pitch, pitch))
+    tool = replace(FINGER, contact_radius_mm=(pitch, pitch))
     for name, (libraries, sensors) in conditions.items():
         points = [localize.BayesDecoder(each, microphone_noise=NOISE) for each in libraries]
         decoders = [localize.PositionDecoder(each, pitch, NOISE) for each in libraries]
@@ -222,7 +222,7 @@ def between() -> list[str]:
 
 
 def place_along(decoder: localize.PositionDecoder, frame: Array, ends: Array) -> float:
-    """Most likely place on the line from one point to the next, as a share of it."""
+    """Most likely place on the line from one point to the next, as a fraction of its length."""
     best = 0.5
     for wide in (1.0, 0.05):  # the second round between two places of the first
         share = np.clip(best + wide * (ALONG - 0.5), 0, 1)

@@ -1,7 +1,7 @@
 """Resolution of two touches at once, by distance along the line and by level.
 
-``python benchmarks/two_touches.py`` writes the table of docs/evidence/decoder.md anew: some minutes of one core, 2 GB
-of memory. Each pair has a level of its own, but no stimulus: signals are the exact steady states of two multi-sines of
+``python benchmarks/two_touches.py`` writes the table of docs/evidence/decoder.md, with some minutes of one core and
+2 GB of memory. Signals are the exact steady states of two multi-sines of
 different seeds, the second scaled to its level below the first, plus microphone noise.
 """
 

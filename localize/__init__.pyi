@@ -1,5 +1,6 @@
 from . import (
     contacts as contacts,
+    datasets as datasets,
     decoders as decoders,
     embedded as embedded,
     evaluation as evaluation,
@@ -15,6 +16,8 @@ from . import (
     tracking as tracking,
 )
 from .contacts.contact import Contact as Contact
+from .datasets.touch_dataset import TouchDataset as TouchDataset
+from .datasets.transfer_function_dataset import TransferFunctionDataset as TransferFunctionDataset
 from .decoders.bayes import BayesDecoder as BayesDecoder
 from .decoders.decoder_options import (
     DecoderOptions as DecoderOptions,

@@ -1,6 +1,7 @@
 from . import (
     bending as bending,
     cli as cli,
+    datasets as datasets,
     evaluation as evaluation,
     findings as findings,
     inference as inference,
@@ -17,6 +18,8 @@ from . import (
 )
 from .bending.bending_rig import BendingRig as BendingRig
 from .bending.bending_run import BendingStudy as BendingStudy, bending_study as bending_study
+from .datasets.as_built_arrays import AsBuiltArrays as AsBuiltArrays, as_built as as_built
+from .datasets.export import ExportedDataset as ExportedDataset, export_dataset as export_dataset
 from .evaluation.localizer_evaluation import evaluate_localizer as evaluate_localizer
 from .evaluation.localizer_training import (
     TrainedLocalizer as TrainedLocalizer,
@@ -47,6 +50,7 @@ from .inference.tracked import TrackedRecording as TrackedRecording, track_recor
 from .optimization.problem import load_optimization as load_optimization
 from .output.display import Display as Display
 from .run.check import DesignCheck as DesignCheck, check_design as check_design
+from .run.file_list import FolderCheck as FolderCheck, verify_run as verify_run
 from .run.library_files import convert_library as convert_library, solve_library as solve_library
 from .run.part_folder import MadeParts as MadeParts, export_parts as export_parts
 from .run.pipeline import run_design as run_design
@@ -56,11 +60,11 @@ from .run.starting import copy_prototype as copy_prototype, new_design as new_de
 from .run.wiring import wiring_table as wiring_table
 from .scatter.tolerance_run import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
 from .studio.serving import serve_studio as serve_studio
-from .study.file import load_study as load_study
-from .study.study import Study as Study
+from .study.study import Study as Study, load_study as load_study
 from .sweep.plan import Plan as Plan, plan_sweep as plan_sweep
-from .sweep.run import Summary as Summary, run_sweep as run_sweep
-from .sweep.store import Sweep as Sweep, open_sweep as open_sweep
+from .sweep.results import Sweep as Sweep, open_sweep as open_sweep
+from .sweep.run import run_sweep as run_sweep
+from .sweep.summary import Summary as Summary
 from .test_rig.calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
 from .test_rig.recalibrating import Recalibration as Recalibration, recalibrate as recalibrate
 from .test_rig.rig_session import RigSession as RigSession, record_rig as record_rig

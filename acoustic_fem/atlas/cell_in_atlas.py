@@ -11,6 +11,8 @@ from acoustic_fem.atlas.cell_table import CellAtlas, Opening, OutsideAtlas, cell
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.duct.tube_opening import entrance_impedance
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell
@@ -21,7 +23,7 @@ from geometry.ground.typed import Array, ComplexArray, NumpyOrTorch
 _PRANDTL, _GAMMA, _PART = 0.71, 1.4, 0.05
 
 
-def atlas_admittance(cell: Cell, frequency: Array, medium: Medium) -> ComplexArray:
+def atlas_admittance(cell: Cell, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Volume velocities into a cell per pressure at its nodes, in m^3/(Pa s), as 3-D Navier-Stokes gives them.
 
     Closed forms, with the impedances of the openings, their part in the compliance and the inertance of the air in
@@ -30,7 +32,7 @@ def atlas_admittance(cell: Cell, frequency: Array, medium: Medium) -> ComplexArr
     Args:
         cell: lengths in mm.
         frequency: (n_freq,) Hz.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         (n_freq, k + 1, k + 1) complex128 for k tubes, nodes as :func:`acoustic_fem.cell.lumped_admittance`.
@@ -38,6 +40,7 @@ def atlas_admittance(cell: Cell, frequency: Array, medium: Medium) -> ComplexArr
     Raises:
         OutsideAtlas: a cell that is not a cylinder, or sizes, air or frequencies out of the bounds.
     """
+    medium, frequency = medium_of(air), frequencies(frequency)
     atlas = cell_atlas()
     check_cell(atlas, cell, frequency, medium)
     omega, radius = 2 * np.pi * frequency, metres(cell.diameter) / 2
@@ -122,7 +125,7 @@ def check_gas(medium: Any) -> None:
             low, high = usual * (1 - _PART), usual * (1 + _PART)
             raise OutsideAtlas(
                 kind=Kind.NO_RESULT,
-                field=f"medium: {name}",
+                field=f"air: {name}",
                 allowed=f"{low:.4g} to {high:.4g}, that of air, in the atlas of cells",
                 remedy='fidelity "navier-stokes" takes any gas',
             )

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from numpy.typing import ArrayLike
-
 from acoustic_fem.atlas.cell_in_atlas import check_cell
 from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import MANY_DESIGNS, ONE_DESIGN, Fidelity
 from acoustic_fem.quantities.local_air import design_air
 from geometry.air.cells import cell_catalogue
@@ -32,7 +30,7 @@ class QuickFidelity:
         return f"{self.name}: {self.outside}" if self.outside else self.name
 
 
-def quick_fidelity(design: DesignLike, frequency: ArrayLike | str) -> QuickFidelity:
+def quick_fidelity(design: DesignLike, frequency: FrequencyLike) -> QuickFidelity:
     """The fidelity of a quick answer for a design in its air.
 
     Args:

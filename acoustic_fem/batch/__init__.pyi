@@ -3,6 +3,5 @@ from .numpy_or_torch import namespace as namespace
 from .parameters import (
     ArrayParameters as ArrayParameters,
     MediumParameters as MediumParameters,
-    design_air as design_air,
 )
 from .topology import Topology as Topology

@@ -15,15 +15,14 @@ from functools import partial
 from types import ModuleType
 from typing import Any, NamedTuple
 
-from numpy.typing import ArrayLike
-
 from acoustic_fem.batch.elements import Chambers, Conditions, Points, Tubes, chambers, points, tubes
 from acoustic_fem.batch.numpy_or_torch import inverse, namespace
 from acoustic_fem.batch.openings import check_openings, open_parts, opening_columns
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, check_medium, check_parameters
 from acoustic_fem.batch.topology import LineWiring, Topology
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from geometry.ground.argument_checks import out_of_range
 from geometry.ground.typed import NumpyOrTorch
@@ -57,8 +56,8 @@ class BatchResponse:
 def batch_transfer_function(
     parameters: ArrayParameters,
     topology: Topology,
-    frequency: ArrayLike,
-    medium: Medium | MediumParameters,
+    frequency: FrequencyLike,
+    air: AirLike | MediumParameters,
     fidelity: str = "lumped",
 ) -> NumpyOrTorch:
     """Transfer functions of a batch of designs.
@@ -68,14 +67,15 @@ def batch_transfer_function(
     Returns:
         (n_design, n_point, n_microphone, n_freq) complex128, Pa/Pa; points line by line.
     """
+    medium = air if isinstance(air, MediumParameters) else medium_of(air)
     return batch_response(parameters, topology, frequency, medium, fidelity).transfer_function
 
 
 def batch_response(
     parameters: ArrayParameters,
     topology: Topology,
-    frequency: ArrayLike,
-    medium: Medium | MediumParameters,
+    frequency: FrequencyLike,
+    air: AirLike | MediumParameters,
     fidelity: str = "lumped",
 ) -> BatchResponse:
     """Responses of a batch of designs of one topology in closed form, as :func:`acoustic_fem.solve` computes them.
@@ -90,13 +90,14 @@ def batch_response(
         parameters: of the designs.
         topology: their wiring, with the columns the parameters have.
         frequency: (n_freq,) float64, ascending, 1e-3 to 2e3 Hz; 0 is refused: there all pressures are equal, H = 1.
-        medium: the air of all, or of each design.
+        air: the air of all, or of each design.
         fidelity: "lumped", or "atlas" with what 3-D adds to cells of cylindrical cavities.
 
     Raises:
         Refusal: a bad frequency grid, parameters that do not fit the topology or are out of range, or a design outside
             the atlas.
     """
+    medium = air if isinstance(air, MediumParameters) else medium_of(air)
     grid = frequency_grid(frequency)
     if fidelity not in CLOSED_FORMS:
         raise out_of_range("fidelity", fidelity, f"one of {', '.join(CLOSED_FORMS)} in a batch")

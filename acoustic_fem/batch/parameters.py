@@ -20,7 +20,7 @@ from acoustic_fem.membrane.disc import DiscSolution, KnownDiscs, design_disc, de
 from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.network.microphone import circuit_elements as elements
 from acoustic_fem.network.yielding import design_leak, floor_compliance, sheath_compliance, soft_rubber
-from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres, metres
 from geometry.design.array_design import ArrayDesign
@@ -108,27 +108,25 @@ class ArrayParameters:
     """Admittance 1/R of the vent, (n_design, n_microphone_column) float64, m^3/(Pa s)."""
 
     @classmethod
-    def from_design(
-        cls, design: ArrayDesign, medium: Medium | None = None, known: KnownDiscs | None = None
-    ) -> ArrayParameters:
+    def from_design(cls, design: ArrayDesign, air: AirLike = None, known: KnownDiscs | None = None) -> ArrayParameters:
         """The numbers of one design, n_design = 1, as NumPy arrays in the columns of :meth:`Topology.of`.
 
         Args:
             design: the array.
-            medium: the air, on which diaphragm, vent and leaks depend; by default that of the design.
+            air: air on which diaphragm, vent and leaks depend; by default that of the design.
             known: membranes that need not be solved.
         """
-        return cls.from_designs([design], medium, known)
+        return cls.from_designs([design], air, known)
 
     @classmethod
     def from_designs(
-        cls, designs: Sequence[ArrayDesign], medium: Medium | None = None, known: KnownDiscs | None = None
+        cls, designs: Sequence[ArrayDesign], air: AirLike = None, known: KnownDiscs | None = None
     ) -> ArrayParameters:
         """The numbers of several designs of one topology.
 
         Args:
             designs: the arrays.
-            medium: the air, on which diaphragm, vent and leaks depend; by default that of each design.
+            air: air on which diaphragm, vent and leaks depend; by default that of each design.
             known: membranes that need not be solved.
 
         Raises:
@@ -142,7 +140,7 @@ class ArrayParameters:
                 raise mismatch(
                     f"designs.{number + 1}", f"({design.name}) is not wired as the first one ({designs[0].name})"
                 )
-        common = _Common(medium, known)
+        common = _Common(air, known)
         rows = [_row(design, common) for design in designs]
         for rubber in _RUBBERS:
             terms = max(len(column) for row in rows for column in row[f"{rubber}_relaxation"])
@@ -284,19 +282,19 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
     for field in fields(medium):
         values = getattr(medium, field.name)
         if namespace(values) is not xp or values.dtype != xp.float64:
-            raise wrong_type(f"medium.{field.name}", f"must be a float64 array of {xp.__name__}, as the parameters are")
+            raise wrong_type(f"air.{field.name}", f"must be a float64 array of {xp.__name__}, as the parameters are")
         if tuple(values.shape) not in ((1,), (rows,)) or (count > 1 and rows not in (1, count)):
-            raise wrong_type(f"medium.{field.name}", f"has shape {tuple(values.shape)}; it must be ({count},) or (1,)")
+            raise wrong_type(f"air.{field.name}", f"has shape {tuple(values.shape)}; it must be ({count},) or (1,)")
         if not bool((xp.isfinite(values) & (values > 0)).all()):
-            raise Refusal("must be finite and above 0", kind=Kind.OUT_OF_RANGE, field=f"medium.{field.name}")
+            raise Refusal("must be finite and above 0", kind=Kind.OUT_OF_RANGE, field=f"air.{field.name}")
     return max(rows, count)
 
 
 class _Common:
     """Common parts of many designs, worked out once."""
 
-    def __init__(self, medium: Medium | None, known: KnownDiscs | None) -> None:
-        self._medium, self._known = medium, known
+    def __init__(self, air: AirLike, known: KnownDiscs | None) -> None:
+        self._air, self._known = air, known
         self._found: dict[Hashable, Any] = {}
 
     def _once(self, key: Hashable, make: Callable[[], Any]) -> Any:
@@ -306,7 +304,7 @@ class _Common:
 
     def air(self, design: ArrayDesign) -> Medium:
         """The air that was given, or that of the design."""
-        return self._medium or cast(Medium, self._once(design.air, lambda: design_air(design)))
+        return cast(Medium, self._once(design.air, lambda: medium_of(self._air, design)))
 
     def microphone(self, design: ArrayDesign) -> tuple[float, float]:
         """Compliance of the diaphragm and admittance of the vent."""

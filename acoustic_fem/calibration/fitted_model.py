@@ -17,8 +17,8 @@ from acoustic_fem.calibration.model_discrepancy import TOTAL
 from acoustic_fem.duct.leak import leak_conductance
 from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.network.microphone import vent_ratio
-from acoustic_fem.quantities.checks import in_range
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array, ComplexArray
 
 #: A combination of parameters counts as determined where the data say more of it than the prior.
@@ -64,7 +64,7 @@ class Priors(PartScatter):
     def __post_init__(self) -> None:
         for field in fields(self):
             least, most = (0.0, 5.0) if field.name == "leak" else (1e-6, 1.0)
-            in_range(f"priors.{field.name}", getattr(self, field.name), least, most)
+            check_range(f"priors.{field.name}", getattr(self, field.name), least, most)
 
 
 class UpdatedModel:

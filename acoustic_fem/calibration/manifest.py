@@ -33,6 +33,7 @@ from acoustic_fem.calibration.reference_response import ReferenceResponse, read_
 from acoustic_fem.sound.estimate import Estimator
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names, resolve_design
+from geometry.ground.argument_checks import whole_number
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
 from geometry.schema.field_errors import model_of
@@ -132,7 +133,8 @@ def read_manifest(path: Path) -> Manifest:
         raise _fault(path, f"must give {', '.join(names)} a number each, all different", field="channels")
     points: dict[int, Mapping[str, Path]] = {}
     for text, files in file.points.items():
-        if not (text.isascii() and text.isdigit() and 1 <= int(text) <= design.point_count) or int(text) in points:
+        number = whole_number(text)
+        if not 1 <= number <= design.point_count or number in points:
             raise ManifestError(
                 kind=Kind.OUT_OF_RANGE,
                 file=path,
@@ -147,7 +149,7 @@ def read_manifest(path: Path) -> Manifest:
                 kind=Kind.MISMATCH,
                 field=f"points.{text}",
             )
-        points[int(text)] = {name: path.parent / by_channel[name] for name in names}
+        points[number] = {name: path.parent / by_channel[name] for name in names}
     return Manifest(
         design,
         points,

@@ -21,9 +21,8 @@ import scipy.stats
 
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.calibration.model_discrepancy import Discrepancy
-from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.estimate import TransferEstimate
-from geometry.ground.argument_checks import check_given, check_shape, unsuitable
+from geometry.ground.argument_checks import check_given, check_range, check_shape, unsuitable
 from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array, ComplexArray
 
@@ -100,7 +99,7 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
     check_given("estimates", points, "a fit needs at least one measured point")
     shape = model._ratio.shape
     for number in points:
-        in_range("point", number, 1, shape[0])
+        check_range("point", number, 1, shape[0])
         check_shape(f"estimates.{number}", estimates[number].transfer_function, shape[1:], kind=Kind.MISMATCH)
         _check_estimate(number, estimates[number])
     rows = [number - 1 for number in points]

@@ -11,25 +11,26 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy.special import jn_zeros, jve, zeta
 
-from acoustic_fem.quantities.checks import positive
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.argument_checks import positive_numbers
 from geometry.ground.typed import Array, ComplexArray
 
 #: Results on longer grids are not kept.
 _LONGEST_GRID = 1024
 
 
-def closed_cylinder_compliance(radius: float, height: float, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+def closed_cylinder_compliance(radius: float, height: float, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Compliance of a closed cylinder, m^3/Pa.
 
     Args:
         radius: of the cylinder, m.
         height: of the cylinder, m.
         frequency: Hz, any shape.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         Shape of frequency, complex128; series with summed tail, relative error below 1e-8.
@@ -37,8 +38,9 @@ def closed_cylinder_compliance(radius: float, height: float, frequency: ArrayLik
     Raises:
         Refusal: a radius, height or frequency that is not finite and positive.
     """
-    positive("radius", radius, "m")
-    positive("height", height, "m")
+    medium = medium_of(air)
+    positive_numbers("radius", radius, "m")
+    positive_numbers("height", height, "m")
     rate = _rate(frequency, medium)
     if rate.size > _LONGEST_GRID:
         mean = _cylinder_mean(radius, height, rate)
@@ -47,13 +49,13 @@ def closed_cylinder_compliance(radius: float, height: float, frequency: ArrayLik
     return _compliance(np.pi * radius**2 * height, mean, medium)
 
 
-def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+def closed_sphere_compliance(radius: float, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Compliance of a closed sphere, m^3/Pa.
 
     Args:
         radius: of the sphere, m.
         frequency: Hz, any shape.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         Shape of frequency, complex128.
@@ -61,14 +63,15 @@ def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium
     Raises:
         Refusal: a radius or frequency that is not finite and positive.
     """
-    positive("radius", radius, "m")
+    medium = medium_of(air)
+    positive_numbers("radius", radius, "m")
     mean = _sphere_mean(radius, _rate(frequency, medium))
     return _compliance(4 / 3 * np.pi * radius**3, mean, medium)
 
 
-def _rate(frequency: ArrayLike, medium: Medium) -> ComplexArray:
+def _rate(frequency: FrequencyLike, medium: Medium) -> ComplexArray:
     """Rate of heat diffusion j w / alpha, 1/m^2."""
-    omega = 2 * np.pi * positive("frequency", frequency, "Hz")
+    omega = 2 * np.pi * frequencies(frequency)
     return np.asarray(1j * omega / medium.thermal_diffusivity)
 
 

@@ -11,16 +11,17 @@ from dataclasses import asdict
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.numerics.refinement import HEAT_ORDER, refined
-from acoustic_fem.quantities.checks import numbers, positive
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import mesh_solid
+from geometry.ground.argument_checks import positive_numbers
 from geometry.ground.extras import installed_version
 from geometry.ground.typed import Array, ComplexArray
 from geometry.schema.cavity_shapes import Box, Dome, draw_cavity
@@ -35,7 +36,7 @@ _VERSION = 2
 
 
 def shaped_cavity_compliance(
-    shape: Box | Dome, radius: float, height: float, frequency: ArrayLike, medium: Medium
+    shape: Box | Dome, radius: float, height: float, frequency: FrequencyLike, air: AirLike
 ) -> ComplexArray:
     """Compliance of a closed cavity of uniform pressure with isothermal walls, m^3/Pa.
 
@@ -44,7 +45,7 @@ def shaped_cavity_compliance(
         radius: of the circle under the membrane, m.
         height: from the lowest place of the floor to the membrane, m.
         frequency: Hz, any shape.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         Shape of frequency, complex128; estimated relative error below 1e-3.
@@ -53,9 +54,10 @@ def shaped_cavity_compliance(
         Refusal: a radius, height or frequency that is not finite and positive.
         MeshError, ConvergenceError: the cavity cannot be meshed, or the meshes do not reach the accuracy.
     """
-    positive("radius", radius, "m")
-    positive("height", height, "m")
-    grid = np.atleast_1d(positive("frequency", numbers("frequency", frequency), "Hz"))
+    medium = medium_of(air)
+    positive_numbers("radius", radius, "m")
+    positive_numbers("height", height, "m")
+    grid = frequencies(frequency)
     band = (min(_BAND[0], float(grid.min())), max(_BAND[1], float(grid.max())))
     size = (radius / metres(1.0), height / metres(1.0))
     matrices, excitations, weights = _thermal_model(shape, *size, medium, band)
@@ -64,7 +66,7 @@ def shaped_cavity_compliance(
     mean = np.linalg.solve(system, rate[:, None, None] * excitations)[:, :, 0] @ weights
     volume = shape.volume(*size) * metres(1.0) ** 3
     compliance = volume * (medium.gamma - (medium.gamma - 1) * mean) / (medium.gamma * medium.pressure)
-    return np.asarray(compliance, dtype=np.complex128).reshape(np.shape(frequency))
+    return np.asarray(compliance, dtype=np.complex128).reshape(grid.shape)
 
 
 @lru_cache(maxsize=64)

@@ -24,12 +24,13 @@ from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.cell.solid import checked_physics
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.duct.meshed_section import MeshedSection
-from acoustic_fem.quantities.checks import frequency_grid, in_range, positive
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import Physics
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import FIRST, LAST, Winding, swept_mesh
-from geometry.ground.argument_checks import out_of_range
+from geometry.ground.argument_checks import check_range, out_of_range, positive_numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -64,8 +65,8 @@ class BentBore:
 def solve_bent_bores(
     radius: float,
     windings: Sequence[Winding],
-    frequency: ArrayLike,
-    medium: Medium,
+    frequency: FrequencyLike,
+    air: AirLike,
     fidelity: str = "navier-stokes",
     rings: int = 4,
     progress: Callable[[float], None] = lambda done: None,
@@ -80,7 +81,7 @@ def solve_bent_bores(
         radius: a of the bore, m.
         windings: centre lines, mm; curvature and pitch count, the angle does not.
         frequency: (n_freq,) Hz, ascending.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         fidelity: ``"navier-stokes"`` (the one to trust) or ``"helmholtz"``, whose change of the resistance is 13
             times too large: the scalar viscous field does not know that the flow turns.
         rings: of elements in the section, 1 to 8.
@@ -95,9 +96,10 @@ def solve_bent_bores(
         LinearSolverError: a solve misses its residual limit.
         RationalFitError: the sweep does not reach its tolerance.
     """
+    medium = medium_of(air)
     grid = check_bent_bore(radius, windings, frequency, medium)
     physics = checked_physics(fidelity)
-    rings = int(in_range("rings", rings, 1, 8))
+    rings = int(check_range("rings", rings, 1, 8))
     length = PIECE * radius
     pieces: list[Winding | None] = [None, *windings]
     exact = plane_wave.port_admittance(radius, length, grid, medium)
@@ -114,7 +116,7 @@ def solve_bent_bores(
     return [BentBore(series, shunt, error, unknowns) for series, shunt in lines]
 
 
-def check_bent_bore(radius: float, windings: Sequence[Winding], frequency: ArrayLike, medium: Medium) -> Array:
+def check_bent_bore(radius: float, windings: Sequence[Winding], frequency: FrequencyLike, air: AirLike) -> Array:
     """Check the arguments of :func:`solve_bent_bores` without solving: radius in m, frequency (n_freq,) in Hz.
 
     Returns:
@@ -123,7 +125,8 @@ def check_bent_bore(radius: float, windings: Sequence[Winding], frequency: Array
     Raises:
         Refusal: as there.
     """
-    bore = float(positive("radius", radius, "m"))
+    medium = medium_of(air)
+    bore = float(positive_numbers("radius", radius, "m"))
     for winding in windings:
         if not bore * winding.curvature < metres(1.0):
             raise out_of_range("radius", bore, f"below the bend's radius {metres(1 / winding.curvature):g} m", "m")

@@ -6,14 +6,13 @@ import threading
 from collections.abc import Iterable, Sequence
 from functools import partial
 
-from numpy.typing import ArrayLike
-
 from acoustic_fem.cell.one_cell import DESIGN_BAND, CellRecord, CellSolution, CellTask, rebuilt, solve_task
 from acoustic_fem.cell.side_by_side import solve_side_by_side
 from acoustic_fem.cell.solid import Progress, checked_physics
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.numerics.processors import cores
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 from geometry.ground.typed import Array
@@ -25,8 +24,8 @@ SECONDS_PER_CELL = 3.0
 
 def solve_cells(
     cells: Sequence[Cell],
-    frequency: ArrayLike,
-    medium: Medium,
+    frequency: FrequencyLike,
+    air: AirLike,
     fidelity: str = "navier-stokes",
     progress: Progress | None = None,
     *,
@@ -44,7 +43,7 @@ def solve_cells(
     Args:
         cells: distinct cells.
         frequency: (n_freq,) Hz, ascending, 1e-3 to 2000.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
         progress: called with the label of a cell, its number among them, and the fraction done of all.
         apart: solve a single cell in a process of its own, too, which is left to the next call for a few seconds: what
@@ -58,6 +57,7 @@ def solve_cells(
         CellError: a cell could not be meshed or solved.
         CellFault: the program failed in a process of its own; the traceback is on stderr.
     """
+    medium = medium_of(air)
     grid = frequency_grid(frequency)
     checked_physics(fidelity)
     tasks = [CellTask(cell, medium, _band(grid), fidelity) for cell in cells]
@@ -92,8 +92,9 @@ def solve_cells(
     return {task.cell: rebuilt(task, records[task], grid, cached=task not in missing) for task in tasks}
 
 
-def is_cached(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str = "navier-stokes") -> bool:
+def is_cached(cell: Cell, frequency: FrequencyLike, air: AirLike, fidelity: str = "navier-stokes") -> bool:
     """True if :func:`solve_cells` would find a cell in the cache; arguments as there, frequency (n_freq,) in Hz."""
+    medium = medium_of(air)
     return cached_count([(cell, medium)], frequency_grid(frequency), fidelity) == 1
 
 
@@ -103,24 +104,26 @@ def cached_count(cells: Iterable[tuple[Cell, Medium]], grid: Array, fidelity: st
 
 
 def kept_cell(
-    cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str = "navier-stokes"
+    cell: Cell, frequency: FrequencyLike, air: AirLike, fidelity: str = "navier-stokes"
 ) -> tuple[CellSolution, CellRecord] | None:
     """Solution of a cell that the cache of this machine holds, and its record; None where there is none.
 
     Args:
         cell: the cell.
         frequency: (n_freq,) Hz, as of :func:`solve_cells`.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
     """
+    medium = medium_of(air)
     grid = frequency_grid(frequency)
     task = CellTask(cell, medium, _band(grid), fidelity)
     record = disk_cache.fetch(task.key)
     return None if record is None else (rebuilt(task, record, grid, cached=True), record)
 
 
-def keep_cell(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str, record: CellRecord) -> None:
+def keep_cell(cell: Cell, frequency: FrequencyLike, air: AirLike, fidelity: str, record: CellRecord) -> None:
     """Keep a cell that was solved on another machine; arguments as of :func:`kept_cell`, and its record."""
+    medium = medium_of(air)
     if not is_cached(cell, frequency, medium, fidelity):
         disk_cache.store(CellTask(cell, medium, _band(frequency_grid(frequency)), fidelity).key, *record)
 

@@ -8,13 +8,15 @@ from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.cavity.shaped import shaped_cavity_compliance
 from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.duct.tube_opening import entrance_impedance
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell
 from geometry.ground.typed import Array, ComplexArray
 
 
-def lumped_admittance(cell: Cell, frequency: Array, medium: Medium) -> ComplexArray:
+def lumped_admittance(cell: Cell, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Volume velocities into a cell per pressure at its nodes, in m^3/(Pa s).
 
     Against 3-D Navier-Stokes: 0.04 to 0.15 % in the two-port of a 6 x 2.5 mm cavity with tubes of 0.25 mm
@@ -27,12 +29,13 @@ def lumped_admittance(cell: Cell, frequency: Array, medium: Medium) -> ComplexAr
     Args:
         cell: lengths in mm.
         frequency: (n_freq,) Hz.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         (n_freq, k + 1, k + 1) complex128 for k tubes: the outer ends of the stubs in the order of
         ``cell.ports``, then the opening: the cavity pressure under a membrane, or the far end of a sound hole.
     """
+    medium, frequency = medium_of(air), frequencies(frequency)
     radius, height = metres(cell.diameter) / 2, metres(cell.height)
     if cell.shape is None:
         cavity = closed_cylinder_compliance(radius, height, frequency, medium)

@@ -22,6 +22,7 @@ from geometry.air.straight_bores import StraightBore
 from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.ground.extras import NotInstalled, installed_version
 from geometry.ground.refusal import Kind, Refusal, said_by
+from geometry.ground.stated_times import stated_seconds, stopped_time
 from geometry.ground.typed import Array, ComplexArray
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
@@ -78,15 +79,15 @@ class CellSolution:
     """True if it came from the cache."""
 
     def summary(self) -> dict[str, Any]:
-        """All but the responses, as plain values."""
+        """All but the responses, as plain values; whether it was cached only while the clock of files runs."""
         return {
             "method": f"3-D {self.physics}",
             "unknowns": self.unknowns,
             "sampled_frequencies": list(self.sampled),
             "sweep_error": self.sweep_error,
             "mesh_error": self.mesh_error,
-            "seconds": self.seconds,
-            "cached": self.cached,
+            "seconds": stated_seconds(self.seconds),
+            **({"cached": self.cached} if stopped_time() is None else {}),
         }
 
 

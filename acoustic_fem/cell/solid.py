@@ -9,10 +9,9 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from os import PathLike
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 import geometry
 from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped, ThermalField, condense
@@ -20,15 +19,16 @@ from acoustic_fem.fields.cylinder_heat import CylinderAir, CylinderField, cylind
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.numerics.refinement import BEST_ORDER, FLOW_ORDER, HEAT_ORDER, Refinement, refined
-from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid, port_points
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
-from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, mesh_solid, refuse_large_mesh
+from geometry.air.mesh import MOST_ELEMENTS, MeshSizes, Point, SolidMesh, face_at, mesh_solid, refuse_large_mesh
 from geometry.air.solid_checks import sound_solid
 from geometry.air.straight_bores import shortened
 from geometry.air.volume import MIRROR
-from geometry.ground.argument_checks import out_of_range
-from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
+from geometry.formats.step_file import read_step
+from geometry.ground.argument_checks import check_range, out_of_range, real_numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -118,8 +118,8 @@ class SolvedBody:
 def port_admittance(
     solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str],
     ports: Mapping[str, Point],
-    frequency: ArrayLike,
-    medium: Medium,
+    frequency: FrequencyLike,
+    air: AirLike,
     fidelity: str = "navier-stokes",
     accuracy: float = 1e-3,
     progress: Progress | None = None,
@@ -133,7 +133,7 @@ def port_admittance(
         solid: one closed CadQuery solid of air in mm, or the path of a STEP file.
         ports: name -> a point on its flat face, mm.
         frequency: (n_freq,) Hz, ascending, 1e-3 to 2000, or one number.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         fidelity: ``"navier-stokes"`` (linearised, the one to trust) or ``"helmholtz"`` (scalar; wrong by
             about 5 % where a tube opens into a cavity, see :mod:`acoustic_fem.fields.helmholtz`).
         accuracy: relative error aimed at in the admittances, 2e-4 to 3e-3. The mesh is refined until
@@ -150,7 +150,10 @@ def port_admittance(
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: four refinements do not reach the accuracy.
     """
-    grid = frequency_grid(frequency if isinstance(frequency, str) else np.atleast_1d(numbers("frequency", frequency)))
+    medium = medium_of(air)
+    grid = frequency_grid(
+        frequency if isinstance(frequency, str) else np.atleast_1d(real_numbers("frequency", frequency))
+    )
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
     admittance = solved.body.nodal_admittance(grid)
     return admittance if isinstance(frequency, str) or np.ndim(frequency) else admittance[0]
@@ -160,7 +163,7 @@ def solve_solid(
     solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str],
     ports: Mapping[str, Point],
     band: tuple[float, float],
-    medium: Medium,
+    air: AirLike,
     fidelity: str = "navier-stokes",
     accuracy: float = 1e-3,
     progress: Progress | None = None,
@@ -173,7 +176,7 @@ def solve_solid(
         solid: as for :func:`port_admittance`.
         ports: name -> a point on its flat face, mm.
         band: lowest and highest frequency, Hz.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
         accuracy: as for :func:`port_admittance`.
         progress: called with a label and the fraction done.
@@ -181,12 +184,13 @@ def solve_solid(
     Raises:
         As :func:`port_admittance`.
     """
-    accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)
+    medium = medium_of(air)
+    accuracy = check_range("accuracy", accuracy, *_ACCURACY_RANGE)
     physics = checked_physics(fidelity)
     ports = port_points(ports)
     if not isinstance(medium, Medium):
         raise Refusal(f"must be a Medium, not a {type(medium).__name__}", kind=Kind.WRONG_TYPE, field="medium")
-    shape = sound_solid(as_shape(solid))
+    shape, ports = _at_origin(sound_solid(as_shape(solid)), ports)
     box = shape.BoundingBox()
     half = geometry.air.mirror_half(shape, ports) if MIRROR not in ports else None
     faces = dict(ports) if half is None else {**half.ports, MIRROR: half.mirror}
@@ -200,6 +204,19 @@ def solve_solid(
         MeshGoal(accuracy, min(box.xlen, box.ylen, box.zlen)),
         lambda done: None if progress is None else progress("cell", done),
     )
+
+
+def _at_origin(solid: cadquery.Solid, ports: Mapping[str, Point]) -> tuple[cadquery.Solid, dict[str, Point]]:
+    """A solid and its ports, moved so that the solid lies around the origin: wherever it was drawn, the answer is one.
+
+    Raises:
+        MeshError: a port lies on no flat face, or on several; it is named where the caller has it.
+    """
+    for name, point in ports.items():
+        face_at(solid, name, point)
+    centre = solid.BoundingBox().center
+    moved = {name: (x - centre.x, y - centre.y, z - centre.z) for name, (x, y, z) in ports.items()}
+    return solid.translate(-centre), moved
 
 
 def converge(
@@ -317,15 +334,14 @@ def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -
     """The one shape that was given, read from a STEP file where a path was.
 
     Raises:
-        Refusal: no such file, no STEP file, or not one shape.
+        Refusal: no such file, no STEP file that can be read in 20 s and 1.5 GB, or not one shape.
     """
     import cadquery as cq
 
     if isinstance(solid, str | PathLike):
-        path = ordinary_file(solid, "a STEP file", Refusal, LARGEST_DATA)
-        with library_reads(path, "a STEP file", Refusal):
-            solid = cq.importers.importStep(str(path))
-    shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
+        shapes: list[Any] = [*read_step(solid)]
+    else:
+        shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
     if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
         held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
         raise Refusal(f"must be one CadQuery shape, it holds {held}", kind=Kind.WRONG_TYPE, field="solid")

@@ -25,13 +25,12 @@ from typing import Any
 import numpy as np
 import scipy.sparse as sp
 import skfem
-from numpy.typing import ArrayLike
 
 from acoustic_fem.duct.plane_wave import Line, diffusion_rate
 from acoustic_fem.numerics.rational_sweep import reduce_system
-from acoustic_fem.quantities.checks import in_range, positive
-from acoustic_fem.quantities.medium import Medium
-from geometry.ground.argument_checks import out_of_range
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from acoustic_fem.quantities.local_air import AirLike, medium_of
+from geometry.ground.argument_checks import check_range, out_of_range, positive_numbers
 from geometry.ground.typed import Array, ComplexArray
 
 #: Columns of elements over a quarter of the wire; see tests/acoustic_fem/duct/test_coil_bore.py for the error.
@@ -57,13 +56,13 @@ class CoilBore(Line):
     """
 
     def __post_init__(self) -> None:
-        outer = float(positive("outer_diameter", self.outer_diameter, "m"))
-        wire = float(positive("wire_diameter", self.wire_diameter, "m"))
+        outer = float(positive_numbers("outer_diameter", self.outer_diameter, "m"))
+        wire = float(positive_numbers("wire_diameter", self.wire_diameter, "m"))
         if wire >= outer / 4:
             raise out_of_range("wire_diameter", wire, f"below a quarter of outer_diameter = {outer:g} m", "m")
         if int(self.refinement) != self.refinement or self.refinement < 2:
             raise out_of_range("refinement", self.refinement, "a whole number of at least 2")
-        in_range("cusp", self.cusp, 0.02, 0.5, "rad")
+        check_range("cusp", self.cusp, 0.02, 0.5, "rad")
 
     @property
     def crest_radius(self) -> float:
@@ -83,21 +82,23 @@ class CoilBore(Line):
         conductance = float(self._flow_response(np.zeros(1))[0].real) / self._depth
         return self.crest_radius * (8 * conductance / np.pi) ** 0.25
 
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def series_impedance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Series impedance Z' per length, Pa s/m^4: shape of frequency (Hz), complex128."""
+        medium = medium_of(air)
         rate = np.abs(diffusion_rate(frequency, medium.kinematic_viscosity))
         response = self._flow_response(rate.ravel() * self.crest_radius**2).reshape(rate.shape)
         return np.asarray(medium.viscosity / self.crest_radius**4 * self._depth / response)
 
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def shunt_admittance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Shunt admittance Y' per length, m^2/(Pa s): shape of frequency (Hz), complex128."""
+        medium = medium_of(air)
         rate = np.abs(diffusion_rate(frequency, medium.thermal_diffusivity))
         scaled = rate.ravel() * self.crest_radius**2
         heat, load = self._heat
         adiabatic = 1j * scaled * _response(heat, load, scaled) / self._depth * self.crest_radius**2
         gamma = medium.gamma
         stored = gamma * self.volume_per_length - (gamma - 1) * adiabatic.reshape(rate.shape)
-        return np.asarray(2j * np.pi * np.asarray(frequency) / (gamma * medium.pressure) * stored)
+        return np.asarray(2j * np.pi * frequencies(frequency) / (gamma * medium.pressure) * stored)
 
     @property
     def _depth(self) -> float:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from acoustic_fem.duct.tube_opening import RESISTANCE
-from acoustic_fem.quantities.checks import in_range, positive
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.local_air import AirLike, medium_of
+from geometry.ground.argument_checks import check_range, positive_numbers
 
 
-def leak_conductance(radius: float, length: float, medium: Medium) -> float:
+def leak_conductance(radius: float, length: float, air: AirLike) -> float:
     """Flow out of a round capillary per pressure before it, 1 / (8 mu L / (pi a^4) + 3 mu / a^3), m^3/(Pa s).
 
     Poiseuille's resistance and that of both openings. Against the capillary as a duct with openings, inertia and gas
@@ -18,9 +18,10 @@ def leak_conductance(radius: float, length: float, medium: Medium) -> float:
     Args:
         radius: of its bore, m; 0: no leak.
         length: m.
-        medium: the air.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
     """
-    in_range("radius", radius, 0, np.inf, "m")
-    positive("length", length, "m")
+    medium = medium_of(air)
+    check_range("radius", radius, 0, np.inf, "m")
+    positive_numbers("length", length, "m")
     poiseuille, openings = 8 * length / np.pi, 2 * RESISTANCE * radius
     return float(radius**4 / (medium.viscosity * (poiseuille + openings)))

@@ -15,8 +15,7 @@ from skfem.helpers import dot, grad
 
 from acoustic_fem.duct.sections import Section
 from acoustic_fem.numerics.rational_sweep import reduce_system
-from acoustic_fem.quantities.checks import positive
-from geometry.ground.argument_checks import unsuitable, wrong_type
+from geometry.ground.argument_checks import positive_numbers, unsuitable, wrong_type
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
@@ -74,13 +73,13 @@ class MeshedSection(Section):
     @classmethod
     def circle(cls, radius: float, rings: int = 4) -> MeshedSection:
         """A circle of that radius, m, of 6 rings^2 triangles, its nodes on concentric circles."""
-        positive("radius", radius, "m")
+        positive_numbers("radius", radius, "m")
         return _from_map(_hexagon(_whole("rings", rings)), lambda hexagon: _disc(hexagon, radius))
 
     @classmethod
     def rectangle(cls, width: float, height: float, columns: int = 8, rows: int = 8) -> MeshedSection:
         """A rectangle of that width and height, m, of 2 columns rows triangles."""
-        size = np.array([float(positive("width", width, "m")), float(positive("height", height, "m"))])
+        size = np.array([float(positive_numbers("width", width, "m")), float(positive_numbers("height", height, "m"))])
         mesh = skfem.MeshTri.init_tensor(
             np.linspace(0, 1, _whole("columns", columns) + 1), np.linspace(0, 1, _whole("rows", rows) + 1)
         )

@@ -24,9 +24,10 @@ from numpy.polynomial.polynomial import polyval
 from numpy.typing import ArrayLike
 from scipy.special import jve, zeta
 
-from acoustic_fem.quantities.checks import in_range, positive
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.argument_checks import mismatch, out_of_range
+from geometry.ground.argument_checks import check_range, mismatch, out_of_range, positive_numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -36,7 +37,7 @@ Spectrum = ArrayLike | Callable[[Array], ArrayLike]
 _LONGEST_GRID = 1024
 
 
-def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+def series_impedance(radius: ArrayLike, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Series impedance per length of a round bore, Pa s/m^4.
 
     Z' = j w rho / (S (1 - J(kv a))), kv = sqrt(-j w rho / mu).
@@ -47,7 +48,7 @@ def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
     Args:
         radius: of the bore, m; broadcasts with frequency.
         frequency: Hz, any shape.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         Broadcast shape, complex128.
@@ -55,12 +56,13 @@ def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
     Raises:
         Refusal: a radius or frequency that is not finite and positive.
     """
-    radius = positive("radius", radius, "m")
+    medium = medium_of(air)
+    radius = positive_numbers("radius", radius, "m")
     mean = round_mean(2, radius, diffusion_rate(frequency, medium.kinematic_viscosity))
     return series_from_mean(np.pi * radius**2, mean, frequency, medium)
 
 
-def shunt_admittance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+def shunt_admittance(radius: ArrayLike, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Shunt admittance per length of a round bore, m^2/(Pa s).
 
     Y' = j w S / (rho c^2) (1 + (gamma - 1) J(kt a)), kt = sqrt(-j w rho cp / kappa). Low frequency: j w S / p
@@ -69,19 +71,20 @@ def shunt_admittance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
     Returns:
         Broadcast shape of radius and frequency, complex128.
     """
-    radius = positive("radius", radius, "m")
+    medium = medium_of(air)
+    radius = positive_numbers("radius", radius, "m")
     mean = round_mean(2, radius, diffusion_rate(frequency, medium.thermal_diffusivity))
     return shunt_from_mean(np.pi * radius**2, mean, frequency, medium)
 
 
-def port_admittance(radius: ArrayLike, length: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+def port_admittance(radius: ArrayLike, length: ArrayLike, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Volume velocities into a round duct per pressure at its two ends, in m^3/(Pa s).
 
     Args:
         radius: of the bore, m, scalar or (n_freq,).
         length: of the duct, m, scalar or (n_freq,).
         frequency: (n_freq,) Hz; all three broadcast.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         As :func:`two_port`: (n_freq, 2, 2) complex128 for one duct at n_freq frequencies.
@@ -89,8 +92,9 @@ def port_admittance(radius: ArrayLike, length: ArrayLike, frequency: ArrayLike, 
     Raises:
         Refusal: a radius, length or frequency that is not finite and positive.
     """
-    length, radius = positive("length", length, "m"), positive("radius", radius, "m")
-    frequency = positive("frequency", frequency, "Hz")
+    medium = medium_of(air)
+    length, radius = positive_numbers("length", length, "m"), positive_numbers("radius", radius, "m")
+    frequency = frequencies(frequency)
     if radius.ndim == length.ndim == 0 and frequency.ndim == 1 and frequency.size <= _LONGEST_GRID:
         return _duct(float(radius), float(length), frequency.tobytes(), medium).copy()
     return two_port(series_impedance(radius, frequency, medium), shunt_admittance(radius, frequency, medium), length)
@@ -128,7 +132,7 @@ def two_port(series: ArrayLike, shunt: ArrayLike, length: ArrayLike) -> ComplexA
     Raises:
         Refusal: a length that is not finite and positive, a value that is not finite, Z' = 0.
     """
-    length = positive("length", length, "m")
+    length = positive_numbers("length", length, "m")
     total, square = _line_values(series, shunt, length)
     own, transfer = _x_coth_x(square) / total, -_x_over_sinh_x(square) / total
     return np.stack([np.stack([own, transfer], -1), np.stack([transfer, own], -1)], -2)
@@ -141,23 +145,26 @@ class Line(ABC):
     """
 
     @abstractmethod
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def series_impedance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Series impedance Z' per length, Pa s/m^4: shape of frequency (Hz), complex128."""
 
     @abstractmethod
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def shunt_admittance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Shunt admittance Y' per length, m^2/(Pa s): shape of frequency (Hz), complex128."""
 
-    def propagation(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def propagation(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Propagation constant Gamma = sqrt(Z' Y'), 1/m: shape of frequency (Hz), complex128, real part >= 0."""
+        medium = medium_of(air)
         return np.sqrt(self.series_impedance(frequency, medium) * self.shunt_admittance(frequency, medium))
 
-    def characteristic_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def characteristic_impedance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Characteristic impedance sqrt(Z' / Y'), Pa s/m^3: shape of frequency (Hz), complex128, real part >= 0."""
+        medium = medium_of(air)
         return np.sqrt(self.series_impedance(frequency, medium) / self.shunt_admittance(frequency, medium))
 
-    def port_admittance(self, length: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def port_admittance(self, length: ArrayLike, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Two-port of a piece of a length (m) by :func:`two_port`: broadcast shape + (2, 2), m^3/(Pa s)."""
+        medium = medium_of(air)
         return two_port(self.series_impedance(frequency, medium), self.shunt_admittance(frequency, medium), length)
 
 
@@ -172,7 +179,7 @@ class UserLine(Line):
     zc: Spectrum
     """Characteristic impedance, Pa s/m^3, real part not negative; values or a function as of ``gamma``."""
 
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def series_impedance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Series impedance per length Z' = Gamma Zc, Pa s/m^4: shape of frequency (Hz), complex128.
 
         Raises:
@@ -180,15 +187,15 @@ class UserLine(Line):
         """
         return self._at("gamma", frequency) * self._at("zc", frequency)
 
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def shunt_admittance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Shunt admittance per length Y' = Gamma / Zc, m^2/(Pa s): shape of frequency (Hz), complex128.
 
         Errors as :meth:`series_impedance`.
         """
         return self._at("gamma", frequency) / self._at("zc", frequency)
 
-    def _at(self, name: str, frequency: ArrayLike) -> ComplexArray:
-        frequency = positive("frequency", frequency, "Hz")
+    def _at(self, name: str, frequency: FrequencyLike) -> ComplexArray:
+        frequency = frequencies(frequency)
         given = getattr(self, name)
         values = np.asarray(given(frequency) if callable(given) else given, dtype=np.complex128)
         try:
@@ -222,13 +229,15 @@ class CompliantWall(Line):
                 "compliance", complex(values[bad][0]), "finite, with real part >= 0 and imaginary <= 0, m^2/Pa"
             )
 
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def series_impedance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Series impedance Z' of the line per length, Pa s/m^4: shape of frequency (Hz), complex128."""
+        medium = medium_of(air)
         return self.line.series_impedance(frequency, medium)
 
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def shunt_admittance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Shunt admittance per length Y' + j w C', m^2/(Pa s): shape of frequency (Hz), complex128."""
-        omega = 2 * np.pi * positive("frequency", frequency, "Hz")
+        medium = medium_of(air)
+        omega = 2 * np.pi * frequencies(frequency)
         return self.line.shunt_admittance(frequency, medium) + 1j * omega * self.compliance
 
 
@@ -259,9 +268,10 @@ def tube_compliance(
     Raises:
         Refusal: a value outside its range, by name.
     """
-    a, b = float(positive("inner_radius", inner_radius, "m")), float(positive("outer_radius", outer_radius, "m"))
-    modulus = float(positive("youngs_modulus", youngs_modulus, "Pa"))
-    nu, eta = in_range("poisson_ratio", poisson_ratio, 0.0, 0.5), in_range("loss_factor", loss_factor, 0.0, 2.0)
+    a = float(positive_numbers("inner_radius", inner_radius, "m"))
+    b = float(positive_numbers("outer_radius", outer_radius, "m"))
+    modulus = float(positive_numbers("youngs_modulus", youngs_modulus, "Pa"))
+    nu, eta = check_range("poisson_ratio", poisson_ratio, 0.0, 0.5), check_range("loss_factor", loss_factor, 0.0, 2.0)
     if b <= a:
         raise out_of_range("outer_radius", b, f"above inner_radius = {a:g} m", "m")
     wall = (b - a) * (b + a)
@@ -274,40 +284,42 @@ def tube_compliance(
     return 2 * np.pi * a * displacement / (modulus * (1 + 1j * eta))
 
 
-def diffusion_rate(frequency: ArrayLike, diffusivity: float) -> ComplexArray:
+def diffusion_rate(frequency: FrequencyLike, diffusivity: float) -> ComplexArray:
     """Rate of diffusion s = j w / diffusivity, 1/m^2: shape of frequency (Hz), complex128."""
-    return np.asarray(2j * np.pi * positive("frequency", frequency, "Hz") / diffusivity, dtype=np.complex128)
+    return np.asarray(2j * np.pi * frequencies(frequency) / diffusivity, dtype=np.complex128)
 
 
-def series_from_mean(area: ArrayLike, mean: ComplexArray, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+def series_from_mean(area: ArrayLike, mean: ComplexArray, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Series impedance per length of a section, Z' = j w rho / (S <Psi_v>).
 
     Args:
         area: S, m^2.
         mean: <Psi_v>, shape of frequency, complex128.
         frequency: Hz; area, mean and frequency broadcast.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         Broadcast shape, complex128, Pa s/m^4.
     """
-    return np.asarray(2j * np.pi * np.asarray(frequency) * medium.density / (np.asarray(area) * mean))
+    medium = medium_of(air)
+    return np.asarray(2j * np.pi * frequencies(frequency) * medium.density / (np.asarray(area) * mean))
 
 
-def shunt_from_mean(area: ArrayLike, mean: ComplexArray, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+def shunt_from_mean(area: ArrayLike, mean: ComplexArray, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Shunt admittance per length of a section, Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>).
 
     Args:
         area: S, m^2.
         mean: <Psi_h>, shape of frequency, complex128.
         frequency: Hz; area, mean and frequency broadcast.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         Broadcast shape, complex128, m^2/(Pa s).
     """
+    medium = medium_of(air)
     gamma = medium.gamma
-    adiabatic = 2j * np.pi * np.asarray(frequency) * np.asarray(area) / (gamma * medium.pressure)
+    adiabatic = 2j * np.pi * frequencies(frequency) * np.asarray(area) / (gamma * medium.pressure)
     return np.asarray(adiabatic * (gamma - (gamma - 1) * mean))
 
 

@@ -12,12 +12,12 @@ from abc import abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy.special import zeta
 
 from acoustic_fem.duct.plane_wave import Line, diffusion_rate, round_mean, series_from_mean, shunt_from_mean
-from acoustic_fem.quantities.checks import positive
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.checks import FrequencyLike
+from acoustic_fem.quantities.local_air import AirLike, medium_of
+from geometry.ground.argument_checks import positive_numbers
 from geometry.ground.typed import ComplexArray
 
 
@@ -33,16 +33,18 @@ class Section(Line):
     def mean_field(self, rate: ComplexArray) -> ComplexArray:
         """Mean <Psi> of the field at the rate s = j w / diffusivity (1/m^2): shape of the rate, complex128."""
 
-    def series_impedance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def series_impedance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Series impedance per length Z' = j w rho / (S <Psi_v>), Pa s/m^4: shape of frequency (Hz), complex128."""
+        medium = medium_of(air)
         mean = self.mean_field(diffusion_rate(frequency, medium.kinematic_viscosity))
         return series_from_mean(self.area, mean, frequency, medium)
 
-    def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+    def shunt_admittance(self, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
         """Shunt admittance per length, m^2/(Pa s): shape of frequency (Hz), complex128.
 
         Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>).
         """
+        medium = medium_of(air)
         mean = self.mean_field(diffusion_rate(frequency, medium.thermal_diffusivity))
         return shunt_from_mean(self.area, mean, frequency, medium)
 
@@ -55,7 +57,7 @@ class CircularSection(Section):
     """Radius of the bore, m."""
 
     def __post_init__(self) -> None:
-        positive("radius", self.radius, "m")
+        positive_numbers("radius", self.radius, "m")
 
     @property
     def area(self) -> float:
@@ -80,8 +82,8 @@ class SlitSection(Section):
     """Width w, m."""
 
     def __post_init__(self) -> None:
-        positive("gap", self.gap, "m")
-        positive("width", self.width, "m")
+        positive_numbers("gap", self.gap, "m")
+        positive_numbers("width", self.width, "m")
 
     @property
     def area(self) -> float:
@@ -108,8 +110,8 @@ class RectangularSection(Section):
     """Length of the other side, m."""
 
     def __post_init__(self) -> None:
-        positive("width", self.width, "m")
-        positive("height", self.height, "m")
+        positive_numbers("width", self.width, "m")
+        positive_numbers("height", self.height, "m")
 
     @property
     def area(self) -> float:
@@ -151,7 +153,7 @@ class TriangularSection(Section):
     """Length d of a side, m."""
 
     def __post_init__(self) -> None:
-        positive("side", self.side, "m")
+        positive_numbers("side", self.side, "m")
 
     @property
     def area(self) -> float:

@@ -14,12 +14,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from numpy.typing import ArrayLike
 
 from acoustic_fem.duct.plane_wave import Line
-from acoustic_fem.quantities.checks import in_range, positive
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.medium import Medium
-from geometry.ground.argument_checks import check_shape, out_of_range
+from geometry.ground.argument_checks import check_range, check_shape, out_of_range, positive_numbers
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -50,7 +49,7 @@ class TaperedTwoPort:
 def port_admittance(
     section: Callable[[float], Line],
     length: float,
-    frequency: ArrayLike,
+    frequency: FrequencyLike,
     medium: Medium,
     breaks: Sequence[float] = (),
     accuracy: float = 1e-9,
@@ -74,7 +73,7 @@ def port_admittance(
 def solve(
     section: Callable[[float], Line],
     length: float,
-    frequency: ArrayLike,
+    frequency: FrequencyLike,
     medium: Medium,
     breaks: Sequence[float] = (),
     accuracy: float = 1e-9,
@@ -95,10 +94,10 @@ def solve(
         Refusal: length, a frequency, a break or the accuracy out of range.
         TaperError: 4096 elements do not reach the accuracy (a break may be missing).
     """
-    whole = float(positive("length", length, "m"))
-    grid = np.atleast_1d(positive("frequency", frequency, "Hz"))
+    whole = float(positive_numbers("length", length, "m"))
+    grid = np.atleast_1d(frequencies(frequency))
     check_shape("frequency", grid, ("n_freq",))
-    in_range("accuracy", accuracy, 1e-12, 0.1)
+    check_range("accuracy", accuracy, 1e-12, 0.1)
     nodes = np.array([0.0, *breaks, whole])
     if not (np.diff(nodes) > 0).all():
         raise out_of_range("breaks", list(breaks), f"places in m that ascend between 0 and {whole:g} m")

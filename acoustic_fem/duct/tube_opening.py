@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from acoustic_fem.quantities.checks import positive
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from acoustic_fem.quantities.local_air import AirLike, medium_of
+from geometry.ground.argument_checks import positive_numbers
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.typed import ComplexArray
 
@@ -23,7 +24,7 @@ INERTANCE = 0.42
 LARGEST_SHEAR_NUMBER = 5.0
 
 
-def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> ComplexArray:
+def entrance_impedance(radius: ArrayLike, frequency: FrequencyLike, air: AirLike) -> ComplexArray:
     """Impedance of one opening in series with its tube, Z = 1.5 mu / a^3 + j w 0.42 rho / a, Pa s/m^3.
 
     Within 4 % in resistance and 9 % in inertance of the Navier-Stokes table for shear numbers
@@ -35,7 +36,7 @@ def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) 
     Args:
         radius: of the bore, m; broadcasts with frequency.
         frequency: Hz, any shape.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         Broadcast shape, complex128.
@@ -43,7 +44,8 @@ def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) 
     Raises:
         Refusal: a radius or frequency that is not finite and positive.
     """
-    radius, omega = positive("radius", radius, "m"), 2 * np.pi * positive("frequency", frequency, "Hz")
+    medium = medium_of(air)
+    radius, omega = positive_numbers("radius", radius, "m"), 2 * np.pi * frequencies(frequency)
     shear = float(np.max(radius * np.sqrt(omega / medium.kinematic_viscosity)))
     if shear > LARGEST_SHEAR_NUMBER:
         warn_caller(

@@ -10,11 +10,48 @@ from collections.abc import Iterator
 import numpy as np
 import scipy.sparse as sp
 import skfem
+from numpy.typing import NDArray
+from skfem.mapping import MappingIsoparametric
 
 from geometry.ground.typed import Array
 
 #: Elements taken together: the numbers of so many stay in the processor's caches.
 _TOGETHER = 512
+#: Rounding errors of a place in an element, each of the size of the largest coordinate, over its shortest edge.
+_ROUNDINGS = 64
+
+
+class _Mapping(MappingIsoparametric):
+    """Mapping of curved elements whose Newton iteration ends where rounding of the coordinates ends it.
+
+    scikit-fem asks for 1e-12 of an element, which small elements far from the origin never reach.
+    """
+
+    def invF(
+        self, x: Array, tind: NDArray[np.int64] | None = None, newton_max_iters: int = 50, newton_tol: float = 1e-12
+    ) -> Array:
+        """Places in the elements ``tind``, (3, n_element, n) float64 of one, of the points ``x``, mm."""
+        corners = self.mesh.p[:, self.mesh.t]
+        shortest = min(
+            float(np.linalg.norm(corners[:, first] - corners[:, second], axis=0).min())
+            for first in range(len(corners[0]))
+            for second in range(first)
+        )
+        rounding = _ROUNDINGS * np.finfo(np.float64).eps * float(np.abs(self.mesh.p).max()) / shortest
+        found: Array = super().invF(x, tind, newton_max_iters, max(newton_tol, rounding))
+        return found
+
+
+def surface_basis(basis: skfem.CellBasis, facets: NDArray[np.int64]) -> skfem.FacetBasis:
+    """Finite element space of a basis on facets of its mesh, wherever that lies.
+
+    Args:
+        basis: finite element space on curved second-order tetrahedra.
+        facets: numbers of the facets, (n,) int64.
+    """
+    mesh = basis.mesh
+    mapping = _Mapping(mesh, mesh.elem(), mesh.bndelem)
+    return skfem.FacetBasis(mesh, basis.elem, mapping=mapping, facets=facets, intorder=4)
 
 
 def stiffness_matrix(basis: skfem.CellBasis, weight: Array | None = None) -> sp.csr_array:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import MeshSizes
 
 
-def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tuple[MeshSizes, MeshSizes]:
+def mesh_sizes(scale: float, width: float, air: AirLike, highest: float) -> tuple[MeshSizes, MeshSizes]:
     """Element sizes for the flow and for heat at a scale.
 
     In cells of designs 1 gives 2e-4 to 4e-4 in the admittances from the flow and, in those like the reference cell,
@@ -22,9 +22,10 @@ def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tu
     Args:
         scale: of the sizes, a ratio; 1 is the usual mesh.
         width: smallest extent of the cavity, mm.
-        medium: the air.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         highest: frequency, Hz.
     """
+    medium = medium_of(air)
     largest = 0.35 * scale * width
     viscous = _layer_thickness(medium.kinematic_viscosity, highest)
     thermal = _layer_thickness(medium.thermal_diffusivity, highest)

@@ -24,7 +24,7 @@ import scipy.sparse as sp
 import skfem
 from numpy.typing import NDArray
 
-from acoustic_fem.fields.assembly import mass_matrix, stiffness_matrix
+from acoustic_fem.fields.assembly import mass_matrix, stiffness_matrix, surface_basis
 from acoustic_fem.fields.navier_stokes import WallMotion, tetrahedral_mesh
 from geometry.air.mesh import SolidMesh
 from geometry.ground.typed import Array
@@ -72,7 +72,7 @@ def pressure_system(mesh: SolidMesh, ports: Sequence[str], motions: Sequence[Wal
         on_ports[basis.get_dofs(facets[name]).all(), k] = 1.0
     sources = np.zeros((basis.N, len(motions)))
     for k, motion in enumerate(motions):
-        surface = skfem.FacetBasis(tetrahedra, basis.elem, facets=facets[motion.face], intorder=4)
+        surface = surface_basis(basis, facets[motion.face])
         offset = np.asarray(surface.global_coordinates()) - np.array(motion.centre)[:, None, None]
         shape = np.interp(np.linalg.norm(offset, axis=0), motion.profile[:, 0], motion.profile[:, 1])
         sources[:, k] = weighted_load.assemble(surface, weight=shape) / np.sum(np.abs(shape) * surface.dx)

@@ -30,7 +30,7 @@ import scipy.sparse as sp
 import skfem
 from numpy.typing import NDArray
 
-from acoustic_fem.fields.assembly import divergence_matrix, mass_matrix, stiffness_matrix
+from acoustic_fem.fields.assembly import divergence_matrix, mass_matrix, stiffness_matrix, surface_basis
 from geometry.air.mesh import SolidMesh
 from geometry.ground.typed import Array
 
@@ -197,7 +197,7 @@ def cell_system(
 
 def _flux_through(face: NDArray[np.int64], quadratic: skfem.CellBasis) -> Array:
     """Volume velocity out of the cell through facets for each velocity, (3 n_scalar,) float64."""
-    surface = skfem.FacetBasis(quadratic.mesh, quadratic.elem, facets=face, intorder=4)
+    surface = surface_basis(quadratic, face)
     return np.concatenate([normal_flux.assemble(surface, axis=axis) for axis in range(3)])
 
 

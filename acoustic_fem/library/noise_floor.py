@@ -20,9 +20,8 @@ from numpy.typing import ArrayLike
 from acoustic_fem.library.touch_pressure import TOUCHES
 from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.network.microphone import noise_density as own_noise_density, noise_density_behind_vent
-from acoustic_fem.quantities.checks import in_range, positive
-from acoustic_fem.quantities.medium import Medium
-from geometry.ground.argument_checks import check_choice, wrong_type
+from acoustic_fem.quantities.local_air import AirLike, medium_of
+from geometry.ground.argument_checks import check_choice, check_range, positive_numbers, wrong_type
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
@@ -37,8 +36,9 @@ NoiseAt = Literal["front", "output"]
 _FEWEST_FREQUENCIES = 8
 
 
-def gas_temperature(medium: Medium) -> float:
+def gas_temperature(air: AirLike) -> float:
     """Temperature of the ideal gas, gamma p / ((gamma - 1) rho cp), K."""
+    medium = medium_of(air)
     return medium.gamma * medium.pressure / ((medium.gamma - 1) * medium.density * medium.heat_capacity)
 
 
@@ -60,7 +60,7 @@ def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> ComplexA
     matrix = np.asarray(impedance, dtype=np.complex128)
     if matrix.ndim < 2 or matrix.shape[-1] != matrix.shape[-2]:
         raise wrong_type("impedance", f"has shape {matrix.shape}; it must be (..., n, n)")
-    factor = 2 * BOLTZMANN * positive("temperature", temperature, "K")
+    factor = 2 * BOLTZMANN * positive_numbers("temperature", temperature, "K")
     return np.asarray(factor[..., None, None] * (matrix + matrix.swapaxes(-1, -2).conj()))
 
 
@@ -176,7 +176,7 @@ def detectable_density(
     Raises:
         Refusal: an unknown touch or microphone, a value out of range, no microphone impedance.
     """
-    ratio = 10 ** (in_range("snr_db", snr_db, -100, 200, "dB") / 20)
+    ratio = 10 ** (check_range("snr_db", snr_db, -100, 200, "dB") / 20)
     density = ratio * _snr_density(library, touch, microphones, noise_at, contact_radius) ** -0.5
     units = f"{TOUCHES[touch]}/sqrt(Hz)"
     return density.rename(touch).assign_attrs({"units": units, "long_name": f"smallest detectable {touch}"})
@@ -212,7 +212,7 @@ def detection_limits(
     Raises:
         Refusal: a band outside the grid; the rest as :func:`detectable_density`.
     """
-    ratio = 10 ** (in_range("snr_db", snr_db, -100, 200, "dB") / 20)
+    ratio = 10 ** (check_range("snr_db", snr_db, -100, 200, "dB") / 20)
     limits = {}
     for touch, unit in TOUCHES.items():
         density = _snr_density(library, touch, microphones, noise_at, contact_radius)
@@ -305,7 +305,7 @@ def _snr_density(
 def _integrated(density: xr.DataArray, band: tuple[float, float]) -> xr.DataArray:
     """Integral over the band by the trapezoidal rule, linear between the frequencies of the grid."""
     grid = density["frequency"].values
-    low, high = (float(positive("band", edge, "Hz")) for edge in band)
+    low, high = (float(positive_numbers("band", edge, "Hz")) for edge in band)
     if not grid[0] <= low < high <= grid[-1]:
         problem = f"Hz must ascend and lie within the grid of the library, {grid[0]:g} to {grid[-1]:g} Hz"
         raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="band", value=(low, high))

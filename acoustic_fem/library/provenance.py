@@ -5,11 +5,11 @@ from __future__ import annotations
 import hashlib
 import platform
 from collections.abc import Sequence
-from datetime import UTC, datetime
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
+from geometry.ground.stated_times import stated_time
 from geometry.ground.typed import Array
 
 
@@ -22,7 +22,7 @@ def versions(seed: int | None, libraries: Sequence[str]) -> dict[str, Any]:
     """
     return {
         "code_version": _installed("acoustic-fem"),
-        "created": datetime.now(UTC).isoformat(timespec="seconds"),
+        "created": stated_time().isoformat(timespec="seconds"),
         "seed": seed,
         "python": platform.python_version(),
         "libraries": {name: _installed(name) for name in libraries},
@@ -36,7 +36,12 @@ def library_provenance(frequency: Array, libraries: Sequence[str]) -> dict[str, 
         frequency: (n_freq,) Hz.
         libraries: distributions whose versions matter.
     """
-    return {**versions(None, libraries), "frequency_sha256": hashlib.sha256(frequency.tobytes()).hexdigest()}
+    return {**versions(None, libraries), "frequency_sha256": frequency_hash(frequency)}
+
+
+def frequency_hash(frequency: Array) -> str:
+    """SHA-256 of a grid of frequencies, (n_freq,) float64, Hz; hexadecimal."""
+    return hashlib.sha256(frequency.tobytes()).hexdigest()
 
 
 @cache  # read from the installation's files: a third of a lumped solve

@@ -15,16 +15,13 @@ from typing import Any, TypeVar
 
 import h5netcdf
 
-from geometry.ground.child import Child
 from geometry.ground.file_checks import library_reads, ordinary_file
-from geometry.ground.process_messages import ChildError, Limits
+from geometry.ground.foreign_files import PATIENCE, read_apart
 from geometry.ground.record import file_is_sealed
-from geometry.ground.refusal import Kind, Refusal, said_by
+from geometry.ground.refusal import Kind, Refusal
 
 #: Most bytes of a file, and of its arrays: those of 1000 points, 10 microphones and 2000 frequencies.
 _LARGEST = 2_000_000_000
-#: Time that the process may take in which a file without a seal is tried, s.
-_PATIENCE = 20.0
 T = TypeVar("T")
 
 
@@ -53,29 +50,18 @@ def read_netcdf(path: Path, what: str, refusal: type[Refusal], take: Callable[[A
 
 def _try_apart(path: Path, what: str, refusal: type[Refusal]) -> None:
     """Read all of a file in a process that may take too long, or be ended by it."""
-    try:
-        with Child("the reader", limits=Limits(memory=2 * _LARGEST), quiet=True, trusted=False) as child:
-            said = child.call(_trial, str(path), seconds=_PATIENCE).decode()
-    except ChildError as error:
-        if error.status is None:
-            problem = f"cannot be read in {_PATIENCE:g} s; it is damaged, or not {what}"
-            raise refusal(problem, kind=Kind.UNREADABLE, file=path) from None
-        said = "it ends what reads it"
-    if said:
-        raise refusal(f"cut short, damaged or not {what}: {said}", kind=Kind.UNREADABLE, file=path)
+    read_apart(_trial, path, what, refusal, 2 * _LARGEST, PATIENCE)
 
 
 def _trial(path: str) -> bytes:
-    """Read every value and attribute, those of the arrays after their sizes were summed; what is wrong, if anything."""
-    try:
-        with h5netcdf.File(path, "r") as file:
-            size = sum(math.prod(one.shape) * getattr(one.dtype, "itemsize", 64) for one in file.variables.values())
-            if size > _LARGEST:
-                return f"its arrays would take {size} bytes, and must take at most {_LARGEST}".encode()
-            for one in (file, *file.variables.values()):
-                dict(one.attrs)
-            for one in file.variables.values():
-                one[...]
-    except Exception as error:
-        return " ".join((getattr(error, "strerror", None) or said_by(error)).split()).encode(errors="replace")
+    """Read every value and attribute, those of the arrays after their sizes were summed; nothing is returned."""
+    with h5netcdf.File(path, "r") as file:
+        size = sum(math.prod(one.shape) * getattr(one.dtype, "itemsize", 64) for one in file.variables.values())
+        if size > _LARGEST:
+            problem = f"its arrays would take {size} bytes, and must take at most {_LARGEST}"
+            raise Refusal(problem, kind=Kind.OUT_OF_RANGE)
+        for one in (file, *file.variables.values()):
+            dict(one.attrs)
+        for one in file.variables.values():
+            one[...]
     return b""

@@ -4,23 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from numpy.typing import ArrayLike
-
 from acoustic_fem.library.network_responses import array_responses
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.transfer_functions import Library, library_from_arrays
-from acoustic_fem.quantities.checks import frequency_grid, one_of
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
-from acoustic_fem.quantities.local_air import LocalAir, checked_air, design_air
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.local_air import AirLike, LocalAir, checked_air, medium_of
 from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.argument_checks import check_choice
 
 
 def solve(
     design: DesignLike,
-    frequency: ArrayLike | str,
+    frequency: FrequencyLike,
     fidelity: str = ONE_DESIGN,
-    air: LocalAir | Medium | None = None,
+    air: AirLike = None,
     progress: Callable[[str, float], None] | None = None,
 ) -> Library:
     """Transfer functions of an array from every point to every microphone.
@@ -39,13 +37,13 @@ def solve(
         Refusal: a bad frequency grid, an unknown fidelity, an air of another type, or a design outside the atlas.
     """
     grid = frequency_grid(frequency)
-    one_of("fidelity", fidelity, FIDELITIES)
+    check_choice("fidelity", fidelity, FIDELITIES)
     checked_air(air, gas=True)
     design = resolve_design(design)
     report = progress or (lambda message, fraction: None)
     if isinstance(air, LocalAir):
         design = design.with_values(air.design_values)
-    medium = air if isinstance(air, Medium) else design_air(design)
+    medium = medium_of(air, design)
     values, cells = array_responses(design, grid, fidelity, medium, report)
     provenance = {**library_provenance(grid, ("gmsh", "numpy", "scikit-fem", "scipy", "xarray")), "cells": cells}
     library = library_from_arrays(design, grid, values, fidelity, medium, provenance)

@@ -10,8 +10,8 @@ import numpy as np
 import xarray as xr
 
 import acoustic_fem
-from acoustic_fem.quantities.checks import one_of
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.typed import Array, ComplexArray
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ def touch_flow(
         Refusal: an unknown touch, or a contact radius out of range.
     """
     # The face loads finite elements when they are first used: a library is read and looked at without them.
-    one_of("touch", touch, tuple(TOUCHES))
+    check_choice("touch", touch, tuple(TOUCHES))
     grid = np.asarray(point_impedance["frequency"].values)
     rubber = acoustic_fem.membrane.design_rubber(design)
     vacuum = membranes_in_vacuo(

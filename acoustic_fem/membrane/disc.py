@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc
 from acoustic_fem.membrane.rubber import ELASTIC, Rubber
 from acoustic_fem.membrane.solved_discs import solved_disc
-from acoustic_fem.quantities.checks import in_range, positive
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.argument_checks import check_range, positive_numbers
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
@@ -135,7 +135,7 @@ class DiscSolution:
     model: ElasticDisc
     """The dimensionless dynamic model."""
 
-    def response(self, frequency: ArrayLike, rubber: Rubber = ELASTIC) -> DiscResponse:
+    def response(self, frequency: FrequencyLike, rubber: Rubber = ELASTIC) -> DiscResponse:
         """Responses to pressures and to a force on the patch as sums over modes with static correction.
 
         The stiffness is the complex modulus, by the stated one, times its elastic part plus that of the pre-stress,
@@ -150,7 +150,7 @@ class DiscSolution:
         Raises:
             Refusal: a frequency that is not finite and positive.
         """
-        frequency = positive("frequency", frequency, "Hz")
+        frequency = frequencies(frequency)
         if frequency.size and frequency.max() > self.modes.frequency[-1] / 2:
             warn_caller(
                 f"membrane: {frequency.max():.4g} Hz is above half of the highest mode that is kept "
@@ -172,7 +172,7 @@ class DiscSolution:
             volume_per_pressure=answer[..., 0, 2] * volume,
         )
 
-    def compliance(self, frequency: ArrayLike, rubber: Rubber = ELASTIC) -> ComplexArray:
+    def compliance(self, frequency: FrequencyLike, rubber: Rubber = ELASTIC) -> ComplexArray:
         """Volume compliance C(w) at frequencies in Hz; arguments, validity and errors as :meth:`response`.
 
         Returns:
@@ -219,7 +219,7 @@ def solve_disc(
     Raises:
         Refusal: a value that is not finite or out of range.
     """
-    positive("density", density, "kg/m^3")
+    positive_numbers("density", density, "kg/m^3")
     shape, modulus = shape_of_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width, options)
     # The table of discs has flat ones only.
     found = known.find(shape) if known is not None and shape.raised is None else None
@@ -239,27 +239,27 @@ def shape_of_disc(
     Arguments and errors as for :func:`solve_disc`.
     """
     stretch, tension = options.stretch, options.tension
-    positive("radius", radius, "m")
-    positive("youngs_modulus", youngs_modulus, "Pa")
-    in_range("stretch", stretch, 1, _LARGEST_STRETCH)
+    positive_numbers("radius", radius, "m")
+    positive_numbers("youngs_modulus", youngs_modulus, "Pa")
+    check_range("stretch", stretch, 1, _LARGEST_STRETCH)
     if stretch != 1:
-        in_range("thickness", thickness, 0.01 * radius * _LESS, np.inf, "m")
+        check_range("thickness", thickness, 0.01 * radius * _LESS, np.inf, "m")
         tension = thickness * youngs_modulus * (1 - stretch**-6) / 3
         thickness, youngs_modulus = thickness / stretch**2, youngs_modulus / stretch**4
-    in_range("thickness", thickness, 0.01 * radius * _LESS, 2 * radius * _MORE, "m")
-    in_range("poisson_ratio", poisson_ratio, 0.01, 0.49999)
-    in_range("tension", tension, 0, _LARGEST_PRESTRESS * thickness * youngs_modulus, "N/m")
-    in_range("rim_height", options.rim_height, 0, 2 * radius, "m")
-    in_range("boss_height", options.boss_height, 0, 2 * radius, "m")
+    check_range("thickness", thickness, 0.01 * radius * _LESS, 2 * radius * _MORE, "m")
+    check_range("poisson_ratio", poisson_ratio, 0.01, 0.49999)
+    check_range("tension", tension, 0, _LARGEST_PRESTRESS * thickness * youngs_modulus, "N/m")
+    check_range("rim_height", options.rim_height, 0, 2 * radius, "m")
+    check_range("boss_height", options.boss_height, 0, 2 * radius, "m")
     if options.boss_height and options.boss_radius:
-        in_range("boss_radius", options.boss_radius, 0.1 * radius * _LESS, 0.9 * radius * _MORE, "m")
+        check_range("boss_radius", options.boss_radius, 0.1 * radius * _LESS, 0.9 * radius * _MORE, "m")
     glue = 0.0
     if rim_width != 0:
-        in_range("rim_width", rim_width, 0.05 * thickness * _LESS, 50 * radius * _MORE, "m")
+        check_range("rim_width", rim_width, 0.05 * thickness * _LESS, 50 * radius * _MORE, "m")
         glue = rim_width if options.glue_width is None else options.glue_width
-        in_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
+        check_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
     contact = (options.boss_radius or CONTACT * radius) if options.contact_radius is None else options.contact_radius
-    in_range("contact_radius", contact, 0.02 * radius, (options.boss_radius or 0.9 * radius) * _MORE, "m")
+    check_range("contact_radius", contact, 0.02 * radius, (options.boss_radius or 0.9 * radius) * _MORE, "m")
     contact = min(contact, options.boss_radius or contact)
     _check_together(options, rim_width)
     # rounding lets equal discs in different units share one solution
@@ -399,7 +399,7 @@ def design_rubber(design: DesignLike) -> Rubber:
     return Rubber.of(design.material(design.membrane.material))
 
 
-def design_compliance(design: DesignLike, frequency: ArrayLike, known: KnownDiscs | None = None) -> ComplexArray:
+def design_compliance(design: DesignLike, frequency: FrequencyLike, known: KnownDiscs | None = None) -> ComplexArray:
     """Volume compliance of a design's membrane by the law of its material, m^3/Pa.
 
     Args:

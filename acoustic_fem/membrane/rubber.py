@@ -21,11 +21,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from acoustic_fem.quantities.checks import in_range, positive
-from geometry.ground.argument_checks import mismatch
-from geometry.ground.typed import ComplexArray
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from geometry.ground.argument_checks import check_range, mismatch, positive_numbers
+from geometry.ground.typed import ComplexArray, NumpyOrTorch
 from geometry.schema.materials import Material
 
 
@@ -34,7 +33,7 @@ def causal_slope(loss: Any) -> Any:
     return (loss.arctan() if hasattr(loss, "arctan") else np.arctan(loss)) * (2 / np.pi)
 
 
-def modulus_ratio(frequency: Any, loss: Any, slope: Any, reference: Any, strength: Any, time: Any) -> Any:
+def modulus_ratio(frequency: NumpyOrTorch, loss: Any, slope: Any, reference: Any, strength: Any, time: Any) -> Any:
     """Complex modulus by the stated one; NumPy arrays or torch tensors, float64, whose shapes are broadcast.
 
     Args:
@@ -68,8 +67,8 @@ class Rubber:
     """Relaxation times, s."""
 
     def __post_init__(self) -> None:
-        in_range("loss_factor", self.loss_factor, 0, 1)
-        positive("reference", self.reference, "Hz")
+        check_range("loss_factor", self.loss_factor, 0, 1)
+        positive_numbers("reference", self.reference, "Hz")
         if len(self.strengths) != len(self.times):
             raise mismatch(
                 "strengths", f"has {len(self.strengths)} values, times {len(self.times)}; they must be as many"
@@ -94,7 +93,7 @@ class Rubber:
         """True if its modulus is real and the same at all frequencies."""
         return self.loss_factor == 0 and self.slope == 0 and not any(self.strengths)
 
-    def ratio(self, frequency: ArrayLike) -> ComplexArray:
+    def ratio(self, frequency: FrequencyLike) -> ComplexArray:
         """Complex modulus by the stated one.
 
         Args:
@@ -106,7 +105,7 @@ class Rubber:
         Raises:
             Refusal: a frequency that is not finite and positive.
         """
-        grid = positive("frequency", frequency, "Hz")
+        grid = frequencies(frequency)
         found = modulus_ratio(
             grid, self.loss_factor, self.slope, self.reference, np.array(self.strengths), np.array(self.times)
         )

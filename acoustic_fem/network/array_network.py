@@ -18,6 +18,8 @@ from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
 from acoustic_fem.network.chain_matrices import PointCell, TwoPort, chains_of, join
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.network.yielding import beside_air, sheath_compliance, soft_rubber
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell, CellCatalogue, CellUse
@@ -52,8 +54,8 @@ def solve_network(
     layout: Housings,
     catalogue: CellCatalogue,
     admittances: Mapping[Cell, ComplexArray],
-    frequency: Array,
-    medium: Medium,
+    frequency: FrequencyLike,
+    air: AirLike,
     known: KnownDiscs | None = None,
 ) -> NetworkResponse:
     """Responses of all points at all microphones and frequencies.
@@ -65,13 +67,14 @@ def solve_network(
         admittances: for every distinct cell its symmetric nodal admittance, (n_freq, k + 1, k + 1) complex128, m^3/(Pa
             s): the outer ends of its k stubs in the order of ``cell.ports``, then the opening.
         frequency: (n_freq,) float64, Hz.
-        medium: the air.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         known: membranes that need not be solved.
 
     Raises:
         Refusal: a cell is missing or its admittance has the wrong shape.
     """
     design = resolve_design(design)
+    medium, frequency = medium_of(air, design), frequencies(frequency)
     kinds = [design.of_kind(kind) for kind in design.kinds]
     beside = np.stack(
         [beside_air(kind, design_compliance(kind, frequency, known), frequency, medium) for kind in kinds]

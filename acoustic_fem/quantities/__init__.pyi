@@ -1,10 +1,8 @@
 from .checks import (
+    FrequencyLike as FrequencyLike,
+    frequencies as frequencies,
     frequency_grid as frequency_grid,
-    in_range as in_range,
-    numbers as numbers,
-    one_of as one_of,
     port_points as port_points,
-    positive as positive,
 )
 from .fidelity import (
     FIDELITIES as FIDELITIES,
@@ -12,6 +10,6 @@ from .fidelity import (
     ONE_DESIGN as ONE_DESIGN,
     Fidelity as Fidelity,
 )
-from .local_air import LocalAir as LocalAir
+from .local_air import AirLike as AirLike, LocalAir as LocalAir, medium_of as medium_of
 from .medium import Medium as Medium
 from .units import cubic_metres as cubic_metres, metres as metres, pascals as pascals

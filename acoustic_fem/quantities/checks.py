@@ -1,35 +1,19 @@
-"""Checks of numbers that come in from outside: a refusal names the field, its value, its unit and what is allowed."""
+"""Checks of frequencies and ports that come in from outside."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from geometry.ground.argument_checks import out_of_range, wrong_type
+from geometry.ground.argument_checks import check_range, positive_numbers, real_numbers, wrong_type
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 
 _BAND = (1e-3, 2e3)
 """Lowest and highest frequency of a grid, Hz."""
-
-
-def numbers(name: str, values: ArrayLike) -> Array:
-    """The values as an array, same shape as given, float64, in their unit.
-
-    Raises:
-        Refusal: no real numbers: complex numbers, texts, rows of unequal length.
-    """
-    try:
-        array = np.asarray(values)
-    except ValueError:
-        kind = "rows of different lengths"
-    else:
-        if array.dtype.kind in "biuf":
-            return np.asarray(array, dtype=np.float64)
-        kind = {"c": "complex", "U": "text", "S": "text"}.get(array.dtype.kind, type(values).__name__)
-    raise wrong_type(name, f"must be a real number or an array of them, not {kind}", value=values)
 
 
 MOST_PORTS = 50
@@ -56,7 +40,7 @@ def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float,
                 kind=Kind.WRONG_TYPE if not isinstance(name, str) else Kind.OUT_OF_RANGE,
                 field="ports",
             )
-        point = numbers(f"ports.{name}", place)
+        point = real_numbers(f"ports.{name}", place)
         if point.shape != (3,) or not np.isfinite(point).all():
             raise Refusal(
                 kind=Kind.WRONG_TYPE if point.shape != (3,) else Kind.OUT_OF_RANGE,
@@ -68,45 +52,21 @@ def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float,
     return points
 
 
-def in_range(name: str, value: float, low: float, high: float, unit: str = "") -> float:
-    """The value as a float if it is finite and within [low, high], all in the same unit.
+FrequencyLike: TypeAlias = ArrayLike | str
+"""An argument ``frequency``: numbers in Hz, or the text ``FIRST:LAST:COUNT`` for evenly spaced ones."""
+
+
+def frequencies(frequency: FrequencyLike) -> Array:
+    """The frequencies as an array, same shape as given, float64, Hz, in any order; those of a text are evenly spaced.
 
     Raises:
-        Refusal: not one number, or out of the range.
+        Refusal: not real numbers, not finite or not above 0; a text of another form.
     """
-    if numbers(name, value).ndim:
-        raise wrong_type(name, "must be one number", value=value)
-    if not low <= float(value) <= high:
-        raise out_of_range(name, float(value), f"between {low:g} and {high:g} {unit}".rstrip(), unit)
-    return float(value)
+    given = _evenly_spaced(frequency) if isinstance(frequency, str) else frequency
+    return positive_numbers("frequency", given, "Hz")
 
 
-def positive(name: str, values: ArrayLike, unit: str) -> Array:
-    """The values as an array, same shape as given, float64, in their unit, if all are finite and above 0.
-
-    Raises:
-        Refusal: with the first value that is not.
-    """
-    array = numbers(name, values)
-    bad = ~(np.isfinite(array) & (array > 0))
-    if bad.any():
-        raise out_of_range(name, float(array[bad].flat[0]), f"finite and above 0 {unit}".rstrip(), unit)
-    return array
-
-
-def one_of(name: str, value: object, choices: tuple[str, ...]) -> str:
-    """The value if it is one of some names.
-
-    Raises:
-        Refusal: another value, with the choices.
-    """
-    for choice in choices:
-        if isinstance(value, str) and value == choice:
-            return choice
-    raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=choices)
-
-
-def frequency_grid(frequency: ArrayLike | str) -> Array:
+def frequency_grid(frequency: FrequencyLike) -> Array:
     """The grid as an array, (n_freq,) float64, Hz, ascending within 0.001 to 2000 Hz.
 
     Frequency 0 is refused: a sealed network has no impedance there. All its pressures become equal as the
@@ -119,12 +79,12 @@ def frequency_grid(frequency: ArrayLike | str) -> Array:
         Refusal: not real numbers, empty, not 1-D, not ascending, not finite or out of range, with the value; a text of
             another form.
     """
-    grid = _evenly_spaced(frequency) if isinstance(frequency, str) else numbers("frequency", frequency)
+    grid = _evenly_spaced(frequency) if isinstance(frequency, str) else real_numbers("frequency", frequency)
     if grid.ndim != 1 or grid.size == 0:
         raise wrong_type("frequency", f"has shape {grid.shape}; it must be a 1-D array of at least one value in Hz")
     low, high = _BAND
     for value in grid[~((grid >= low) & (grid <= high))]:
-        in_range("frequency", float(value), low, high, "Hz")
+        check_range("frequency", float(value), low, high, "Hz")
     falling = np.flatnonzero(np.diff(grid) <= 0)
     if falling.size:
         problem = f"must ascend: {grid[falling[0] + 1]:g} Hz follows {grid[falling[0]]:g} Hz"

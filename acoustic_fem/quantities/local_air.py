@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeAlias
 
-from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.schema.array_fields import Air
 
 #: m, between which :func:`standard_pressure` stays within what :class:`acoustic_fem.Medium` takes.
 ALTITUDES = (-1000.0, 5500.0)
@@ -24,7 +26,7 @@ def standard_pressure(altitude: float) -> float:
     Raises:
         Refusal: an altitude out of range.
     """
-    return 101325.0 * (1 - 2.25577e-5 * in_range("altitude", altitude, *ALTITUDES, "m")) ** 5.25588
+    return 101325.0 * (1 - 2.25577e-5 * check_range("altitude", altitude, *ALTITUDES, "m")) ** 5.25588
 
 
 def checked_air(air: object, *, gas: bool = False) -> None:
@@ -80,6 +82,29 @@ class LocalAir:
         return {name: float(value) for name, value in stated.items() if value is not None}
 
 
+AirLike: TypeAlias = LocalAir | Medium | None
+"""An argument ``air``: the air of a place, a gas of its own, or None for the air of the design."""
+
+
+def medium_of(air: AirLike, design: ArrayDesign | None = None) -> Medium:
+    """The gas of an argument ``air``.
+
+    Args:
+        air: of a place, whose values that are not given are those of the design; or a gas, which is handed back.
+        design: where there is none, its air counts as 20 degC, 50 % relative humidity and 101325 Pa.
+
+    Raises:
+        Refusal: an air of another type.
+    """
+    if isinstance(air, Medium):
+        return air
+    checked_air(air, gas=True)
+    stated = Air() if design is None else design.air
+    values = {"air.temperature": stated.temperature, "air.humidity": stated.humidity, "air.pressure": stated.pressure}
+    values |= air.design_values if air else {}
+    return Medium.at(*values.values())
+
+
 def design_air(design: ArrayDesign) -> Medium:
     """The air that a design states."""
-    return Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
+    return medium_of(None, design)

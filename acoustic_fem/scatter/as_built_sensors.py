@@ -9,7 +9,6 @@ from functools import cached_property
 from itertools import product
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from acoustic_fem.atlas.fidelity_choice import QuickFidelity, quick_fidelity_by
 from acoustic_fem.batch.network import batch_transfer_function
@@ -17,7 +16,9 @@ from acoustic_fem.batch.openings import check_openings
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import vent_ratio
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.scatter.tolerances import CUT, QUANTITIES, ScatteredDesign
 from geometry.ground.typed import Array, ComplexArray
@@ -26,7 +27,7 @@ from geometry.ground.typed import Array, ComplexArray
 _BOUNDED = ("bore", "cavity_diameter", "cavity_height", "chamber_height", "ovality")
 
 
-def as_built_fidelity(scattered: ScatteredDesign, frequency: ArrayLike, medium: Medium) -> QuickFidelity:
+def as_built_fidelity(scattered: ScatteredDesign, frequency: FrequencyLike, air: AirLike = None) -> QuickFidelity:
     """The fidelity of a quick answer for a design and all sensors that can be drawn about it.
 
     It is the atlas if that covers the design with every size at either end of its scatter: each ratio that is bounded
@@ -35,8 +36,9 @@ def as_built_fidelity(scattered: ScatteredDesign, frequency: ArrayLike, medium: 
     Args:
         scattered: the nominal design and what scatters.
         frequency: (n_freq,) Hz, ascending.
-        medium: the air.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
     """
+    medium = medium_of(air, scattered.design)
     named = {tolerance.quantity for tolerance in scattered.tolerances}
     ends = np.array(list(product(*((-CUT, CUT) if name in named else (0.0,) for name in _BOUNDED))))
     draws = {name: np.zeros((len(ends), 1)) for name in QUANTITIES} | dict(
@@ -44,9 +46,11 @@ def as_built_fidelity(scattered: ScatteredDesign, frequency: ArrayLike, medium: 
     )
     draws["ovality"] = np.maximum(draws["ovality"], 0.0)  # either sign flattens a bore
 
+    grid = frequency_grid(frequency)
+
     def check() -> None:
-        check_openings(scattered.nominal, scattered.topology, np.asarray(frequency, np.float64), medium)
-        check_openings(scattered.parameters(draws), scattered.topology, np.asarray(frequency, np.float64), medium)
+        check_openings(scattered.nominal, scattered.topology, grid, medium)
+        check_openings(scattered.parameters(draws), scattered.topology, grid, medium)
 
     return quick_fidelity_by(check)
 
@@ -65,12 +69,16 @@ class AsBuiltSensors:
 
     scattered: ScatteredDesign
     """The nominal design and what scatters."""
-    frequency: ArrayLike
+    frequency: FrequencyLike
     """(n_freq,) Hz, ascending."""
-    medium: Medium
-    """The air."""
+    air: AirLike = None
+    """The air of the place, or a gas of its own; by default the air of the design."""
     fidelity: str = "lumped"
     """Fidelity of all transfer functions, one of :data:`acoustic_fem.FIDELITIES`."""
+
+    @cached_property
+    def _medium(self) -> Medium:
+        return medium_of(self.air, self.scattered.design)
 
     @cached_property
     def nominal(self) -> ComplexArray:
@@ -91,26 +99,26 @@ class AsBuiltSensors:
         gain, corner = np.moveaxis(self.scattered.microphones(draws), 1, 0)[:, :, None, :, None]
         if (gain == 1).all() and (corner == 1).all():
             return np.asarray(sensors)
-        vent = vent_ratio(self.scattered.design.microphone, self.frequency, self.medium)
+        vent = vent_ratio(self.scattered.design.microphone, self.frequency, self._medium)
         return np.asarray(sensors * gain * (1 + 1 / vent) / (1 + corner / vent))
 
     def _in_closed_form(self, parameters: ArrayParameters) -> ComplexArray:
         closed = next((name for name in CLOSED_FORMS if name == self.fidelity), CLOSED_FORMS[0])
-        found = batch_transfer_function(parameters, self.scattered.topology, self.frequency, self.medium, closed)
+        found = batch_transfer_function(parameters, self.scattered.topology, self.frequency, self._medium, closed)
         return np.asarray(found)
 
     @cached_property
     def _correction(self) -> ComplexArray | float:
         if self.fidelity in CLOSED_FORMS:
             return 1.0
-        solid = solve(self.scattered.design, self.frequency, self.fidelity, self.medium).transfer_function.values
+        solid = solve(self.scattered.design, self.frequency, self.fidelity, self._medium).transfer_function.values
         return np.asarray(solid / self._in_closed_form(self.scattered.nominal))
 
 
 def scatter_factors(
     scattered: ScatteredDesign,
-    medium: Medium,
-    frequency: ArrayLike,
+    air: AirLike,
+    frequency: FrequencyLike,
     count: int,
     seed: int,
     *,
@@ -125,7 +133,7 @@ def scatter_factors(
 
     Args:
         scattered: the nominal design and what scatters.
-        medium: the air.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         frequency: (n_freq,) Hz, ascending.
         count: sensors.
         seed: of the draws.
@@ -139,7 +147,7 @@ def scatter_factors(
         Refusal: a frequency out of range.
     """
     draws = {name: fraction * values for name, values in scattered.draws(first, count, seed).items()}
-    sensors = AsBuiltSensors(scattered, frequency, medium)
+    sensors = AsBuiltSensors(scattered, frequency, air)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "entrance loss", UserWarning)
         return np.asarray(sensors.transfer_functions(draws) / sensors.nominal)

@@ -18,10 +18,10 @@ import numpy as np
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, design_rubber, solve_disc
-from acoustic_fem.quantities.checks import in_range, one_of
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
 from geometry.ground.typed import Array
@@ -68,11 +68,11 @@ class Tolerance:
     """Source of the figure."""
 
     def __post_init__(self) -> None:
-        one_of("quantity", self.quantity, tuple(QUANTITIES))
+        check_choice("quantity", self.quantity, tuple(QUANTITIES))
         of_no_length = self.quantity.startswith(("modulus", "microphone", "ovality"))
-        one_of(f"{self.quantity}.kind", self.kind, ("relative",) if of_no_length else get_args(DeviationKind))
+        check_choice(f"{self.quantity}.kind", self.kind, ("relative",) if of_no_length else get_args(DeviationKind))
         most, unit = (0.3, "") if self.kind == "relative" else (5.0, "mm")
-        in_range(f"{self.quantity}.deviation", self.deviation, 0, most, unit)
+        check_range(f"{self.quantity}.deviation", self.deviation, 0, most, unit)
 
 
 #: Tolerances of a careful workshop; figures without a measurement behind them say so.

@@ -1,6 +1,6 @@
 """Recordings as files, and transfer functions estimated from them.
 
-Stands on: quantities.
+Stands on: nothing.
 """
 
 import lazy_loader

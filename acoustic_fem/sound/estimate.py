@@ -20,8 +20,7 @@ from typing import Literal, get_args
 import numpy as np
 import scipy.signal
 
-from acoustic_fem.quantities.checks import one_of
-from geometry.ground.argument_checks import mismatch, out_of_range
+from geometry.ground.argument_checks import check_choice, mismatch, out_of_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 
@@ -89,7 +88,7 @@ def transfer_estimate(
     Raises:
         Refusal: an unknown estimator, records of different lengths or too short, or a frequency out of range.
     """
-    one_of("estimator", estimator, get_args(Estimator))
+    check_choice("estimator", estimator, get_args(Estimator))
     if outputs.ndim != 2 or outputs.shape[1:] != reference.shape:
         raise mismatch("outputs", f"has shape {outputs.shape}; it must be (n_output, {len(reference)})")
     if not (frequency.min() >= 1.0 and 2.5 * frequency.max() <= rate):

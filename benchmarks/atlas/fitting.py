@@ -88,7 +88,7 @@ class Solved:
         return 1e-3 * a, (2 * a / self.cell.diameter, a / height, a / (self.cell.height - height)), square
 
     def opening(self, port: int) -> NDArray[np.complex128]:
-        """Impedance of an opening in mu / a^3, beside what it shares with the other tube or with the sound hole."""
+        """Impedance of an opening in mu / a^3, without the part shared with the other tube or the sound hole."""
         apart, _ = self.excess
         shared = apart[:, 0, 1]
         a, _, square = self.sizes(port)

@@ -1,6 +1,7 @@
-"""Random designs that took no part in the making of the atlas, solved in 3-D: what its errors are measured on.
+"""Random designs on which the errors of the atlas are measured: solved in 3-D, and not used to make the atlas.
 
-``python -m benchmarks.atlas.held_out`` solves their cells, which the cache of cells keeps: it goes on where it ended.
+``python -m benchmarks.atlas.held_out`` solves their cells. The cache keeps them, so a stopped run continues where it
+was.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""The cells that the atlas is made of, solved in 3-D one by one; what is solved is kept and not solved again.
+"""Cells from which the atlas is made, solved in 3-D one by one; solved cells are kept.
 
-``python -m benchmarks.atlas.samples FOLDER`` goes on where it ended. Sizes count in the larger bore: it has a shear
-number of 5 at 500 Hz, and everything else follows from Sobol numbers.
+``python -m benchmarks.atlas.samples FOLDER`` continues where it was. Sizes are multiples of the larger bore, which has
+a shear number of 5 at 500 Hz. Everything else follows from Sobol numbers.
 """
 
 from __future__ import annotations

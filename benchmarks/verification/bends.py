@@ -7,9 +7,9 @@ import numpy as np
 from benchmarks.verification.report import Check, Subject, Table
 from studies.bending import BendingRig, solve_bending
 
-TEXT = """The publication's rig has {length:g} mm of tube with a bore of {bore:g} mm, wound on {diameter:g} mm. The
-change of the wound part's transfer admittance by a quarter turn is compared with an independent 3-D solve. The
-target is the last digit of that program."""
+TEXT = """In the rig of the publication, {length:g} mm of tube with a bore of {bore:g} mm are wound on a cylinder of
+{diameter:g} mm. A quarter turn changes the transfer admittance of the wound part. This change is compared with that of
+an independent 3-D program. The target is the last digit of that program."""
 
 #: Frequency (Hz) -> change of the transfer admittance of a quarter turn by an independent solver (physics of the bend).
 _OTHER = {1.0: 4e-5, 100.0: 1.3e-4}

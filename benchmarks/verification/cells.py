@@ -17,18 +17,21 @@ from geometry.air.mesh import InvertedElementsError, MeshSizes, mesh_solid
 from tests.support.reference_data import AIR, column, rows
 
 CELL_TEXT = """The reference cell is a rigid cylinder of 6 x 2.5 mm with two tubes of 0.5 x 6.25 mm opposite each other
-at mid height, from 1 to 100 Hz. Reference rows of an independent Taylor-Hood solver (tests/reference/acoustics.json)
-are good to 5e-4. Errors are relative to |Y₁₁|, that of the sum to itself. The thermal layer makes the sum converge with
-3 to 4. On meshes that are not graded the admittances would converge with 1.1, because of the pressure at the mouth's
-edge (Moffatt 1964). Checks are calls at `accuracy=1e-3`."""
+at mid height, from 1 to 100 Hz. The reference values come from an independent Taylor-Hood solver
+(tests/reference/acoustics.json) and are accurate to 5e-4. Errors are relative to |Y₁₁|, but the error of the sum is
+relative to the sum. Because of the thermal layer, the order of the sum is 3 to 4. On meshes that are not graded, the
+order of the admittances would be 1.1, because the pressure is singular at the edge of the mouth (Moffatt 1964). The
+checks are calls with `accuracy=1e-3`."""
 
 OPENING_TEXT = """A tube of radius a = 0.25 mm, 1 mm long in the mesh, opens into the end of a duct of 5 a or 50 a.
-After the exact ducts are subtracted the opening remains, Z a³/μ. It is compared with axisymmetric Navier-Stokes of
-an independent solver. It is good to 2e-3, so the error levels off there."""
+If the exact ducts are subtracted, the impedance of the opening remains, Z a³/μ. It is
+compared with the axisymmetric solution of an independent Navier-Stokes solver. This solution is accurate to 2e-3, so
+the error levels off there."""
 
-ARRAY_TEXT = """Three cells with membranes, their tubes and both ends in one 3-D mesh (`benchmarks/one_mesh.py`) are
-compared with cells joined by plane waves. The array has three points and two microphones, and is solved at 1, 10 and
-100 Hz."""
+ARRAY_TEXT = """An array of three points and two microphones is solved in one 3-D mesh, with its membranes, tubes and
+both ends
+(`benchmarks/one_mesh.py`). The result is compared with the usual method, which joins cells by plane waves. The
+frequencies are 1, 10 and 100 Hz."""
 
 _FREQUENCY = column("resonator_cell", "frequency")
 

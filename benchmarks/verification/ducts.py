@@ -17,10 +17,10 @@ _LENGTHS = (1e-4, 0.0125, 0.12, 1.0)
 _ENTRIES = ("Z'", "Y'", "Γ", "Zc", "Y11", "Y12")
 _TARGET = 1e-12
 
-TEXT = f"""Z', Y', Γ = √(Z'Y'), Zc = √(Z'/Y') and the two-port are compared with the [formulas](theory.md#tubes),
-evaluated by mpmath with {_DIGITS} digits, and with the exact limits. Round bores have 0.05 to 5 mm, frequencies 0.01 Hz
-to 20 kHz and lengths {", ".join(f"{1e3 * length:g}" for length in _LENGTHS)} mm. Y11 + Y12 is not an output. At low
-frequency this sum is smaller than its terms by |ΓL|²/2, so it loses many digits."""
+TEXT = f"""Z', Y', Γ = √(Z'Y'), Zc = √(Z'/Y') and the two-port are compared with the [formulas](theory.md#tubes), which
+mpmath evaluates with {_DIGITS} digits, and with the exact limits. The round bores have diameters of 0.05 to 5 mm and
+lengths of {1e3 * min(_LENGTHS):g} to {1e3 * max(_LENGTHS):g} mm, and the frequencies are 0.01 Hz to 20 kHz. The sum Y11
++ Y12 is not an output. At low frequency it is smaller than its terms by the factor |ΓL|²/2, so it loses many digits."""
 
 
 def exact_per_length(radius: float, frequency: float) -> tuple[mpmath.mpc, mpmath.mpc]:

@@ -18,12 +18,14 @@ from acoustic_fem.quantities.medium import Medium
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from tests.support.reference_data import AIR
 
-SECTION_TEXT = """The means ⟨Ψ⟩ of meshed sections have quadratic elements on curved triangles. Such a mean is an
-energy, so its error falls with twice the order of the field, 4. This holds once the layer along the wall is resolved
-(d²ω/ν = 100; d: diameter, longer or only side)."""
+SECTION_TEXT = """The means ⟨Ψ⟩ of meshed sections are computed with quadratic elements on curved triangles. Such a mean
+is an energy, so the order of its error is 4, which is twice that of the field. This holds if the mesh resolves the
+layer along the wall. At d²ω/ν = 100 this layer is thin. Here d is the diameter, or the longer or only side."""
 
-TAPER_TEXT = """Elements of degree p in one dimension converge with 2p against the exponential horn. A lossy cone has no
-exact solution. It is therefore solved by a staircase of cylinders too, of order 2, at 1, 100 and 1000 Hz."""
+TAPER_TEXT = """For an exponential horn, the error of elements of degree p in one dimension has the order 2p. A lossy
+cone has no exact
+solution. It is therefore also solved as a staircase of cylinders, whose error has the order 2, at 1, 100 and 1000
+Hz."""
 
 _RATES = {"slow": 1e-3, "fast": 100.0}
 
@@ -173,8 +175,9 @@ def _cone(quick: bool) -> tuple[Study, tuple[Check, ...]]:
 
 # -- the ribbed bore of a spring -----------------------------------------------------------------------------
 
-SPRING_TEXT = """The effective bore follows from axisymmetric Navier-Stokes in half a pitch ([theory](theory.md#tubes)).
-Its quadratic elements on curved quadrilaterals are compared with a mesh of 24 columns."""
+SPRING_TEXT = """The effective bore follows from an axisymmetric Navier-Stokes solution in half a pitch
+([theory](theory.md#tubes)). Meshes
+of quadratic elements on curved quadrilaterals are compared with a mesh of 24 columns."""
 
 
 def springs(quick: bool) -> Subject:

@@ -11,9 +11,9 @@ from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimen
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from tests.support.reference_data import rows
 
-TEXT = """Membranes are compared with the finest mesh (refinement {finest}; the default is 4), in steps of h/n. Energies
-are of order 4 if the solution is smooth, but the singular stress at the edge of the clamp costs a part of it. Rows of
-an independent solver are good to 5e-4. Kirchhoff's plate is the limit of small h/a."""
+TEXT = """Meshes of elements of size h/n are compared with the finest mesh (refinement {finest}; the default is 4). The
+order of an energy is 4 if the solution is smooth, but the singular stress at the edge of the clamp lowers it. The
+reference values of an independent solver are accurate to 5e-4. For small h/a, the membrane is a Kirchhoff plate."""
 
 _POISSON = 0.49
 _FINEST = 7

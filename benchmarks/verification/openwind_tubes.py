@@ -13,9 +13,10 @@ from benchmarks.verification.report import Check, Subject, Table
 from tests.support import openwind_ladder
 
 TEXT = """The input impedance of tubes with a closed end is compared with
-[OpenWind](https://openwind.inria.fr) {version} (INRIA; GPL-3, extra `verify`). It runs with `losses="bessel"` and
-without junction masses. Both programs have the air of its `Physics(20)`. It solves tubes by transfer matrices, and the
-cone by finite elements of order 8. Each row holds the largest relative difference over {frequencies} Hz; {source}."""
+[OpenWind](https://openwind.inria.fr) {version} (INRIA; GPL-3, extra `verify`). OpenWind runs with `losses="bessel"` and
+without junction masses, and both programs use the air of its `Physics(20)`. OpenWind solves tubes by transfer matrices,
+and the cone by finite elements of order 8. Each row holds the largest relative difference over {frequencies} Hz.
+{source}."""
 
 _TARGET = 1e-9
 _STORED = Path(openwind_ladder.__file__).parents[1] / "reference" / "openwind.json"
@@ -33,11 +34,11 @@ def run(quick: bool) -> Subject:
         RuntimeError: a full run without OpenWind.
     """
     if available():
-        numbers, source = openwind_ladder.reference(), "both computed in this run"
+        numbers, source = openwind_ladder.reference(), "Both programs computed in this run"
     elif quick:
         numbers, source = (
             json.loads(_STORED.read_text(encoding="utf-8")),
-            f"OpenWind's from tests/reference/{_STORED.name}",
+            f"The values of OpenWind come from tests/reference/{_STORED.name}",
         )
     else:
         raise RuntimeError('the page compares with OpenWind: python -m pip install -e ".[verify]"')

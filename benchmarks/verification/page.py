@@ -15,12 +15,13 @@ _WIDTH = 120
 _COLOURS = ("#1f5fa8", "#c8501e", "#2e8b57", "#8a4fa3", "#b08a00", "#555555")
 _MARKERS = "osD^vP"
 
-_INTRO = """This page shows how accurately the equations of the [theory](theory.md) are solved. Figures and tables hold
-two things: orders, by which errors fall with the mesh, and errors against exact solutions, other programs and finer
-meshes. Errors are relative unless a unit is given. Each row has those of the coarsest and the finest mesh. An order is
-the least-squares slope of log(error) over log(size), dashed in the figures, on all meshes or on those up to a limit.
-Orders that are not as expected and missed targets are in bold. `{command}` writes the page, and every mesh is in
-[verification.json](verification.json)."""
+_INTRO = """This page shows how accurately the equations of the [theory](theory.md) are solved. The tables with an
+*order* show how
+fast the error falls when the mesh is refined, and give the errors on the coarsest and on the finest mesh. The order is
+the least-squares slope of log(error) over log(size), dashed in the figures. It is fitted to all meshes, or to those up
+to a size that the last column gives. The tables with a *target* compare results with exact solutions, other programs or
+finer meshes. Errors are relative unless a unit is given. Orders that are not as expected and missed targets are in
+bold. `{command}` writes the page, and [verification.json](verification.json) has the figures of every mesh."""
 
 
 def figure_name(subject: Subject) -> str:

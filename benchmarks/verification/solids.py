@@ -19,15 +19,19 @@ from tests.support.reference_data import AIR
 
 TUBE_TEXT = """A tube of radius a = 0.25 mm and length 1 mm is solved by both 3-D models with uniform curved tetrahedra
 (edge of the mean volume). The error is the largest of Y₁₁ and Y₁₂ relative to |Y₁₁|. At low frequency only the curved
-wall causes errors, with order 4. At 2 kHz the layer √(2ν/ω) is a fifth of the radius, so only meshes finer than 2.5
-layers count. Meshes do not refine one another, hence the scatter."""
+wall causes errors, with order 4. At 2 kHz the layer √(2ν/ω) is a fifth of the radius, so the order is fitted
+only to meshes finer than 2.5 layers. The points scatter, because the meshes are not refinements of each other."""
 
-HEAT_TEXT = """The compliance of closed cavities with cold walls is compared for a cylinder (6 x 2.5 mm), a sphere (4
-mm) and a box (4 x 3 x 2 mm; triple sine series). It is an energy, so the order is 4, less a logarithm along edges. This
-holds once the layer √(2α/ω), 0.26 mm at 100 Hz, is resolved, so only meshes finer than 2.5 layers count."""
+HEAT_TEXT = """The compliance of closed cavities with isothermal walls is compared with closed forms for a cylinder (6 x
+2.5 mm), a
+sphere (4 mm) and a box (4 x 3 x 2 mm; triple sine series). The compliance is an energy, so the order is 4, apart from a
+logarithm along edges. This holds if the mesh resolves the layer √(2α/ω), which is 0.26 mm thick at 100 Hz. So the order
+is fitted only to meshes finer than 2.5 layers."""
 
-SUM_TEXT = """If all ports have one pressure then the inflow is that of isothermal gas, jω V/p₀. Tetrahedra with three
-faces on walls would lose their volume here, so the mesher splits them. Meshes are those of `accuracy=2e-3`."""
+SUM_TEXT = """If all ports have the same pressure, the inflow at low frequency is that of isothermal gas, jω V/p₀.
+Tetrahedra with
+three faces on walls would not contribute their volume here, so the mesher splits them. The meshes are those for
+`accuracy=2e-3`."""
 
 _RADIUS, _LENGTH = 0.25, 1.0
 _SUM_ACCURACY = 2e-3

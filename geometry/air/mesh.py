@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-import tempfile
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
+from io import BytesIO
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
@@ -20,6 +19,7 @@ from geometry.ground.forked import in_a_copy
 from geometry.ground.process_messages import ChildError, Limits
 from geometry.ground.refusal import Kind, Refusal, counted, said_by
 from geometry.ground.typed import Array
+from geometry.ground.whole_files import temporary_folder
 
 if TYPE_CHECKING:
     import cadquery
@@ -222,6 +222,15 @@ def face_at(solid: cadquery.Solid, name: str, point: Point) -> cadquery.Face:
     return hits[0]
 
 
+def inner_point(face: cadquery.Face) -> Point:
+    """A point inside a flat face: the middle of the largest facet."""
+    vertices, triangles = face.tessellate(0.1)
+    corners = np.array([vertex.toTuple() for vertex in vertices])[np.array(triangles)]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    x, y, z = corners[int(np.argmax(areas))].mean(axis=0).tolist()
+    return (x, y, z)
+
+
 def _run_gmsh(
     solid: cadquery.Solid, named: Mapping[str, cadquery.Face], tubes: tuple[str, ...], sizes: MeshSizes
 ) -> _Elements:
@@ -235,9 +244,10 @@ def _run_gmsh(
         gmsh.option.setNumber("General.Terminal", 0)
         gmsh.option.setNumber("General.NumThreads", 1)  # the same mesh on every machine
         gmsh.model.add("cell")
-        with tempfile.TemporaryDirectory() as folder:
-            brep = Path(folder) / "solid.brep"
-            solid.exportBrep(str(brep))
+        with temporary_folder() as folder:
+            brep, content = folder / "solid.brep", BytesIO()
+            solid.exportBrep(content)  # into memory: to a full disk it writes half of a file in silence
+            brep.write_bytes(content.getvalue())
             gmsh.model.occ.importShapes(str(brep))
         gmsh.model.occ.synchronize()
         surfaces = {name: _matching_surface(name, face) for name, face in named.items()}

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import cadquery as cq
 import numpy as np
 
-from geometry.air.mesh import Point, face_at
+from geometry.air.mesh import Point, face_at, inner_point
 from geometry.ground.typed import Array
 
 #: Places that agree within this part of the solid's size are the same; the CAD kernel is a few times better.
@@ -141,17 +141,8 @@ def _cut(solid: cq.Solid, faces: Mapping[str, cq.Face], centre: Array, normal: A
         ]
         if len(own) != 1:
             return None
-        ports[name] = _inner_point(own[0])
-    return Half(halves[0], ports, _inner_point(mirror[0])) if len(mirror) == 1 else None
-
-
-def _inner_point(face: cq.Face) -> Point:
-    """A point inside a flat face: the middle of the largest facet."""
-    vertices, triangles = face.tessellate(0.1)
-    corners = np.array([_vector(vertex) for vertex in vertices])[np.array(triangles)]
-    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    x, y, z = corners[int(np.argmax(areas))].mean(axis=0).tolist()
-    return (x, y, z)
+        ports[name] = inner_point(own[0])
+    return Half(halves[0], ports, inner_point(mirror[0])) if len(mirror) == 1 else None
 
 
 def _vector(value: cq.Array) -> Array:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted, said_by
 
 if TYPE_CHECKING:
     import cadquery
@@ -25,13 +25,17 @@ def sound_solid(shape: cadquery.Shape) -> cadquery.Solid:
     """The one solid of a shape, fit to be meshed; milliseconds, whatever the shape.
 
     Raises:
-        Refusal: none or several solids, an extent that is not finite, too large or too small, no volume, too many
-            faces, an edge or a face too small, or one that the CAD kernel finds fault with.
+        Refusal: none or several solids, a corner or an extent that is not finite, an extent too large or too small, no
+            volume, too many faces, an edge or a face too small, or one that the CAD kernel finds fault with.
     """
     solids = shape.Solids()
     if len(solids) != 1:
         raise Refusal(f"has {counted(len(solids), 'solid')}; it must have one", kind=Kind.UNSUITABLE, field="shape")
-    for problem in _problems(solids[0]):
+    try:
+        problem = next(_problems(solids[0]), "")
+    except Exception as error:  # of the CAD kernel, such as an edge without an end
+        problem = f"cannot be measured by the CAD kernel: {said_by(error)}"
+    if problem:
         raise Refusal(problem, kind=Kind.UNSUITABLE, field="solid")
     return solids[0]
 
@@ -40,6 +44,9 @@ def _problems(solid: cadquery.Solid) -> Iterator[str]:
     """Faults of a solid, the cheapest to find first: later checks may take for ever where an earlier one fails."""
     from OCP.BRep import BRep_Tool
 
+    for corner in solid.Vertices():
+        if not all(map(math.isfinite, place := corner.toTuple())):
+            yield f"has a corner at {', '.join(f'{each:g}' for each in place)}; it must be finite"
     if not all(BRep_Tool.IsClosed_s(shell.wrapped) for shell in solid.Shells()):
         yield "has no end: its faces do not close"
     extents = _extents(solid)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.air.mesh import Point, face_at
+from geometry.air.mesh import Point, face_at, inner_point
 from geometry.ground.typed import Array
 
 if TYPE_CHECKING:
@@ -24,6 +24,8 @@ KEPT_RADII = 2.0
 _WORTH_CUTTING = 0.5
 #: Places and contents that agree within this part of a radius, or of themselves, are the same.
 _SAME = 1e-4
+#: Distance below which a point lies on a face, mm, as for :func:`geometry.air.mesh.face_at`.
+_NEAR = 1e-6
 
 
 @dataclass(frozen=True)
@@ -72,11 +74,14 @@ def shortened(solid: cadquery.Shape, points: Mapping[str, Point], ports: Sequenc
         radius, free = _round_bore(left, end, faces, [each for each in ports if each != name])
         length = free - KEPT_RADII * radius
         cut = _cut(left, end, radius, length) if length > _WORTH_CUTTING * radius else None
-        bores.append(StraightBore(radius, 0.0 if cut is None else length))
-        if cut is not None:
-            left = cut
-            x, y, z = (np.array(points[name]) - length * _normal(end)).tolist()
-            moved[name] = (x, y, z)
+        kept = None if cut is None else _points_on(cut, faces, moved)
+        if cut is None or kept is None:
+            bores.append(StraightBore(radius, 0.0))
+            continue
+        bores.append(StraightBore(radius, length))
+        left = cut
+        x, y, z = (np.array(points[name]) - length * _normal(end)).tolist()
+        moved = {**kept, name: (x, y, z)}
     return Shortened(left, moved, tuple(bores))
 
 
@@ -150,6 +155,33 @@ def _cut(solid: cadquery.Solid, end: cadquery.Face, radius: float, length: float
     if len(left) != 1 or len(gone) != 1 or not left[0].isValid():
         return None
     return left[0] if abs(gone[0].Volume() / (end.Area() * length) - 1) < _SAME else None
+
+
+def _points_on(
+    solid: cadquery.Solid, faces: Mapping[str, cadquery.Face], points: Mapping[str, Point]
+) -> dict[str, Point] | None:
+    """Points on what a cut leaves of faces: a mirror plane's may have been on the piece that went.
+
+    None where a face went, or was cut into several.
+    """
+    import cadquery as cq
+
+    found = {}
+    for name, face in faces.items():
+        place, normal = _vector(face.Center()), _normal(face)
+        left = [
+            each
+            for each in solid.Faces()
+            if each.geomType() == "PLANE"
+            and abs(_normal(each) @ normal - 1) < _SAME
+            and abs((_vector(each.Center()) - place) @ normal) < _NEAR
+            and each.distance(face) < _NEAR
+        ]
+        if len(left) != 1:
+            return None
+        there = left[0].distance(cq.Vertex.makeVertex(*points[name])) < _NEAR
+        found[name] = points[name] if there else inner_point(left[0])
+    return found
 
 
 def _axis_point(end: cadquery.Face, radius: float) -> Array:

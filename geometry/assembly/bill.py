@@ -19,7 +19,7 @@ from geometry.assembly.part_list import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.whole_files import write_text
+from geometry.ground.whole_files import made_folder, write_text
 from geometry.layout.cutting import Cut, cutting_list
 from geometry.layout.placement import ArrayLayout
 from geometry.molds.mold import MoldKind
@@ -214,8 +214,7 @@ def write_bill(bill: Bill, folder: str | os.PathLike[str]) -> tuple[Path, Path, 
     Returns:
         The three paths.
     """
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = made_folder(folder)
     texts = {
         "bill.csv": bill.to_csv(),
         "bill.json": json.dumps(bill.to_dict(), indent=2) + "\n",

@@ -1,4 +1,4 @@
-"""STL, STEP, 3MF: written, read back, compared.
+"""STL, STEP, 3MF: written, read back, compared; STEP of others.
 
 Stands on: assembly, ground, solids.
 """

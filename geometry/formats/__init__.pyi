@@ -6,4 +6,5 @@ from .part_files import (
     tessellation_tolerance as tessellation_tolerance,
 )
 from .step_assembly import write_step as write_step
+from .step_file import read_step as read_step
 from .three_mf import Body as Body, write_3mf as write_3mf

@@ -18,7 +18,7 @@ from geometry.assembly.part_list import part_set
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal, counted
-from geometry.ground.whole_files import whole_file
+from geometry.ground.whole_files import made_folder, whole_file
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -117,8 +117,7 @@ def export(
             raise Refusal(kind=Kind.OUT_OF_RANGE, field="parts", value=name, allowed=allowed)
     if tolerance is not None and not 0 < tolerance < math.inf:
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="tolerance", value=tolerance, unit="mm", allowed="above 0")
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = made_folder(folder)
     shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
     parameters = part_set(parts).parameters
     files = []
@@ -130,7 +129,7 @@ def export(
             path = folder / f"{name}.{format_}"
             with whole_file(path) as beside:
                 if format_ == "step":
-                    _write_step(shape, name, beside)
+                    _write_step(shape, name, beside, path)
                     record = _checked_step(shape, name, beside, path)
                 elif format_ == "stl":
                     _mesh(facets).export(beside, file_type="stl")
@@ -278,7 +277,11 @@ def _read_only_body(path: Path, name: str) -> trimesh.Trimesh:
     return bodies[name]
 
 
-def _write_step(shape: cq.Shape, name: str, path: Path) -> None:
+def _write_step(shape: cq.Shape, name: str, beside: Path, path: Path) -> None:
     import cadquery as cq
+    from cadquery.occ_impl.assembly import toCAF
 
-    cq.Assembly(shape, name=name).export(str(path), "STEP")
+    from geometry.formats.step_document import write_document
+
+    _, document = toCAF(cq.Assembly(shape, name=name), coloredSTEP=True)
+    write_document(document, beside, named=path)

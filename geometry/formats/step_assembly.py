@@ -6,17 +6,13 @@ import os
 from pathlib import Path
 
 from cadquery.occ_impl.assembly import toCAF
-from OCP.IFSelect import IFSelect_ReturnStatus
-from OCP.Interface import Interface_Static
-from OCP.STEPCAFControl import STEPCAFControl_Writer
-from OCP.STEPControl import STEPControl_StepModelType
 from OCP.TCollection import TCollection_ExtendedString
 from OCP.TDataStd import TDataStd_Name
 from OCP.TDF import TDF_Label, TDF_LabelSequence
 from OCP.XCAFDoc import XCAFDoc_ShapeTool
 
 from geometry.assembly.model import ArrayModel, assembly_of, component_name
-from geometry.ground.refusal import Kind, Refusal
+from geometry.formats.step_document import write_document
 from geometry.ground.whole_files import whole_file
 
 
@@ -31,6 +27,7 @@ def write_step(model: ArrayModel, path: str | os.PathLike[str]) -> Path:
         path: of the file; its folder must exist. An existing one is replaced only by a complete one.
 
     Raises:
+        Refusal: the CAD kernel cannot write it.
         OSError: the file cannot be written.
     """
     root, document = toCAF(assembly_of(model), coloredSTEP=True)
@@ -40,15 +37,9 @@ def write_step(model: ArrayModel, path: str | os.PathLike[str]) -> Path:
         _rename(group, _name(product))
         for copy, shape in _components(product):
             _rename(shape, parts[_name(copy)])
-    writer = STEPCAFControl_Writer()
-    writer.SetColorMode(True)
-    writer.SetNameMode(True)
-    Interface_Static.SetCVal_s("write.step.unit", "MM")
     path = Path(path)
     with whole_file(path) as beside:
-        writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
-        if writer.Write(str(beside)) != IFSelect_ReturnStatus.IFSelect_RetDone:
-            raise Refusal("cannot be written by the CAD kernel", kind=Kind.NO_RESULT, file=path)
+        write_document(document, beside, named=path)
     return path
 
 

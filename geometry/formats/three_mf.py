@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import uuid
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -9,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from geometry.ground.record import sha256
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
@@ -39,13 +42,16 @@ def write_3mf(bodies: Sequence[Body], title: str, path: Path) -> None:
     """Write bodies, lengths in mm."""
     import lib3mf
 
+    seed = _seed(bodies, title)
     wrapper = lib3mf.get_wrapper()
     model = wrapper.CreateModel()
     model.SetUnit(lib3mf.ModelUnit.MilliMeter)
+    model.SetBuildUUID(_uuid(seed, "build"))
     model.GetMetaDataGroup().AddMetaData("", "Title", title, "xs:string", True)
     model.GetMetaDataGroup().AddMetaData("", "Application", "acoustic-fem", "xs:string", True)
     for body in bodies:
         mesh = model.AddMeshObject()
+        mesh.SetUUID(_uuid(seed, f"body {body.name}"))
         mesh.SetName(body.name)
         mesh.SetPartNumber(body.name)
         for key, value in body.parameters.items():
@@ -54,14 +60,29 @@ def write_3mf(bodies: Sequence[Body], title: str, path: Path) -> None:
             [_filled(lib3mf.Position(), vertex) for vertex in body.facets.vertices.tolist()],
             [_filled(lib3mf.Triangle(), corners) for corners in body.facets.triangles.tolist()],
         )
-        for place in body.places:
+        for copy, place in enumerate(body.places):
             transform = lib3mf.Transform()
             for row, numbers in zip(transform.Fields, place[:3].T.tolist(), strict=True):  # coordinates are rows there
                 row[:] = numbers
-            model.AddBuildItem(mesh, transform)
+            model.AddBuildItem(mesh, transform).SetUUID(_uuid(seed, f"copy {copy} of {body.name}"))
     writer = model.QueryWriter("3mf")
     writer.SetDecimalPrecision(7)
     writer.WriteToFile(str(path))
+
+
+def _seed(bodies: Sequence[Body], title: str) -> str:
+    """Hash of all that a file holds: equal files have equal identifiers, others have others."""
+    stated: list[bytes] = [title.encode()]
+    for body in bodies:
+        parameters = [[key, str(value)] for key, value in body.parameters.items()]
+        stated.append(json.dumps([body.name, parameters]).encode())
+        stated += [np.ascontiguousarray(each).tobytes() for each in (body.facets.vertices, body.facets.triangles)]
+        stated += [np.ascontiguousarray(place).tobytes() for place in body.places]
+    return sha256(*stated)
+
+
+def _uuid(seed: str, what: str) -> str:
+    return str(uuid.uuid5(uuid.NAMESPACE_URL, f"{_NAMESPACE}:{seed}:{what}"))
 
 
 def read_3mf(path: Path) -> dict[str, trimesh.Trimesh]:

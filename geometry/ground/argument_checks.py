@@ -1,6 +1,7 @@
-"""Checks of arguments: each returns in silence or raises a refusal that names the field, its value and what is allowed.
+"""Checks of arguments: each returns, or raises a refusal that names the field, its value and what is allowed.
 
-All take more facts of a refusal by name, such as ``kind``, ``file`` and ``remedy``, and its class as ``error``.
+Checks of numbers return them as floats; the others return nothing. All take more facts of a refusal by name, such as
+``kind``, ``file`` and ``remedy``, and its class as ``error``.
 """
 
 from __future__ import annotations
@@ -9,7 +10,13 @@ import math
 from collections.abc import Iterable, Sized
 from typing import Any
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
+
+_MOST_DIGITS = 9  # of a number that counts or numbers something
 
 
 def check_range(
@@ -24,8 +31,8 @@ def check_range(
     why: str = "",
     error: type[Refusal] = Refusal,
     **more: Any,
-) -> None:
-    """Reject a number outside a range; not-a-number is outside every range.
+) -> float:
+    """The number as a float, if it lies in a range; not-a-number is outside every range.
 
     Args:
         field: name of the argument.
@@ -38,14 +45,52 @@ def check_range(
         why: words after the range in the message, such as ``the number of points``.
         error: class of the refusal.
         more: more of its facts; ``allowed`` in place of the range in words.
+
+    Raises:
+        Refusal: no number, several numbers, or a number out of the range.
     """
+    if type(value) not in (int, float, bool) and real_numbers(field, value, error, **more).ndim:
+        raise error("must be one number", **{**more, "kind": Kind.WRONG_TYPE, "field": field, "value": value})
     if not whole or (isinstance(value, int) and not isinstance(value, bool)):
         above = value > low if excluded in ("low", "both") else value >= low
         if above and (value < high if excluded in ("high", "both") else value <= high):
-            return
+            return float(value)
     words = _range_in_words(low, high, unit, excluded, whole)
     facts = {"kind": Kind.OUT_OF_RANGE, "unit": unit, "allowed": f"{words}, {why}" if why else words, **more}
     raise error(field=field, value=value, **facts)
+
+
+def real_numbers(field: str, values: ArrayLike, error: type[Refusal] = Refusal, **more: Any) -> Array:
+    """The values as an array, same shape as given, float64, in their unit.
+
+    Raises:
+        Refusal: no real numbers: complex numbers, texts, rows of unequal length.
+    """
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        found = "rows of different lengths"
+    else:
+        if array.dtype.kind in "biuf":
+            return np.asarray(array, dtype=np.float64)
+        found = {"c": "complex", "U": "text", "S": "text"}.get(array.dtype.kind, type(values).__name__)
+    problem = f"must be a real number or an array of them, not {found}"
+    raise error(problem, **{**more, "kind": Kind.WRONG_TYPE, "field": field, "value": values})
+
+
+def positive_numbers(
+    field: str, values: ArrayLike, unit: str = "", error: type[Refusal] = Refusal, **more: Any
+) -> Array:
+    """The values as an array, same shape as given, float64, in their unit, if all are finite and above 0.
+
+    Raises:
+        Refusal: no real numbers; or the first value that is not finite or not above 0.
+    """
+    array = real_numbers(field, values, error, **more)
+    bad = ~(np.isfinite(array) & (array > 0))
+    if bad.any():
+        check_range(field, float(array[bad].flat[0]), 0, math.inf, unit, excluded="both", error=error, **more)
+    return array
 
 
 def _range_in_words(low: float, high: float, unit: str, excluded: str, whole: bool) -> str:
@@ -53,7 +98,7 @@ def _range_in_words(low: float, high: float, unit: str, excluded: str, whole: bo
     least = f"above {first}" if excluded in ("low", "both") else f"at least {first}"
     most = f"below {last}" if excluded in ("high", "both") else f"at most {last}"
     if math.isinf(high):
-        words = least
+        words = f"finite and {least}" if excluded in ("high", "both") else least
     elif math.isinf(low):
         words = most
     else:
@@ -66,7 +111,7 @@ def check_choice(
 ) -> None:
     """Reject a value that is not one of the choices, which the refusal lists."""
     allowed = tuple(choices)
-    if value not in allowed:
+    if isinstance(value, np.ndarray) or value not in allowed:
         raise error(**{"kind": Kind.OUT_OF_RANGE, "field": field, "value": value, "allowed": allowed, **more})
 
 
@@ -133,3 +178,11 @@ def mismatch(field: str, problem: str, **more: Any) -> Refusal:
 def unsuitable(field: str, problem: str, **more: Any) -> Refusal:
     """A refusal of data that cannot answer the question."""
     return Refusal(problem, kind=Kind.UNSUITABLE, field=field, **more)
+
+
+def whole_number(text: str) -> int:
+    """The number that a text of digits states, from 0; -1 for any other text, and for one of more than nine digits.
+
+    Python also takes digits of other scripts and underscores, and raises an error at very many digits.
+    """
+    return int(text) if text.isascii() and text.isdigit() and len(text) <= _MOST_DIGITS else -1

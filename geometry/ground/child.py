@@ -123,6 +123,21 @@ class Child:
         """True if the process runs."""
         return self._process.poll() is None
 
+    @property
+    def number(self) -> int:
+        """Number of the process in the system."""
+        return self._process.pid
+
+    @property
+    def is_stopped(self) -> bool:
+        """True if a signal has stopped the process, which goes on when it is continued."""
+        if not hasattr(os, "waitid"):  # Windows stops no process
+            return False
+        how = os.WSTOPPED | os.WNOHANG | os.WNOWAIT
+        with contextlib.suppress(ChildProcessError):  # it has ended
+            return os.waitid(os.P_PID, self._process.pid, how) is not None
+        return False
+
     def begin(
         self, inbox: queue.SimpleQueue[Message], function: Callable[..., Any], *arguments: Any, reports: bool = False
     ) -> None:

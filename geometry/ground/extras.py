@@ -13,11 +13,12 @@ EXTRAS = {
     "fem": ("gmsh",),
     "onnx": ("onnx", "onnxruntime"),
     "train": ("torch", "safetensors"),
-    "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
+    "studies": ("cloudpickle", "dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
     "audio": ("soundfile",),
     "sofa": ("sofar",),
+    "parquet": ("pyarrow",),
 }
 #: Packages that those of an extra bring: theirs is the name in the error where they are missing.
 _BROUGHT = {"OCP": "cad", "vtkmodules": "cad"}

@@ -8,26 +8,52 @@ it reads become refusals in :func:`library_reads`.
 from __future__ import annotations
 
 import os
+import re
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import IO
 
 from geometry.ground.argument_checks import check_type
-from geometry.ground.refusal import Kind, Refusal, said_by
+from geometry.ground.refusal import Field, Kind, Refusal, said_by
 
 LARGEST_DATA = 2**29
 """Most bytes of a file of numbers or sound: eight channels of 16 bits at 48 kHz for eleven minutes."""
 MOST_NUMBERS = 2**26
 """Most numbers that are taken from a file at once: half a gigabyte of them."""
 
+#: The address of a store or a site as it begins, also after ``pathlib`` has made one slash of two: ``s3://bucket/a``.
+_ADDRESS = re.compile(r"[A-Za-z][A-Za-z0-9+.:-]+:/")
 _KINDS = {
     stat.S_IFDIR: "a folder",
     stat.S_IFIFO: "a pipe",
     stat.S_IFSOCK: "a socket",
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
+    stat.S_IFLNK: "a link",
 }
+
+
+def check_local(path: str | os.PathLike[str], refusal: type[Refusal] = Refusal, field: str = "") -> None:
+    """Reject the address of a store or a site in place of a path, which would become a folder called ``s3:``.
+
+    Args:
+        path: what was given as a path.
+        refusal: class of the error.
+        field: name of the argument.
+
+    Raises:
+        Refusal: of that class: it begins like ``s3://`` or ``file://``.
+    """
+    if _ADDRESS.match(os.fspath(path)):
+        raise refusal(
+            kind=Kind.OUT_OF_RANGE,
+            file=path,
+            field=Field(field),
+            allowed="a path on this machine, not an address",
+            remedy="copy between this machine and a store with the tool of the store, or mount the store as a folder",
+        )
 
 
 def ordinary_file(path: str | os.PathLike[str], what: str, refusal: type[Refusal], largest: int | None = None) -> Path:
@@ -40,10 +66,11 @@ def ordinary_file(path: str | os.PathLike[str], what: str, refusal: type[Refusal
         largest: most bytes that it may have; by default any number.
 
     Raises:
-        Refusal: of that class: not the path of a file, no such file, a folder, pipe, socket or device, not readable,
-            or too large.
+        Refusal: of that class: not the path of a file, the address of a store, no such file, a folder, pipe, socket or
+            device, not readable, or too large.
     """
     check_type("path", path, (str, os.PathLike), f"the path of {what}", refusal)
+    check_local(path, refusal)
     path = Path(path)
     try:
         status = path.stat()
@@ -81,6 +108,35 @@ def read_bytes(path: str | os.PathLike[str], what: str, refusal: type[Refusal], 
     return content
 
 
+def check_own_file(path: Path, what: str, refusal: type[Refusal]) -> None:
+    """Refuse to write on in anything but an ordinary or new file, also in a link, which may lead to another's.
+
+    Args:
+        path: the file.
+        what: what it should be, such as ``the log of a sweep``, for messages.
+        refusal: class of the errors.
+
+    Raises:
+        Refusal: of that class.
+    """
+    try:
+        found = stat.S_IFMT(path.lstat().st_mode)
+    except FileNotFoundError:
+        return
+    if found != stat.S_IFREG:
+        problem = f"is {_KINDS.get(found, 'no file')}, not {what}"
+        raise refusal(problem, kind=Kind.EXISTS, file=path, remedy="remove it, or name another place")
+
+
+def open_to_append(path: Path, what: str, refusal: type[Refusal]) -> IO[str]:
+    """A text file opened to write on in it, made where there is none; arguments and errors as for
+    :func:`check_own_file`. A link or a pipe that was put there since is not opened.
+    """
+    check_own_file(path, what, refusal)
+    flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+    return open(os.open(path, flags, 0o666), "a", encoding="utf-8")
+
+
 @contextmanager
 def library_reads(path: str | os.PathLike[str], what: str, refusal: type[Refusal]) -> Iterator[None]:
     """Refuse a file by its name, whatever a library raises while it reads it; around its call and nothing of ours.
@@ -97,6 +153,9 @@ def library_reads(path: str | os.PathLike[str], what: str, refusal: type[Refusal
         yield
     except Refusal:
         raise
+    except MemoryError:
+        problem = f"takes more memory to read than there is; it is damaged, or not {what}"
+        raise refusal(problem, kind=Kind.UNREADABLE, file=path) from None
     except Exception as error:
         raise not_as_written(path, what, refusal, said_by(error)) from None
 

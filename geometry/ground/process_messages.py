@@ -16,6 +16,7 @@ from geometry.ground.refusal import Kind, Refusal
 BEAT, PATIENCE = 0.2, 2.0
 #: Kinds of messages about work: something reported on the way, a result, one that is bytes, an error, a stop, the end.
 REPORT, RESULT, BYTES, ERROR, STOPPED, ENDED = b"t", b"r", b"b", b"e", b"s", b""
+_KILLED = 9  # the signal by which Linux ends a process when memory runs out
 #: Kind and length of a message; its content follows.
 _HEAD = struct.Struct("<cQ")
 
@@ -30,7 +31,8 @@ class ChildError(Refusal):
     def ended(cls, name: str, status: int) -> ChildError:
         """The error of a process that ended without a result, by its name and exit status."""
         how = f"exit status {status}" if status >= 0 else f"signal {-status}"
-        error = cls(f"{name} ended without a result ({how})", kind=Kind.STOPPED)
+        remedy = "the system may have ended it for lack of memory" if status == -_KILLED else ""
+        error = cls(f"{name} ended without a result ({how})", kind=Kind.STOPPED, remedy=remedy)
         error.status = status
         return error
 

@@ -207,13 +207,20 @@ def counted(count: int, noun: str) -> str:
     return f"{count} {noun}s"
 
 
+def visible(text: str) -> str:
+    r"""A text whose hidden characters, and those that turn or end a line, are shown as escapes, such as ``\x1b``.
+
+    Line feeds and tabs stay: a text from a file may have several lines, but it must not steer the terminal.
+    """
+    return "".join(letter if letter in "\n\t" else _shown(letter) for letter in text)
+
+
+def _shown(letter: str) -> str:
+    return letter.encode("unicode_escape").decode("ascii") if unicodedata.category(letter) in _UNSEEN else letter
+
+
 def _word(text: str) -> str:
-    text = _without_middle(text, _LONGEST_WORD)
-    seen = (
-        letter.encode("unicode_escape").decode("ascii") if unicodedata.category(letter) in _UNSEEN else letter
-        for letter in text
-    )
-    return _without_middle("".join(seen), _LONGEST_WORD)
+    return _without_middle("".join(map(_shown, _without_middle(text, _LONGEST_WORD))), _LONGEST_WORD)
 
 
 def _without_middle(text: str, longest: int) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
@@ -14,7 +15,16 @@ from geometry.ground.refusal import Kind, Refusal
 
 LARGEST_TEXT = 1_000_000
 """Most bytes of a text; a design of a hundred lines has ten thousand."""
-_DEEPEST = 32  # levels of lists and tables in a file; designs and studies have five
+_DEEPEST = 32  # levels of lists and tables in a file, and parts of a dotted key; designs and studies have five
+#: What no text of a file may hold: controls but for tab and line ends, marks that turn the line, halves of a letter.
+_UNSEEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
+#: Pieces of TOML by which dotted keys are found: remarks, texts, dots, what no dotted key goes across, and the quotes
+#: of a text without an end.
+_PIECES = re.compile(
+    r"""\#[^\n]*|"{3}(?:[^"\\]|\\.|"{1,2}(?!"))*+"{3,5}|'{3}(?:[^']|'{1,2}(?!'))*+'{3,5}|(?P<open>"{3}|'{3})"""
+    r"""|"(?:[^"\\\n]|\\[^\n])*+"|'[^'\n]*+'|(?P<dot>\.)|(?P<end>[\n=,{}\[\]"'])""",
+    re.DOTALL,
+)
 
 
 def read_text(path: str | os.PathLike[str], what: str, refusal: type[Refusal]) -> str:
@@ -53,8 +63,9 @@ def parse_toml(text: str, source: str, refusal: type[Refusal]) -> dict[str, Any]
         refusal: class of the errors.
 
     Raises:
-        Refusal: of that class: it is not TOML.
+        Refusal: of that class: it is not TOML, is nested too deeply, or holds a control character.
     """
+    _check_dotted_keys(text, source, refusal)
     table: dict[str, Any] = _parsed(tomllib.loads, text, "TOML", source, refusal)
     return table
 
@@ -63,7 +74,7 @@ def parse_json(text: str | bytes, source: str, refusal: type[Refusal]) -> Any:
     """Value of a JSON text; arguments as for :func:`parse_toml`.
 
     Raises:
-        Refusal: of that class: it is not JSON.
+        Refusal: of that class: it is not JSON, is nested too deeply, or holds a control character.
     """
     return _parsed(json.loads, text, "JSON", source, refusal)
 
@@ -79,22 +90,52 @@ def _parsed(parse: Callable[[Any], Any], text: object, what: str, source: str, r
     return value
 
 
-def _check_plain(value: Any, source: str, refusal: type[Refusal]) -> None:
-    """Refuse what no file of ours can mean and no code of ours should meet: depth without end, integers without."""
-    level = [value]
-    for _ in range(_DEEPEST):
-        if not level:
+def _check_dotted_keys(text: str, source: str, refusal: type[Refusal]) -> None:
+    """Refuse a key of very many parts before it is parsed: the parser takes memory by the square of their number."""
+    if all(line.count(".") < _DEEPEST for line in text.split("\n")):
+        return
+    parts = 1
+    for piece in _PIECES.finditer(text):
+        if piece["open"]:  # up to the end of the file: the parser says so
             return
-        level = [
-            inner
-            for each in level
-            if isinstance(each, dict | list)
-            for inner in (each.values() if isinstance(each, dict) else each)
-        ]
-        for each in level:
-            if isinstance(each, int) and not -(2**63) <= each < 2**63:
-                raise refusal("has an integer of more than 64 bits", kind=Kind.UNREADABLE, file=source)
+        if piece["end"]:
+            parts = 1
+        elif piece["dot"]:
+            parts += 1
+            if parts > _DEEPEST:
+                line = text.count("\n", 0, piece.start()) + 1
+                problem = f"has a key of more than {_DEEPEST} parts in line {line}"
+                raise refusal(problem, kind=Kind.UNREADABLE, file=source)
+
+
+def _check_plain(value: Any, source: str, refusal: type[Refusal]) -> None:
+    """Refuse what no file of ours can mean and no code of ours should meet: depth or integers without end, controls."""
+    level = [("", value)]
+    for _ in range(_DEEPEST + 1):
+        inner: list[tuple[str, Any]] = []
+        for place, each in level:
+            if isinstance(each, dict):
+                for key, within in each.items():
+                    inner.append((f"{place}.{key}" if place else key, within))
+                    if _UNSEEN.search(key):
+                        raise _hidden(source, place, key, refusal)
+            elif isinstance(each, list):
+                inner += [(f"{place}.{index}", within) for index, within in enumerate(each)]
+            elif isinstance(each, str):
+                if _UNSEEN.search(each):
+                    raise _hidden(source, place, each, refusal)
+            elif isinstance(each, int) and not -(2**63) <= each < 2**63:
+                problem = "has an integer of more than 64 bits"
+                raise refusal(problem, kind=Kind.UNREADABLE, file=source, field=place)
+        if not inner:
+            return
+        level = inner
     raise _too_deep(source, refusal)
+
+
+def _hidden(source: str, place: str, text: str, refusal: type[Refusal]) -> Refusal:
+    allowed = "a text without control characters"
+    return refusal(kind=Kind.UNREADABLE, file=source, field=place, value=text, allowed=allowed)
 
 
 def _too_deep(source: str, refusal: type[Refusal]) -> Refusal:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import errno
 import os
+import re
+import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from geometry.ground.file_checks import check_local
 from geometry.ground.refusal import Kind, Refusal
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
@@ -27,13 +30,16 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         path: the file; its folder must exist.
 
     Raises:
+        Refusal: the path is the address of a store.
         OSError: the disk is full, whatever the library says that met it; names the file.
     """
+    check_local(path)
     path = Path(path)
     with suppress(FileNotFoundError):
         path.lstat()  # a name that is too long is reported for the file itself, before anything is written
     # Only a part of the name: nothing could be added to a name that is as long as can be.
     beside = path.with_name(f".{path.stem[:40]}.{os.getpid()}{path.suffix}")
+    beside.unlink(missing_ok=True)  # whatever is there, such as a link, which would be followed
     try:
         yield beside
         # Without this a power cut may leave the new name before its content.
@@ -47,6 +53,54 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         raise
     finally:
         beside.unlink(missing_ok=True)
+
+
+def leftovers(path: str | os.PathLike[str]) -> Iterator[Path]:
+    """Files beside a path that :func:`whole_file` left there because the process was killed while it wrote.
+
+    Another process may be writing one of them just now: they belong to whoever holds a lock of the place.
+    """
+    path = Path(path)
+    name = re.compile(rf"\.{re.escape(path.stem[:40])}\.\d+{re.escape(path.suffix)}")
+    with suppress(OSError):
+        yield from (found for found in path.parent.iterdir() if name.fullmatch(found.name))
+
+
+def made_folder(path: str | os.PathLike[str]) -> Path:
+    """The folder, made with all above it where it is missing.
+
+    Raises:
+        Refusal: the path is the address of a store.
+    """
+    check_local(path)
+    path = Path(path)
+    path.mkdir(parents=True, exist_ok=True)
+    return path
+
+
+@contextmanager
+def temporary_folder() -> Iterator[Path]:
+    """New folder for temporary files, which is removed with its content when the block ends.
+
+    Raises:
+        OSError: its disk is full, whatever the library says that met it; names the folder and says what to set.
+    """
+    remedy = "temporary files need room there: set TMPDIR to a folder with more"
+    try:
+        place = tempfile.TemporaryDirectory()
+    except FileNotFoundError:  # every folder that may be one was tried
+        where = os.environ.get("TMPDIR", "/tmp")
+        raise OSError(errno.ENOSPC, f"no file can be made; {remedy}", where) from None
+    with place as name:
+        try:
+            yield Path(name)
+        except Refusal:
+            raise
+        except Exception as error:
+            full = _full(Path(name, "room"), error)
+            if full is None:
+                raise
+            raise OSError(full, f"{os.strerror(full)}; {remedy}", os.path.dirname(name)) from error
 
 
 @contextmanager
@@ -70,6 +124,7 @@ def whole_lines(path: str | os.PathLike[str]) -> Iterator[Callable[[str], None]]
     Raises:
         OSError: the disk is full; names the file.
     """
+    check_local(path)
     Path(path).unlink(missing_ok=True)
     with writing(path), open(path, "wb", buffering=0) as file:
 

@@ -11,7 +11,7 @@ import pyvista as pv
 
 from geometry.ground.missing_packages import load_before_renderer
 from geometry.ground.typed import Array
-from geometry.ground.whole_files import whole_file
+from geometry.ground.whole_files import made_folder, whole_file
 from geometry.solids.measure import tessellate
 
 #: Facets for the eye: within this distance (mm) and angle (rad).
@@ -84,7 +84,7 @@ def picture_axes(seen_from: Direction, upwards: Direction = (0.0, 0.0, 1.0)) -> 
 def save_picture(plotter: pv.Plotter, path: str | os.PathLike[str]) -> Path:
     """Write what the plotter shows as PNG; missing folders are made."""
     path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    made_folder(path.parent)
     try:
         with whole_file(path) as beside:
             plotter.screenshot(str(beside))

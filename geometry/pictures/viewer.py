@@ -17,12 +17,14 @@ from geometry.assembly.model import LOOKS, ArrayModel, PartKind, array_model
 from geometry.assembly.order_table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
-from geometry.ground.whole_files import whole_file
+from geometry.ground.whole_files import made_folder, whole_file
 
 #: Facets for the eye: within this part of a shape's size and this angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.002, 0.35
 #: Turns of the page's first view about x, y and z, rad: from above and in front.
 _SEEN_FROM = (0.7, 0.0, 0.0)
+#: Field of view across and up, degrees.
+_FIELD_OF_VIEW = (60.0, 45.0)
 #: Room at the sides of that view, as a factor.
 _ROOM = 1.1
 _NAMES: dict[PartKind, str] = {
@@ -60,7 +62,8 @@ def write_viewer(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) 
     model = array_model(array)
     design = model.design
     scene = _scene(model, np.eye(4))
-    scene.set_camera(angles=_SEEN_FROM)
+    scene.camera = trimesh.scene.cameras.Camera(name="camera", fov=_FIELD_OF_VIEW)  # else its name is a random one
+    scene.set_camera(angles=_SEEN_FROM, fov=_FIELD_OF_VIEW)
     page = scene_to_html(scene)
     # The page's own title and switches go beside trimesh's canvas; its three.js objects carry our labels.
     kinds = [kind for kind in _NAMES if any(part.kind == kind for part in model.placed)]
@@ -182,7 +185,7 @@ def _material(kind: PartKind) -> trimesh.visual.material.PBRMaterial:
 
 def _whole(path: str | os.PathLike[str], content: bytes) -> Path:
     path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    made_folder(path.parent)
     with whole_file(path) as beside:
         beside.write_bytes(content)
     return path

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from acoustic_fem import Library
-from acoustic_fem.quantities.checks import in_range, numbers
+from geometry.ground.argument_checks import check_range, real_numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.signals.array_response import ArrayResponse, response_of
@@ -47,7 +47,7 @@ class Contact:
     """Middle of the contact in the plan of :attr:`localize.ArrayResponse.position`; (n, 2) float64, mm."""
     force: Array
     """Force on the array, zero or above; (n,) float64, N."""
-    radius: float
+    contact_radius_mm: float
     """Radius of the contact's area, mm."""
     roughness: float = 0.0
     """Fluctuation of the force while it moves, rms as a share of the force, 0 to 2: noise along the path, whose
@@ -57,7 +57,7 @@ class Contact:
 
     def __post_init__(self) -> None:
         for name in ("time", "path", "force"):
-            values = numbers(f"contact.{name}", getattr(self, name))
+            values = real_numbers(f"contact.{name}", getattr(self, name))
             if not np.isfinite(values).all():
                 raise Refusal("must be finite", kind=Kind.UNSUITABLE, field=f"contact.{name}")
             object.__setattr__(self, name, values)
@@ -84,8 +84,8 @@ class Contact:
                 unit="N",
                 allowed="zero or above, because a contact does not pull",
             )
-        in_range("contact.radius", self.radius, *RADII, "mm")
-        in_range("contact.roughness", self.roughness, 0.0, 2.0)
+        check_range("contact.contact_radius_mm", self.contact_radius_mm, *RADII, "mm")
+        check_range("contact.roughness", self.roughness, 0.0, 2.0)
 
     @property
     def seconds(self) -> float:
@@ -145,8 +145,10 @@ def covered_force(contact: Contact, array: Library | ArrayResponse) -> Array:
     pressing = np.flatnonzero(contact.force)
     distance = np.linalg.norm(contact.path[pressing, None] - place, axis=-1)
     for size in np.unique(radius):
-        rows, columns = np.nonzero((distance < contact.radius + size) & (radius == size))
-        shares[pressing[rows], columns] = hertz_fraction(distance[rows, columns], contact.radius, float(size))
+        rows, columns = np.nonzero((distance < contact.contact_radius_mm + size) & (radius == size))
+        shares[pressing[rows], columns] = hertz_fraction(
+            distance[rows, columns], contact.contact_radius_mm, float(size)
+        )
     return shares * contact.force[:, None]
 
 

@@ -15,7 +15,7 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import ArrayLike
 
-from acoustic_fem.quantities.checks import in_range, numbers
+from geometry.ground.argument_checks import check_range, real_numbers
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact
@@ -43,7 +43,7 @@ class Tool:
 
     name: str
     """Name of it, the label of its strokes."""
-    radius: tuple[float, float]
+    contact_radius_mm: tuple[float, float]
     """Smallest and largest radius of its contact, mm."""
     force: tuple[float, float]
     """Lowest and highest force, N; the logarithm is evenly spread."""
@@ -201,7 +201,7 @@ def held(kind: StreamKind, place: Place, time: Array, pressed: Array, tool: Tool
         tool: what is held.
         draws: of the contact.
     """
-    radius, force = draws.between(tool.radius), draws.log_between(tool.force)
+    radius, force = draws.between(tool.contact_radius_mm), draws.log_between(tool.force)
     roughness = draws.between(tool.roughness)
     return Contact(
         time, still(place, len(time)), force * pressed * draws.hand(time, tool.unsteadiness), radius, roughness, kind
@@ -240,7 +240,7 @@ def joined(contacts: list[Contact], label: str = "") -> Contact:
 def _moved(kind: StreamKind, path: ArrayLike, speed: ArrayLike, tool: Tool, stream: Stream) -> Contact:
     draws = Draws(kind, **stream)
     time, places, pressed = _along_path(path, speed)
-    radius, force = draws.between(tool.radius), draws.log_between(tool.force)
+    radius, force = draws.between(tool.contact_radius_mm), draws.log_between(tool.force)
     roughness = draws.between(tool.roughness)
     label = tool.name if kind == "stroke" else kind
     return Contact(time, places, force * pressed * draws.hand(time, tool.unsteadiness), radius, roughness, label)
@@ -248,7 +248,7 @@ def _moved(kind: StreamKind, path: ArrayLike, speed: ArrayLike, tool: Tool, stre
 
 def _along_path(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]:
     """Times (n,) s, places (n, 2) mm and the course of the force (n,) of what moves along a path."""
-    corners = numbers("path", path)
+    corners = real_numbers("path", path)
     if corners.ndim != 2 or corners.shape[1:] != (2,) or len(corners) < 2 or not np.isfinite(corners).all():
         raise Refusal(
             f"has shape {corners.shape}; it must be at least two places (x, y) of finite numbers, mm",
@@ -256,7 +256,7 @@ def _along_path(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]
             field="path",
         )
     lengths = np.hypot(*np.diff(corners, axis=0).T)
-    speeds = numbers("speed", speed)
+    speeds = real_numbers("speed", speed)
     if speeds.shape not in ((), lengths.shape):
         raise Refusal(
             f"has shape {speeds.shape}; it must be one number, or {lengths.shape}, one for each piece of the path",
@@ -264,13 +264,13 @@ def _along_path(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]
             field="speed",
         )
     for value in speeds.flat:
-        in_range("speed", value, *SPEEDS, "mm/s")
+        check_range("speed", value, *SPEEDS, "mm/s")
     if lengths.sum() <= 0:
         raise Refusal("has no length", kind=Kind.UNSUITABLE, field="path", remedy="press a contact that stands still")
     kept = np.concatenate([[True], lengths > 0])
     at = np.concatenate([[0.0], np.cumsum(lengths / speeds)])[kept]
     lasts = float(at[-1])
-    in_range("path: time to go along it", lasts, 0.0, 1000.0, "s")
+    check_range("path: time to go along it", lasts, 0.0, 1000.0, "s")
     time = times(QUIET[0] + lasts + QUIET[1])
     since = time - QUIET[0]
     places = np.column_stack([np.interp(since, at, along) for along in corners[kept].T])
@@ -281,7 +281,7 @@ def _along_path(path: ArrayLike, speed: ArrayLike) -> tuple[Array, Array, Array]
 
 def still(place: Place, count: int) -> Array:
     """A path that stays at one place, mm: (count, 2) float64, mm."""
-    spot = numbers("place", place)
+    spot = real_numbers("place", place)
     if spot.shape != (2,) or not np.isfinite(spot).all():
         raise Refusal(kind=Kind.WRONG_TYPE, field="place", value=place, allowed="(x, y), two finite numbers, mm")
     return np.tile(spot, (count, 1))

@@ -8,7 +8,7 @@ from typing import Unpack
 
 import numpy as np
 
-from acoustic_fem.quantities.checks import in_range
+from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact
 from localize.contacts.contact_shapes import FINGER, QUIET, Place, Tool, held, still, stroke, times
@@ -77,7 +77,7 @@ def press(place: Place, hold: float | None = None, *, tool: Tool = FINGER, **str
     draws = Draws("press", **stream)
     rise, fall = draws.log_between(PRESS_SECONDS), draws.log_between(PRESS_SECONDS)
     drawn = draws.between(HOLD_SECONDS)
-    hold = drawn if hold is None else in_range("hold", hold, 0.0, 100.0, "s")
+    hold = drawn if hold is None else check_range("hold", hold, 0.0, 100.0, "s")
     time = times(QUIET[0] + rise + hold + fall + QUIET[1])
     since = time - QUIET[0]
     up, down = np.clip(since / rise, 0, 1), np.clip((rise + hold + fall - since) / fall, 0, 1)
@@ -89,7 +89,7 @@ def slide(start: Place, end: Place, speed: float, *, tool: Tool = FINGER, **stre
     :func:`localize.contacts.stroke`.
     """
     made = stroke([start, end], speed, tool, **stream)
-    return Contact(made.time, made.path, made.force, made.radius, made.roughness, "slide")
+    return Contact(made.time, made.path, made.force, made.contact_radius_mm, made.roughness, "slide")
 
 
 def pulse_wave(place: Place, rate: float = 75.0, seconds: float = 4.0, **stream: Unpack[Stream]) -> Contact:
@@ -147,11 +147,11 @@ class _Heart:
 
 
 def _heart(rate: float, seconds: float, **stream: Unpack[Stream]) -> _Heart:
-    in_range("rate", rate, *HEART_RATES, "beats a minute")
-    in_range("seconds", seconds, 0.5, 1000.0, "s")
+    check_range("rate", rate, *HEART_RATES, "beats a minute")
+    check_range("seconds", seconds, 0.5, 1000.0, "s")
     draws = Draws("pulse", **stream)
     swaying, height = draws.log_between((2e-6, 50e-6)), draws.log_between((20e-6, 200e-6))
-    radius = draws.between(FINGER.radius)
+    radius = draws.between(FINGER.contact_radius_mm)
     waves = {}
     for name, limits in WAVES.items():
         later, weight, width = (draws.between(each) for each in limits)

@@ -17,7 +17,7 @@ import torch
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
-from acoustic_fem.quantities.checks import in_range
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force, surface_of
@@ -91,7 +91,7 @@ class ContactRecorder:
         seed: int = 0,
         purpose: Purpose = "evaluation",
     ) -> None:
-        in_range("sample_rate", sample_rate, *RATES, "Hz")
+        check_range("sample_rate", sample_rate, *RATES, "Hz")
         self._period = round(sample_rate / LINE_SPACING)
         if abs(self._period * LINE_SPACING - sample_rate) > 1e-9:
             raise Refusal(
@@ -169,7 +169,7 @@ class ContactRecorder:
         Raises:
             Refusal: a contact above 1000 s.
         """
-        in_range("contact: its length", contact.seconds, 0.0, LONGEST, "s")
+        check_range("contact: its length", contact.seconds, 0.0, LONGEST, "s")
         count = math.floor(contact.seconds * self.sample_rate + 1e-6) + 1
         fine = min(max(1, math.ceil(1 / (self.sample_rate * np.diff(contact.time).min()) - 1e-6)), _FINEST)
         steps = contact.time[0] + np.arange(count * fine) / (self.sample_rate * fine)

@@ -112,9 +112,9 @@ def floor_covariance(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
     return np.asarray(scipy.linalg.toeplitz(frame_noise_covariance(noise) + hum))
 
 
-def whitening(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
+def whitening(microphone_noise: float | NoiseSpectrum) -> NDArray[np.float64]:
     """Matrix that makes the filtered noise of one microphone white, of variance 1; (SAMPLES, SAMPLES) float64, 1/Pa."""
-    covariance = scipy.linalg.toeplitz(frame_noise_covariance(noise))
+    covariance = scipy.linalg.toeplitz(frame_noise_covariance(microphone_noise))
     return np.asarray(np.linalg.inv(np.linalg.cholesky(covariance)))
 
 

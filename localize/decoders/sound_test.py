@@ -97,12 +97,12 @@ class SoundTest:
         return np.asarray(scipy.special.chdtrc(self.freedom * frames.shape[1], _energy(frames, self._beside)))
 
     @one_thread()
-    def beside(self, signals: ArrayLike | Tensor, noise: float = 1.0) -> tuple[Array, Array]:
+    def beside(self, signals: ArrayLike | Tensor, noise_ratio: float = 1.0) -> tuple[Array, Array]:
         """Energy that sound does not explain, and the most that it and noise may leave, see :class:`SoundOptions`.
 
         Args:
             signals: (n, n_microphone, n_sample), as :meth:`p_value`.
-            noise: a ratio, the amplitude of the noise there is over that which the test was made for, 1 or above.
+            noise_ratio: a ratio, the amplitude of the noise there is over that which the test was made for, 1 or above.
 
         Returns:
             Two of (n,) float64, energies; the unit is that of the noise in one direction.
@@ -125,7 +125,8 @@ class SoundTest:
             1.0, self.options.gain / np.maximum(np.abs(change).max(1, keepdims=True), 1e-12)
         )
         found = (gains * (gram @ gains)).sum((1, 2))
-        return found, noise**2 * self.usual(frames.shape[1]) + self.options.mismatch**2 * _energy(frames, self._all)
+        usual = noise_ratio**2 * self.usual(frames.shape[1])
+        return found, usual + self.options.mismatch**2 * _energy(frames, self._all)
 
     def usual(self, frames: int = 1) -> float:
         """Energy that noise leaves beside sound at most, but in a fraction ``false_alarm`` of signals of so many

@@ -213,7 +213,7 @@ class LoudFrames:
 def sensor_fit(
     decoder: Locator,
     frames: ArrayLike,
-    noise: ArrayLike | None = None,
+    microphone_noise: ArrayLike | None = None,
     options: FitOptions = FitOptions(),
 ) -> SensorFit | None:
     """Fit of a decoder to the loudest touches, and the fault of the microphones' connection if one explains the misfit.
@@ -223,7 +223,7 @@ def sensor_fit(
         frames: of touches, at several points if possible; (n, n_microphone, 250) or, with the samples before and after,
             (n, n_microphone, 474), as of :class:`LoudFrames`; Pa, at 1 kHz. Late channels are looked for if the samples
             before and after are there.
-        noise: of the microphones as it was measured, (n_microphone,) Pa rms; by default that of the decoder.
+        microphone_noise: of the microphones as it was measured, (n_microphone,) Pa rms; by default that of the decoder.
         options: numbers that tune the test.
 
     Returns:
@@ -237,9 +237,9 @@ def sensor_fit(
     if expected is None or len(given) < options.fewest:
         return None
     heard = checked_signals(given, decoder.microphones)[0][: options.most].copy()
-    if noise is not None:
+    if microphone_noise is not None:
         # Before loud frames are brought to their level: what the sensor leaves is then still seen above the noise.
-        heard /= _louder(decoder, np.asarray(noise, np.float64))
+        heard /= _louder(decoder, np.asarray(microphone_noise, np.float64))
     level = _inner(heard).std(2).max(1) / (options.noise_multiple * decoder.noise_rms)
     heard /= np.maximum(level, 1.0)[:, None, None]
     misfit = _left(decoder, heard)
@@ -357,7 +357,7 @@ def _louder(decoder: Locator, noise: NDArray[np.float64]) -> float:
         raise Refusal(
             f"has shape {noise.shape}, must be ({len(decoder.microphones)},), one value for each microphone",
             kind=Kind.WRONG_TYPE,
-            field="noise",
+            field="microphone_noise",
         )
     return max(1.0, float(np.sqrt(np.mean(noise**2))) / decoder.noise_rms)
 

@@ -16,7 +16,7 @@ from geometry.ground.file_checks import library_reads, read_bytes
 from geometry.ground.record import is_sealed, sealed, sha256
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_json
-from geometry.ground.whole_files import whole_file, write_text
+from geometry.ground.whole_files import made_folder, whole_file, write_text
 from localize.graphs.description import (
     LARGEST_DESCRIPTION,
     LARGEST_MODEL,
@@ -147,7 +147,7 @@ def save_model(path: Path, description: Mapping[str, Any], classifier: MapClassi
     """
     from safetensors.torch import save
 
-    path.parent.mkdir(parents=True, exist_ok=True)
+    made_folder(path.parent)
     weights = save({name: value.contiguous() for name, value in classifier.state_dict().items()})
     digest = sha256(weights)
     name = f"weights-{digest[:12]}.safetensors"

@@ -16,6 +16,7 @@ from torch import Tensor
 
 from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
+from geometry.ground.stated_times import stated_seconds
 from localize.decoders.frame_covariance import whole_frame_covariance
 from localize.learned.checkpoint import Checkpoint, training_identity
 from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier
@@ -135,7 +136,7 @@ def train(
             "epochs": len(curve),
             "touches": touch_count,
             "held_out_touches": len(held_out.point),
-            "seconds": curve[-1].seconds,
+            "seconds": stated_seconds(curve[-1].seconds),
             "cut_short": touch_count < plan.epochs * _steps_per_epoch(plan, response) * plan.batch,
             "microphone_noise": noise_rms,
             "ambient": plan.sound(response),

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, said_by
 from localize.live.sources import BLOCK, QUEUE, Block, BlockQueue, SourceError, rate_out_of_range
 from localize.recordings.channel_choice import chosen_channels
@@ -59,6 +60,11 @@ class InputDevice:
     default: bool
     """True if it is the system's default."""
 
+    @property
+    def label(self) -> str:
+        """Name with the audio system, because a card appears once under each system: ``USB array, ALSA``."""
+        return f"{self.name}, {self.host}"
+
 
 def input_devices(sounddevice: Any | None = None) -> list[InputDevice]:
     """Devices that can record.
@@ -98,14 +104,16 @@ class DeviceSource:
 
     Args:
         microphones: names of the array's microphones.
-        device: number or a part of the name; by default that of the system.
+        device: number, a part of the name, or name and audio system such as ``USB array, WASAPI``, a part of each; by
+            default that of the system.
         full_scale: pressure of the largest value of the device, Pa.
         channels: microphone -> channel of the device, from 1; by default the first ones in order.
         sounddevice: the module, or one that behaves like it.
+        rate: sample rate to record at, Hz; by default that of the device.
 
     Raises:
-        SourceError: the module, PortAudio, the device or a channel is not there, or its rate is outside 250 Hz to
-            1 MHz.
+        SourceError: the module, PortAudio, the device or a channel is not there, the rate is outside 250 Hz to 1 MHz,
+            or the device does not record at it.
     """
 
     def __init__(
@@ -115,13 +123,14 @@ class DeviceSource:
         full_scale: float = 1.0,
         channels: Mapping[str, int] | None = None,
         sounddevice: Any | None = None,
+        rate: int | None = None,
     ) -> None:
         self._audio = sounddevice or load_sounddevice()
         self._device = self._find(device)
         self._channels = chosen_channels(microphones, channels, self._device.channels, self._device.name, SourceError)
-        if not LOWEST_RATE <= self._device.rate <= HIGHEST_RATE:
+        if rate is None and not LOWEST_RATE <= self._device.rate <= HIGHEST_RATE:
             raise rate_out_of_range(self._device.rate, self._device.name)
-        self.rate = self._device.rate
+        self.rate = self._device.rate if rate is None else self._checked_rate(rate)
         self._full_scale = full_scale
         self.limit = LARGEST * full_scale
         self._stream: Any = None
@@ -191,22 +200,39 @@ class DeviceSource:
 
         return heard
 
+    def _checked_rate(self, rate: int) -> float:
+        """The rate that was asked for, Hz, at which the device can record."""
+        check_range("rate", rate, LOWEST_RATE, HIGHEST_RATE, "Hz", whole=True, error=SourceError)
+        try:
+            self._audio.check_input_settings(
+                device=self._device.number,
+                channels=int(self._channels.max()) + 1,
+                dtype="float32",
+                samplerate=rate,
+            )
+        except (self._audio.PortAudioError, ValueError) as error:
+            problem = f"is not possible with {self._device.label}: {_words(error)}"
+            remedy = f"its own rate is {self._device.rate:g} Hz"
+            raise SourceError(
+                problem, kind=Kind.UNSUITABLE, field="rate", value=rate, unit="Hz", remedy=remedy
+            ) from None
+        return float(rate)
+
     def _find(self, device: int | str | None) -> InputDevice:
         devices = input_devices(self._audio)
         if not devices:
-            remedy = ("plug one in, or play a file with ", Field("replay"))
-            raise SourceError("no device that can record is there", kind=Kind.MISSING, remedy=remedy)
+            raise no_device()
         if device is None:
             found = [each for each in devices if each.default] or devices[:1]
         elif isinstance(device, int):
             found = [each for each in devices if each.number == device]
         else:
-            found = [each for each in devices if each.name == device]
-            found = found or [each for each in devices if device.lower() in each.name.lower()]
+            found = _named(devices, device)
         if len(found) != 1:
-            names = ", ".join(f"{each.number} {each.name!r}" for each in found or devices)
+            names = ", ".join(f"{each.number} {each.label!r}" for each in found or devices)
             problem = f"fits several: {names}" if found else f"is not there: {names}"
-            raise SourceError(problem, kind=Kind.UNKNOWN, field="device", value=device)
+            remedy = f"give a number, or the name with its audio system, such as {found[0].label!r}" if found else ""
+            raise SourceError(problem, kind=Kind.UNKNOWN, field="device", value=device, remedy=remedy)
         return found[0]
 
     def _look_again(self) -> None:
@@ -225,6 +251,27 @@ class DeviceSource:
         raise SourceError("is not there", kind=Kind.MISSING, file=self._device.name)
 
 
+def no_device() -> SourceError:
+    """The refusal where no device can record."""
+    remedy = ("plug one in, or play a file with ", Field("replay"))
+    return SourceError("no device that can record is there", kind=Kind.MISSING, remedy=remedy)
+
+
+def _named(devices: Sequence[InputDevice], text: str) -> list[InputDevice]:
+    """Devices that a text names: exactly, then by a part of the name, then by parts of the name and the system."""
+    wanted = text.lower()
+    exact = [each for each in devices if wanted in (each.name.lower(), each.label.lower())]
+    if exact:
+        return exact
+    name, comma, host = (part.strip() for part in wanted.rpartition(","))
+    return [each for each in devices if wanted in each.name.lower()] or [
+        each for each in devices if comma and name in each.name.lower() and host in each.host.lower()
+    ]
+
+
 def _words(error: Exception) -> str:
-    """PortAudio's message, without its code."""
-    return str(error.args[0]) if error.args else type(error).__name__
+    """PortAudio's message without its code, and the error of the audio system behind it."""
+    if not error.args:
+        return type(error).__name__
+    _, code, text = error.args[2] if len(error.args) > 2 else (0, 0, "")
+    return f"{error.args[0]}: {text} (error {code} of the audio system)" if text or code else str(error.args[0])

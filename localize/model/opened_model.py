@@ -66,7 +66,7 @@ LibrarySource: TypeAlias = str | os.PathLike[str] | Library
 class Decoding:
     """Choices of how a model is opened and what it reports beside the point; as of :func:`open_model`."""
 
-    noise: NoiseChoice = "design"
+    microphone_noise: NoiseChoice = "design"
     """For a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design"."""
     library: LibrarySource | None = None
     """Library of the array, for a network or graph; by default the model, where that is one."""
@@ -86,7 +86,7 @@ class Decoding:
 
     def __post_init__(self) -> None:
         checked_air(self.air)
-        check_noise(self.noise, "noise")
+        check_noise(self.microphone_noise, "microphone_noise")
         check_sound_level(self.ambient)
         if self.rejected_fraction is not None:
             StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
@@ -217,7 +217,7 @@ class Model:
         """
         given, locator = self.decoding, self.locator
         # A noise that is given is what there is: then nothing is measured.
-        options = StreamOptions(follow=given.noise == "design", frames=frames, fallback=True)
+        options = StreamOptions(follow=given.microphone_noise == "design", frames=frames, fallback=True)
         if given.rejected_fraction is not None:
             options = replace(options, rejected_fraction=given.rejected_fraction)
         if self.response is None:
@@ -233,11 +233,11 @@ class Model:
             residual = ResidualTest(self.response, noise, ambient=given.ambient)
         return TouchStream(locator, None, limit, wave, sound, residual, options)
 
-    def tracker(self, radius: float) -> PathTracker:
+    def tracker(self, contact_radius_mm: float) -> PathTracker:
         """New tracker of the paths of contacts, for the decisions of a stream that carry their frames.
 
         Args:
-            radius: of the contact, mm.
+            contact_radius_mm: of the contact, mm.
 
         Raises:
             Refusal: a model without a library, or a radius out of range.
@@ -245,20 +245,22 @@ class Model:
         if self.library is None:
             problem = "is not a library; paths need one, because it predicts the signals of a contact at any place"
             raise Refusal(problem, kind=Kind.UNSUITABLE, field="model")
-        return PathTracker(self.library, radius, self.decoding.noise, self.decoding.ambient)
+        return PathTracker(self.library, contact_radius_mm, self.decoding.microphone_noise, self.decoding.ambient)
 
-    def listen(self, source: Source, recorder: LiveRecorder | None = None, radius: float | None = None) -> LiveListener:
+    def listen(
+        self, source: Source, recorder: LiveRecorder | None = None, contact_radius_mm: float | None = None
+    ) -> LiveListener:
         """Listener that reports touches while they happen; iterate over it for its events.
 
         Args:
             source: where samples come from, such as :class:`localize.live.ReplaySource`.
             recorder: writes them as they come in.
-            radius: of a contact whose place and gestures are reported too, mm; by default neither is.
+            contact_radius_mm: of a contact whose place and gestures are reported too, mm; by default neither is.
 
         Raises:
             Refusal: a radius out of range, or a model that has no library.
         """
-        places = () if radius is None else (GestureTracker(self.tracker(radius)),)
+        places = () if contact_radius_mm is None else (GestureTracker(self.tracker(contact_radius_mm)),)
         stream = self.stream(source.limit, frames=True)
         return LiveListener(source, stream, recorder, trackers=(TouchTracker(self.locator.array), *places))
 
@@ -271,7 +273,7 @@ def open_model(
     source: ModelSource,
     *,
     air: LocalAir | None = None,
-    noise: NoiseChoice = "design",
+    microphone_noise: NoiseChoice = "design",
     ambient: float | None = None,
     library: LibrarySource | None = None,
     waveform: bool = False,
@@ -287,7 +289,7 @@ def open_model(
     Args:
         source: a library, the folder of a trained localizer or an ONNX file; or a library or a localizer in memory.
         air: air in which the sensor is used, to which the library is converted; by default that of the library.
-        noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        microphone_noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
         ambient: highest level of room sound in which touches are classified, dB SPL; by default a quiet room. Frames
             that hold only sound are detected in any case, up to 80 dB SPL or this level.
         library: library of the array, for a network or graph that is to detect sound, and for the arguments below; by
@@ -306,7 +308,7 @@ def open_model(
             an argument that needs the library of the array without one; a library of another design; a value out of
             range.
     """
-    decoding = Decoding(noise, library, waveform, ambient, rejected_fraction, air, follow_drift, tolerances)
+    decoding = Decoding(microphone_noise, library, waveform, ambient, rejected_fraction, air, follow_drift, tolerances)
     return opened(source, decoding, "source")
 
 
@@ -401,15 +403,19 @@ def _decoder(library: Library, source: ModelSource, given: Decoding) -> LibraryD
             check_drift(library)
         except Refusal as error:
             raise Refusal.of(error, file=_name(source), field="") from None
-        return DriftDecoder(library, given.noise, levels, new=HOP / FRAME)
-    return decoder_of(library, given.noise, levels) if given.tolerances else BayesDecoder(library, given.noise, levels)
+        return DriftDecoder(library, given.microphone_noise, levels, new=HOP / FRAME)
+    return (
+        decoder_of(library, given.microphone_noise, levels)
+        if given.tolerances
+        else BayesDecoder(library, given.microphone_noise, levels)
+    )
 
 
 def _network(source: ModelSource, content: FileContent | None, given: Decoding) -> Locator:
     """Localizer in memory, a graph, or a trained localizer: each keeps its own noise and air."""
-    if given.noise != "design":
+    if given.microphone_noise != "design":
         problem = f"is for a library; {_name(source)} was made for a noise of its own"
-        raise Refusal(problem, kind=Kind.CONFLICT, field="noise", value=given.noise, unit="Pa")
+        raise Refusal(problem, kind=Kind.CONFLICT, field="microphone_noise", value=given.microphone_noise, unit="Pa")
     for name, value in ({} if given.air is None else asdict(given.air)).items():
         if value is not None:
             problem = f"is for a library; {_name(source)} was made in air of its own"

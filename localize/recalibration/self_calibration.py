@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
-from acoustic_fem.quantities.checks import in_range
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
@@ -53,7 +53,7 @@ class SelfCalibration(RejectionTests):
     """Number of these frames that the search did not see."""
     seed: int
     """Seed of the choice of the frames that are held out."""
-    noise: float
+    microphone_noise: float
     """Noise that was assumed in the end, Pa rms over 0 to 500 Hz."""
     high_pass: float | None
     """Corner of the high-pass that the frames had passed, Hz; None for none."""
@@ -77,7 +77,7 @@ class SelfCalibration(RejectionTests):
             "frames": self.frames,
             "held_out": self.held_out,
             "seed": self.seed,
-            "noise": self.noise,
+            "noise": self.microphone_noise,
             "high_pass": self.high_pass,
             "gain_per_frame": self.gain,
             "gain_error": self.gain_error,
@@ -131,7 +131,7 @@ def self_calibrate(
     StreamOptions(high_pass)
     response = response_of(library)
     spectrum = response.noise(microphone_noise)
-    noise = in_range(
+    noise = check_range(
         "microphone_noise", spectrum.rms if isinstance(spectrum, NoiseSpectrum) else spectrum, 1e-9, 10.0, "Pa"
     )
     heard = _usable(np.asarray(frames, np.float64), response, noise, options)
@@ -167,27 +167,27 @@ def self_calibrate(
         )
 
 
-def touched(frames: Array, noise: float, quiet: float = RecalibrationOptions.quiet) -> NDArray[np.bool_]:
+def touched(frames: Array, microphone_noise: float, quiet: float = RecalibrationOptions.quiet) -> NDArray[np.bool_]:
     """Mask of the frames that hold a touch; one that is not finite counts as one.
 
     Args:
         frames: (n, n_microphone, 250) float64, Pa, at 1 kHz.
-        noise: of the microphones, Pa rms over 0 to 500 Hz.
+        microphone_noise: of the microphones, Pa rms over 0 to 500 Hz.
         quiet: multiple of the noise that frames with a touch exceed at one microphone.
 
     Returns:
         (n,) bool.
     """
-    return np.asarray(~(frames.std(2).max(1, initial=0) <= quiet * noise))
+    return np.asarray(~(frames.std(2).max(1, initial=0) <= quiet * microphone_noise))
 
 
-def _usable(frames: Array, response: ArrayResponse, noise: float, options: RecalibrationOptions) -> Array:
+def _usable(frames: Array, response: ArrayResponse, microphone_noise: float, options: RecalibrationOptions) -> Array:
     """Frames that hold a touch, each once."""
     if frames.ndim != 3 or frames.shape[2] != FRAME:
         raise Refusal(
             f"has shape {frames.shape}, must be (n, n_microphone, {FRAME})", kind=Kind.WRONG_TYPE, field="frames"
         )
-    number = np.flatnonzero(touched(frames, noise, options.quiet))
+    number = np.flatnonzero(touched(frames, microphone_noise, options.quiet))
     heard = frames[number]
     if len(heard):
         checked_signals(heard, response.microphones)
@@ -286,7 +286,7 @@ def _calibrated(
         frames=len(kept) + len(held_out),
         held_out=len(held_out),
         seed=seed,
-        noise=noise,
+        microphone_noise=noise,
         high_pass=high_pass,
         gain=float(difference.mean()),
         gain_error=float(difference.std(ddof=1) / np.sqrt(len(held_out))),

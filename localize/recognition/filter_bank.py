@@ -53,8 +53,8 @@ class FilterBank:
     Args:
         library: of the array.
         recognizer: for it.
-        noise: of the microphones, above which a signal is detected; by default that of the training. Waveforms are made
-            by the filters of the training in any case.
+        microphone_noise: noise above which a signal is detected; by default that of the training. Waveforms are made by
+            the filters of the training in any case.
         options: how touches are cut out of a recording.
     """
 
@@ -62,12 +62,12 @@ class FilterBank:
         self,
         library: Library | ArrayResponse,
         recognizer: Recognizer,
-        noise: NoiseChoice | None = None,
+        microphone_noise: NoiseChoice | None = None,
         options: CutOptions = CutOptions(),
     ) -> None:
         self._cuts = options
         self._response = response = response_of(library)
-        self._noise: NoiseChoice = recognizer.plan["microphone_noise"] if noise is None else noise
+        self._noise: NoiseChoice = recognizer.plan["microphone_noise"] if microphone_noise is None else microphone_noise
         level = response.noise(self._noise)
         self._rms = level.rms if isinstance(level, NoiseSpectrum) else level
         self._recognizer = recognizer

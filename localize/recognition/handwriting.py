@@ -46,7 +46,7 @@ class LineReader:
 
     Args:
         response: the array, with the places of its points.
-        noise: of the microphones.
+        microphone_noise: of the microphones.
         options: numbers that tune the reading.
 
     Raises:
@@ -54,12 +54,14 @@ class LineReader:
     """
 
     @one_thread()
-    def __init__(self, response: ArrayResponse, noise: NoiseChoice, options: WritingOptions = WritingOptions()) -> None:
+    def __init__(
+        self, response: ArrayResponse, microphone_noise: NoiseChoice, options: WritingOptions = WritingOptions()
+    ) -> None:
         self.options = options
         self._place, _ = surface_of(response)
         self._pen = PenTracker(response, options.pen) if pitch_of(response) > options.pen.pad_radius_mm else None
-        self._decoder = BayesDecoder(response, noise)
-        level = response.noise(noise)
+        self._decoder = BayesDecoder(response, microphone_noise)
+        level = response.noise(microphone_noise)
         self._noise = level.rms if isinstance(level, NoiseSpectrum) else level
         heard = np.arange(options.corner, BAND[1] + 0.5, INTEGRATION_STEP)
         self._usual = np.sqrt((np.abs(response.at(heard)) ** 2).mean((1, 2)))
@@ -171,7 +173,7 @@ class LetterMaker:
     """Sensors that are written on, one after the other."""
     seed: int = 0
     """Seed of the letters."""
-    noise: NoiseChoice = "design"
+    microphone_noise: NoiseChoice = "design"
     """Noise of the microphones."""
     hand: Hand = field(default_factory=Hand)
     """How letters are written."""
@@ -179,7 +181,8 @@ class LetterMaker:
     def lines(self, purpose: Purpose, count: int, report: Callable[[float], None] | None = None) -> list[Array]:
         """Lines of letters 0 to ``count - 1``, (n, 4) float64 each, as of :meth:`LineReader.line`."""
         recorders = [
-            ContactRecorder(each, microphone_noise=self.noise, seed=self.seed, purpose=purpose) for each in self.sensors
+            ContactRecorder(each, microphone_noise=self.microphone_noise, seed=self.seed, purpose=purpose)
+            for each in self.sensors
         ]
         found = []
         for number in range(count):

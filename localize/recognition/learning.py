@@ -17,6 +17,7 @@ from torch import Tensor
 from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.stated_times import stated_seconds
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import Checkpoint
 from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape
@@ -193,7 +194,7 @@ def learn(
         "epochs": len(curve),
         "takes": len(takes.kind),
         "held_out_takes": len(takes.held_out_kind),
-        "seconds": curve[-1].seconds,
+        "seconds": stated_seconds(curve[-1].seconds),
         "cut_short": count < plan.epochs * steps * plan.batch,
         "confusion": confusion.tolist(),
         "recordings": {name.removeprefix("recording "): said for name, said in takes.identity.items()},

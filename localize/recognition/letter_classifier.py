@@ -70,7 +70,7 @@ _FONT: dict[str, list[Stroke]] = {
 """Strokes of each letter, in its heights."""
 
 
-PAD = replace(FINGER, radius=(5.0, 8.0))
+PAD = replace(FINGER, contact_radius_mm=(5.0, 8.0))
 """Pad of a finger that writes, laid flat: as wide as finger pads are, 10 to 14 mm and a little more."""
 
 

@@ -73,7 +73,7 @@ def simulated_signals(
     response: ArrayResponse,
     point: int,
     pressure: Array,
-    noise: NoiseChoice,
+    microphone_noise: NoiseChoice,
     random: np.random.Generator,
     options: TakeOptions = TakeOptions(),
 ) -> Array:
@@ -83,7 +83,7 @@ def simulated_signals(
         response: the sensor; the pressure beyond its frequencies does not reach the microphones.
         point: from 1.
         pressure: (n_sample,) float64, Pa at 1 kHz.
-        noise: of the microphones.
+        microphone_noise: of the microphones.
         random: draws the noise.
         options: of the recorder.
 
@@ -97,7 +97,7 @@ def simulated_signals(
     spectrum = np.zeros((len(response.microphones), total // 2 + 1), np.complex128)
     spectrum[:, inside] = response_inside[point - 1] * scipy.fft.rfft(whole, total)[inside]
     signals = scipy.fft.irfft(spectrum, total)[:, options.ease : options.ease + len(pressure)]
-    signals += _noise_of(response, noise, len(pressure), random) + _of_recorder(
+    signals += _noise_of(response, microphone_noise, len(pressure), random) + _of_recorder(
         len(pressure), len(signals), random, options
     )
     return prepared(signals, options)
@@ -204,7 +204,7 @@ class TakeMaker:
     """Sensors that are touched, one after the other."""
     seed: int = 0
     """Seed of the takes."""
-    noise: NoiseChoice = "design"
+    microphone_noise: NoiseChoice = "design"
     """Noise of the microphones."""
     speeds: tuple[float, float] | None = None
     """Lowest and highest speed of a texture, mm/s; by default those that are trained on."""
@@ -248,7 +248,7 @@ class TakeMaker:
             middle = len(pressure) - WINDOW / 2 * SPEED / speed + chance.uniform(-off, off)
             radius = float(sensor.membrane_radius[point])
             pressure = passing_pressure(PROFILES[kind], len(pressure), speed, chance, radius, middle)
-        made = simulated_signals(sensor, point + 1, pressure, self.noise, random, self.options)
+        made = simulated_signals(sensor, point + 1, pressure, self.microphone_noise, random, self.options)
         return made, kind, point + 1, speed
 
     def waveform(self, purpose: Purpose, number: int) -> tuple[Array, int]:

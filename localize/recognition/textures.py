@@ -24,7 +24,7 @@ RADIUS = (0.27, 0.33)
 """Smallest and largest radius of the contact, mm."""
 INDENTATION = 0.2
 """Indentation by which the contact is pressed, mm."""
-PADS = PAD.radius
+PADS = PAD.contact_radius_mm
 """Smallest and largest radius of a finger's pad that passes points, mm: that of one that writes."""
 BESIDE = (0.0, 2.0)
 """Smallest and largest distance at which it passes their middles, mm."""
@@ -61,20 +61,20 @@ PROFILES = (
 """The eight profiles."""
 
 
-def felt_height(profile: Profile, place: Array, radius: float) -> Array:
+def felt_height(profile: Profile, place: Array, contact_radius_mm: float) -> Array:
     """Height of a profile as a contact feels it, about its mean.
 
     Args:
         profile: the ridges.
         place: (n,) float64, where the contact's middle is, mm.
-        radius: of the contact, mm.
+        contact_radius_mm: of the contact, mm.
 
     Returns:
         (n,) float64, mm.
     """
     harmonic = np.arange(1, _HARMONICS + 1)
     wave = 2 * np.pi * harmonic / profile.period
-    z = wave * radius
+    z = wave * contact_radius_mm
     felt = 3 * (np.sin(z) - z * np.cos(z)) / z**3
     strength = 2 * profile.height * np.sin(np.pi * harmonic * profile.duty) / (np.pi * harmonic) * felt
     return np.asarray(strength @ np.cos(wave[:, None] * place))

@@ -16,7 +16,9 @@ from .finger_stimuli import (
     Mixture as Mixture,
     RecordedStimulus as RecordedStimulus,
     friction as friction,
+    presses as presses,
     pulse_wave as pulse_wave,
+    slides as slides,
     taps as taps,
 )
 from .frames import (

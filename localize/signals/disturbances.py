@@ -16,8 +16,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from acoustic_fem.quantities.checks import in_range, numbers
-from geometry.ground.argument_checks import wrong_type
+from geometry.ground.argument_checks import check_range, real_numbers, wrong_type
 from geometry.ground.refusal import Kind, Refusal
 from localize.signals.random_streams import Purpose, between, complex_normal, random_words, uniform
 from localize.signals.stimulus import SAMPLE_LENGTH, SAMPLE_RATE, Device
@@ -103,7 +102,7 @@ def check_sound_level(level: float | None, field: str = "ambient") -> None:
         Refusal: not one number, or outside 0 to 140 dB SPL.
     """
     if level is not None:
-        in_range(field, level, *SOUND_LEVELS, "dB SPL")
+        check_range(field, level, *SOUND_LEVELS, "dB SPL")
 
 
 def steady_sound(ambient: float | None) -> tuple[float, float] | None:
@@ -114,7 +113,7 @@ def steady_sound(ambient: float | None) -> tuple[float, float] | None:
     """
     if ambient is None:
         return None
-    level = in_range("ambient", ambient, *SIMULATED_LEVELS, "dB SPL")
+    level = check_range("ambient", ambient, *SIMULATED_LEVELS, "dB SPL")
     return level, level
 
 
@@ -124,7 +123,7 @@ def check_ambient(ambient: tuple[float, float]) -> None:
     Raises:
         Refusal: not two numbers, or levels that do not ascend from -100 to 140 dB SPL.
     """
-    levels = numbers("ambient", ambient)
+    levels = real_numbers("ambient", ambient)
     if levels.shape != (2,):
         raise wrong_type("ambient", "must be two numbers, the lowest and the highest level, dB SPL", value=ambient)
     low, high = SIMULATED_LEVELS

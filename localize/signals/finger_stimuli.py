@@ -1,11 +1,11 @@
-"""Pressure that fingers make in a cavity, in Pa: taps and presses, friction, a pulse wave, and recordings.
+"""Pressure that fingers make in a cavity, in Pa: taps, presses, slides, friction, a pulse wave, and recordings.
 
 Scale: a membrane that sweeps the volume V of a sealed cavity of volume V_0 raises its pressure by about P_0 V / V_0,
 P_0 = 101 kPa being the isothermal bulk modulus of the air; under a cap of 8 mm over 150 mm^3 a tenth of a micrometre
 in the middle makes about 1 Pa. The ranges below are chosen around that, from a stroke that is barely felt to a light
 tap; they are ours, for no measured ones are published.
 
-Taps, friction and recordings begin and end within the sample's second. On the periodic grid of
+Taps, slides, friction and recordings begin and end within the sample's second. On the periodic grid of
 :mod:`localize.signals.stimulus` they are followed by three seconds of silence, so that the steady state of the array,
 which the generator computes, is their exact linear convolution with the impulse response, see :mod:`localize.signals`.
 Every source keeps to the frequencies that the library covers: the top fifth of them is faded out by half a cosine. Each
@@ -24,8 +24,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.sound_file import read_wav
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
@@ -50,6 +50,24 @@ PULSE_PEAK = (0.1, 10.0)
 """Lowest and highest peak of a pulse, Pa."""
 LISTEN = 50
 """Samples between the end of a pulse and that of the frame it falls in, for the response to arrive."""
+
+PRESS_RISE = (0.05, 0.2)
+"""Shortest and longest rise of a press, and fall, s."""
+PRESS_HOLD = (0.1, 0.8)
+"""Shortest and longest hold of a press, s."""
+TREMOR = (6, 12)
+"""Band of the tremor of a hand that holds, Hz, as of :data:`localize.contacts.draws.TREMOR`."""
+UNSTEADINESS = (0.005, 0.05)
+"""Least and most tremor, rms as a share of the press."""
+
+SLIDE_LENGTH = (4.0, 14.0)
+"""Shortest and longest way on which a finger that passes presses a membrane, mm: opening and finger pad together."""
+SLIDE_SPEED = (14.0, 200.0)
+"""Lowest and highest speed of a finger that passes, mm/s."""
+GRAIN = (0.25, 4.0)
+"""Shortest and longest wave of a rough finger along its way, mm, as of :mod:`localize.contacts.contact`."""
+ROUGHNESS = (0.05, 0.3)
+"""Least and most fluctuation of a finger that passes, rms as a share of its pressure."""
 
 FRICTION_EDGES = ((3.0, 30.0), (60.0, 300.0))
 """Ranges in which the lower and the upper edge of the band of friction lie, Hz."""
@@ -85,6 +103,49 @@ def taps(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float,
     phase = (_samples(device) - begin[:, None]) / length[:, None]
     pulse = torch.where((phase > 0) & (phase < 1), torch.sin(math.pi * phase) ** 2, 0.0)
     return _transient(peak[:, None] * pulse, band)
+
+
+def presses(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device) -> Stimuli:
+    """One press each: it begins anywhere in the second, rises, is held by a hand that trembles, and falls.
+
+    A press may last into the three seconds of silence, which keep the convolution exact. Arguments as
+    :class:`localize.signals.stimulus.StimulusSource`, its band in Hz.
+    """
+    tremor = 1 + TREMOR[1] - TREMOR[0]
+    words = random_words(seed, purpose, "presses", start, count, tremor + 3)
+    drawn = uniform(words[:, tremor:], device)
+    rise, fall = (SAMPLE_RATE * log_between(*PRESS_RISE, drawn[:, 0, k])[:, None] for k in range(2))
+    hold = SAMPLE_RATE * log_between(*PRESS_HOLD, drawn[:, 1, 0])[:, None]
+    peak = log_between(*PULSE_PEAK, drawn[:, 1, 1])[:, None]
+    begin = between(0.0, SAMPLE_LENGTH - LISTEN, drawn[:, 2, 0])[:, None]
+    since = torch.arange(2 * SAMPLE_LENGTH, device=device) - begin
+    pressed = torch.minimum(since / rise, (rise + hold + fall - since) / fall).clamp(0.0, 1.0)
+    slow = torch.zeros(count, SAMPLE_LENGTH // 2, dtype=torch.complex64, device=device)
+    slow[:, TREMOR[0] : TREMOR[1] + 1] = complex_normal(words[:, :tremor], device)
+    trembling = log_between(*UNSTEADINESS, drawn[:, 2, 1])[:, None] * _unit_noise(slow).repeat(1, 2)
+    return _transient(peak * torch.sin(0.5 * math.pi * pressed) ** 2 * (1 + trembling), band)
+
+
+def slides(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device) -> Stimuli:
+    """One rough finger each that passes over the membrane: pressure rises and falls as it comes and goes.
+
+    Its roughness is noise along the way, whose frequencies rise with the speed. Arguments as
+    :class:`localize.signals.stimulus.StimulusSource`, its band in Hz.
+    """
+    lines = SAMPLE_LENGTH // 2
+    words = random_words(seed, purpose, "slides", start, count, lines + 3)
+    drawn = uniform(words[:, lines:], device)
+    speed = log_between(*SLIDE_SPEED, drawn[:, 0, 0])[:, None]
+    length = SAMPLE_RATE * between(*SLIDE_LENGTH, drawn[:, 0, 1])[:, None] / speed
+    peak = log_between(*PULSE_PEAK, drawn[:, 1, 0])[:, None]
+    rough = between(*ROUGHNESS, drawn[:, 1, 1])[:, None]
+    begin = drawn[:, 2, :1] * (SAMPLE_LENGTH - length).clamp(min=0.0)
+    phase = (_samples(device) - begin) / length
+    passing = torch.where((phase > 0) & (phase < 1), torch.sin(math.pi * phase) ** 2, 0.0)
+    frequency = torch.arange(lines, device=device) * (SAMPLE_RATE / SAMPLE_LENGTH)
+    inside = (frequency >= speed / GRAIN[1]) & (frequency <= (speed / GRAIN[0]).clamp(max=band[1]))
+    noise = _unit_noise(complex_normal(words[:, :lines], device) * inside)
+    return _transient(peak * passing * (1 + rough * noise), band)
 
 
 def friction(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device) -> Stimuli:
@@ -171,22 +232,46 @@ class RecordedStimulus:
 
 @dataclass(frozen=True)
 class Mixture:
-    """Mixture of several sources, each as often as the others: every 64 consecutive samples come from one of them,
-    drawn.
+    """Mixture of several sources: every 64 consecutive samples come from one of them, drawn.
+
+    Raises:
+        Refusal: no source, or shares that are not one positive number for each.
     """
 
     sources: tuple[StimulusSource, ...]
     """Sources from which is drawn, at least one."""
+    shares: tuple[float, ...] = ()
+    """How often each is drawn, relative to the others; all alike where none are given."""
+
+    def __post_init__(self) -> None:
+        if not self.sources:
+            raise Refusal("holds no source", kind=Kind.UNSUITABLE, field="sources")
+        if self.shares and (
+            len(self.shares) != len(self.sources) or not all(0 < each < math.inf for each in self.shares)
+        ):
+            raise Refusal(
+                kind=Kind.OUT_OF_RANGE,
+                field="shares",
+                value=self.shares,
+                allowed=f"{counted(len(self.sources), 'finite number')} above zero, one for each source",
+            )
+
+    def which(self, seed: int, purpose: Purpose, first: int, count: int) -> list[int]:
+        """Source of each of consecutive runs of 64 samples, from 0; run k is that of the samples from 64 k on."""
+        drawn = uniform(random_words(seed, purpose, "mixture", first, count, 1))[:, 0, 0]
+        if not self.shares:
+            return choice(drawn, len(self.sources)).tolist()
+        bounds = torch.cumsum(torch.tensor(self.shares, dtype=torch.float64), 0)
+        return torch.searchsorted(bounds[:-1] / bounds[-1], drawn.double(), right=True).tolist()
 
     def __call__(
         self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
     ) -> Stimuli:
         """Stimuli of consecutive samples; arguments as :class:`localize.signals.stimulus.StimulusSource`."""
-        first, last = start // _RUN, (start + count - 1) // _RUN
-        drawn = uniform(random_words(seed, purpose, "mixture", first, last - first + 1, 1))
+        first, last = start // RUN, (start + count - 1) // RUN
         parts = []
-        for run, which in enumerate(choice(drawn[:, 0, 0], len(self.sources)).tolist(), first):
-            begin, end = max(start, run * _RUN), min(start + count, (run + 1) * _RUN)
+        for run, which in enumerate(self.which(seed, purpose, first, last - first + 1), first):
+            begin, end = max(start, run * RUN), min(start + count, (run + 1) * RUN)
             parts.append(self.sources[which](seed, purpose, begin, end - begin, band, device))
         return Stimuli(*(torch.cat([getattr(part, name) for part in parts]) for name in Stimuli.__annotations__))
 
@@ -205,7 +290,7 @@ class Louder:
     """By how much they are louder, dB, -60 to 60; the publication's own amplitudes have no unit."""
 
     def __post_init__(self) -> None:
-        in_range("level", self.level, -60.0, 60.0, "dB")
+        check_range("level", self.level, -60.0, 60.0, "dB")
 
     def __call__(
         self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
@@ -215,12 +300,15 @@ class Louder:
         return replace(made, spectrum=10 ** (self.level / 20) * made.spectrum)
 
 
-_RUN = 64
+RUN = 64
+"""Consecutive samples of a mixture that come from one source."""
 
 #: The sources that need no file, by name.
 STIMULI: Mapping[str, StimulusSource] = {
     "multi-sines": multi_sines,
     "taps": taps,
+    "presses": presses,
+    "slides": slides,
     "friction": friction,
     "pulse-wave": pulse_wave,
 }
@@ -231,7 +319,7 @@ def _samples(device: Device) -> Tensor:
 
 
 def _transient(pressure: Tensor, band: tuple[float, float]) -> Stimuli:
-    """The lines of (n, SAMPLE_LENGTH) pressures followed by silence for the rest of the period."""
+    """The lines of (n, at most PERIOD) pressures followed by silence for the rest of the period."""
     spectrum = torch.fft.rfft(pressure, n=PERIOD, norm="forward")[:, :LINE_COUNT]
     return _unnamed(spectrum * top_faded(band, pressure.device))
 

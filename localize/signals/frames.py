@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import softmax
 
-from acoustic_fem.quantities.checks import numbers
+from geometry.ground.argument_checks import real_numbers
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -49,7 +49,7 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
     """
     # Tensors may lie on another device, or keep what their gradients need.
     given = signals.numpy(force=True) if hasattr(signals, "numpy") else signals
-    batch = np.ascontiguousarray(numbers("signals", given))
+    batch = np.ascontiguousarray(real_numbers("signals", given))
     if batch.ndim not in (2, 3):
         raise Refusal(
             f"has shape {batch.shape}, must be (n_microphone, n_sample) or (n, n_microphone, n_sample)",

@@ -16,10 +16,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from acoustic_fem import network
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.checks import FrequencyLike
+from acoustic_fem.quantities.local_air import AirLike
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.part_fields import Microphone
 
@@ -73,13 +74,13 @@ class NoiseSpectrum:
         return float(np.sqrt(self.power.sum()))
 
 
-def input_density(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.float64]:
+def input_density(microphone: Microphone, frequency: FrequencyLike, air: AirLike) -> NDArray[np.float64]:
     """Density of a microphone's noise as a pressure in its chamber, n / |R|.
 
     Args:
         microphone: from the design.
         frequency: Hz, (n,) or any other shape.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
 
     Returns:
         Same shape as the frequencies, float64, Pa/sqrt(Hz).
@@ -88,22 +89,22 @@ def input_density(microphone: Microphone, frequency: ArrayLike, medium: Medium) 
         Refusal: a frequency that is not finite and positive.
     """
     density = network.noise_density(microphone, frequency)
-    return np.asarray(density / np.abs(network.response(microphone, frequency, medium)))
+    return np.asarray(density / np.abs(network.response(microphone, frequency, air)))
 
 
-def microphone_noise(microphone: Microphone, medium: Medium) -> NoiseSpectrum:
+def microphone_noise(microphone: Microphone, air: AirLike) -> NoiseSpectrum:
     """Noise of a design's microphone over 1 to 500 Hz, as a pressure in its chamber.
 
     Args:
         microphone: from the design.
-        medium: the gas.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
     """
     low, high = NOISE_BAND
     frequency = low + (np.arange(round((high - low) * _STEPS_PER_HERTZ)) + 0.5) / _STEPS_PER_HERTZ
     lines = round(high)
     power = np.bincount(
         np.clip(np.rint(frequency), 1, lines - 1).astype(np.int64),
-        weights=input_density(microphone, frequency, medium) ** 2 / _STEPS_PER_HERTZ,
+        weights=input_density(microphone, frequency, air) ** 2 / _STEPS_PER_HERTZ,
         minlength=lines,
     )
     return NoiseSpectrum(power.astype(np.float64), f"microphone {microphone.model}: {microphone.source}")

@@ -49,6 +49,8 @@ StreamKind = Literal[
     "stroke",
     "roughness",
     "recorded order",
+    "presses",
+    "slides",
 ]
 _KINDS: tuple[StreamKind, ...] = get_args(StreamKind)
 

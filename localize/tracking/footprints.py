@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.quantities.checks import in_range
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import RADII, Contact, covered_force
@@ -49,12 +49,12 @@ def pitch_of(response: ArrayResponse) -> float:
     return float(np.median((apart + np.diag(np.full(len(apart), np.inf))).min(1)))
 
 
-def fractions_at(response: ArrayResponse, radius: float, place: Array) -> Array:
+def fractions_at(response: ArrayResponse, contact_radius_mm: float, place: Array) -> Array:
     """Share of the force of a contact that each membrane takes.
 
     Args:
         response: of a library with a design.
-        radius: of the contact, mm.
+        contact_radius_mm: of the contact, mm.
         place: its middles, (n, 2) float64, mm.
 
     Returns:
@@ -64,28 +64,28 @@ def fractions_at(response: ArrayResponse, radius: float, place: Array) -> Array:
         Refusal: bare transfer functions, or a radius out of range.
     """
     twice = np.concatenate([place, place[-1:]])  # a contact has two times at least
-    still = Contact(np.arange(len(twice), dtype=np.float64), twice, np.ones(len(twice)), radius)
+    still = Contact(np.arange(len(twice), dtype=np.float64), twice, np.ones(len(twice)), contact_radius_mm)
     return covered_force(still, response)[:-1]
 
 
 def footprints_over(
-    response: ArrayResponse, radius: float, most: int, options: FootprintOptions = FootprintOptions()
+    response: ArrayResponse, contact_radius_mm: float, most: int, options: FootprintOptions = FootprintOptions()
 ) -> Footprints:
     """Footprints all over an array, as finely as their number allows.
 
     Args:
         response: of a library with a design.
-        radius: of the contact, mm.
+        contact_radius_mm: of the contact, mm.
         most: number of footprints at most, unless the points are more.
         options: of the grid.
 
     Raises:
         Refusal: bare transfer functions, or a radius out of range.
     """
-    in_range("radius", radius, *RADII, "mm")
+    check_range("contact_radius_mm", contact_radius_mm, *RADII, "mm")
     step = options.grid_step * _checked(response)
     while True:
-        found = _footprints(response, radius, step, options.alike)
+        found = _footprints(response, contact_radius_mm, step, options.alike)
         if len(found.fraction) <= max(most, response.point_count) or step >= pitch_of(response):
             return found
         step *= 1.25
@@ -143,11 +143,11 @@ def _checked(response: ArrayResponse) -> float:
     return pitch_of(response)
 
 
-def _footprints(response: ArrayResponse, radius: float, step: float, alike: float) -> Footprints:
+def _footprints(response: ArrayResponse, contact_radius_mm: float, step: float, alike: float) -> Footprints:
     assert response.position is not None
     assert response.membrane_radius is not None
     # A finger beyond the outermost points by more than half a pitch is not on the array.
-    margin = min(radius + float(response.membrane_radius.max()), pitch_of(response) / 2)
+    margin = min(contact_radius_mm + float(response.membrane_radius.max()), pitch_of(response) / 2)
     least, most = response.position.min(0) - margin, response.position.max(0) + margin
     # Points lie in the grid wherever they themselves lie on one.
     below = np.floor(margin / step)
@@ -157,7 +157,7 @@ def _footprints(response: ArrayResponse, radius: float, step: float, alike: floa
     ]
     node = np.stack(np.meshgrid(*(np.arange(len(axis)) for axis in axes), indexing="ij"), -1).reshape(-1, 2)
     place = np.column_stack([axis[node[:, k]] for k, axis in enumerate(axes)])
-    share = fractions_at(response, radius, place)
+    share = fractions_at(response, contact_radius_mm, place)
     covered = share.sum(1) > 0
     share = share[covered] / np.linalg.norm(share[covered], axis=1, keepdims=True)
     _, first, footprint = np.unique(np.round(share / alike), axis=0, return_index=True, return_inverse=True)

@@ -52,7 +52,7 @@ class PlaceLikelihood:
 
     Args:
         response: of a library with a design.
-        radius: of the contact, mm.
+        contact_radius_mm: of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: level of the sound around, dB SPL; None for quiet.
         options: numbers that tune the search.
@@ -61,12 +61,12 @@ class PlaceLikelihood:
     def __init__(
         self,
         response: ArrayResponse,
-        radius: float,
+        contact_radius_mm: float,
         microphone_noise: NoiseChoice,
         ambient: float | None,
         options: PositionOptions = PositionOptions(),
     ) -> None:
-        self._response, self._radius, self.options = response, radius, options
+        self._response, self._radius, self.options = response, contact_radius_mm, options
         self.pitch = pitch_of(response)
         top = min(options.top_frequency, float(response.frequency[-1]))
         # Cosines of a frame, 2 Hz apart: white noise stays white, and what lies above the library's end is left out.

@@ -60,7 +60,7 @@ class PositionDecoder(LibraryDecoder):
 
     Args:
         library: with a design, as of :class:`localize.BayesDecoder`.
-        radius: of the contact, mm.
+        contact_radius_mm: of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
         options: as of :class:`localize.BayesDecoder`.
@@ -74,7 +74,7 @@ class PositionDecoder(LibraryDecoder):
     def __init__(
         self,
         library: Library | ArrayResponse,
-        radius: float = RADIUS,
+        contact_radius_mm: float = RADIUS,
         microphone_noise: NoiseChoice = "design",
         ambient: Ambient = None,
         options: DecoderOptions = DecoderOptions(),
@@ -84,8 +84,8 @@ class PositionDecoder(LibraryDecoder):
         response = response_of(library)
         around = Surroundings.of(response, microphone_noise, ambient)
         size = len(response.microphones) * SAMPLES
-        self.radius = radius
-        self.footprints = footprints_over(response, radius, int(position_options.most_numbers / size**2))
+        self.contact_radius_mm = contact_radius_mm
+        self.footprints = footprints_over(response, contact_radius_mm, int(position_options.most_numbers / size**2))
         assert response.position is not None
         apart = np.linalg.norm(self.footprints.place[:, None] - response.position, axis=-1)
         self._nearest = apart.argmin(1)
@@ -183,7 +183,7 @@ class PositionDecoder(LibraryDecoder):
         """Likelihood of any place in sound of a level."""
         if level not in self._finer:
             self._finer[level] = PlaceLikelihood(
-                self.response, self.radius, self.microphone_noise, level, self.position_options
+                self.response, self.contact_radius_mm, self.microphone_noise, level, self.position_options
             )
         return self._finer[level]
 

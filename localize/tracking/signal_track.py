@@ -21,7 +21,7 @@ BLOCK = 1000
 def track(
     library: Library,
     signals: NDArray[np.float64],
-    radius: float = MOVING,
+    contact_radius_mm: float = MOVING,
     microphone_noise: NoiseChoice = "design",
     ambient: float | None = None,
 ) -> list[Track]:
@@ -30,7 +30,7 @@ def track(
     Args:
         library: with a design.
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz, as :func:`localize.read_recording` gives them.
-        radius: of the contact, mm.
+        contact_radius_mm: of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: level of the sound around, dB SPL; None for quiet.
 
@@ -43,7 +43,7 @@ def track(
     response = response_of(library)
     decoder = BayesDecoder(response, microphone_noise, sound_levels(ambient))
     stream = TouchStream(decoder, options=StreamOptions(frames=True))
-    return tracks_of(stream, PathTracker(response, radius, microphone_noise, ambient), signals)
+    return tracks_of(stream, PathTracker(response, contact_radius_mm, microphone_noise, ambient), signals)
 
 
 def tracks_of(stream: TouchStream, tracker: PathTracker, signals: NDArray[np.float64]) -> list[Track]:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from geometry.ground.whole_files import write_text
+from geometry.ground.whole_files import made_folder, write_text
 from studies.bending.solution import Bending
 from studies.output.figure_style import frequency_panels, save_figure
 from studies.output.folders import write_json
@@ -20,7 +20,7 @@ FIGURE, NUMBERS, RESULT = "bending.png", "bending.csv", "bending.json"
 
 def save_bending(result: Bending, folder: Path) -> tuple[Path, ...]:
     """Write ``bending.png``, ``bending.csv`` and ``bending.json``; earlier ones are replaced. Their paths."""
-    folder.mkdir(parents=True, exist_ok=True)
+    made_folder(folder)
     write_json(folder / RESULT, bending_dict(result))  # first: by it a folder is known
     figure = draw_bending(result, folder / FIGURE)
     write_text(folder / NUMBERS, bending_csv(result))

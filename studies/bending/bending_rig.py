@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias, get_args
 
-from acoustic_fem.quantities.checks import in_range, one_of
 from geometry.air.wound_tube import Winding, closest_pitch
+from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 
 End: TypeAlias = Literal["microphone", "closed"]
@@ -38,8 +38,8 @@ class BendingRig:
     """Closure of the far end: the microphone of the prototype array-2x6 in its chamber, or nothing."""
 
     def __post_init__(self) -> None:
-        in_range("bore", self.bore, 0.05, 5.0, "mm")
-        in_range("diameter", self.diameter, 0.1, 1000.0, "mm")
+        check_range("bore", self.bore, 0.05, 5.0, "mm")
+        check_range("diameter", self.diameter, 0.1, 1000.0, "mm")
         if not self.bore < self.diameter:
             raise _conflict("bore", self.bore, f"below the diameter of the cylinder, {self.diameter:g} mm")
         if not self.bore < self.outside < self.diameter:
@@ -49,15 +49,15 @@ class BendingRig:
             problem = f"has {counted(len(self.angles), 'value')}; it must have 1 to {MOST_ANGLES}"
             raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="angles")
         for angle in self.angles:
-            in_range("angles", angle, 0.0, LARGEST_ANGLE, "degrees")
+            check_range("angles", angle, 0.0, LARGEST_ANGLE, "degrees")
         if len(set(self.angles)) < len(self.angles):
             raise Refusal(kind=Kind.CONFLICT, field="angles", value=self.angles, allowed="different from each other")
-        in_range("length", self.length, 1.0, 10000.0, "mm")
+        check_range("length", self.length, 1.0, 10000.0, "mm")
         angle = max(self.angles)
         arc = self.winding(angle).arc_length
         if self.length < arc:
             raise _conflict("length", self.length, f"at least the arc of {angle:g} degrees, {arc:.4g} mm")
-        one_of("end", self.end, get_args(End))
+        check_choice("end", self.end, get_args(End))
 
     def winding(self, angle: float) -> Winding:
         """Centre line of the part that is wound by an angle, degrees."""

@@ -6,14 +6,13 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from numpy.typing import ArrayLike
-
+from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from studies.bending.bending_files import RESULT, save_bending
 from studies.bending.bending_rig import BendingRig
 from studies.bending.solution import Bending, solve_bending
 from studies.output.display import Display
-from studies.output.folders import check_folder
+from studies.output.folders import claimed_folder
 from studies.output.frequencies import FREQUENCIES
 
 
@@ -32,7 +31,7 @@ def bending_study(
     rig: BendingRig | None = None,
     *,
     fidelity: str = ONE_DESIGN,
-    frequency: ArrayLike | str = FREQUENCIES,
+    frequency: FrequencyLike = FREQUENCIES,
     display: Display | None = None,
 ) -> BendingStudy:
     """Results of bending a tube on the publication's rig, the bent bore solved in 3-D: does it transmit less?
@@ -48,8 +47,7 @@ def bending_study(
         Refusal: a folder that cannot be written, or a bad frequency or fidelity, before any work.
     """
     folder = Path(out)
-    check_folder(folder, "bend", RESULT)
-
-    with (display or Display()).stage("Bending") as report:
-        result = solve_bending(rig or BendingRig(), frequency, fidelity, report)
-    return BendingStudy(result, save_bending(result, folder))
+    with claimed_folder(folder, "bend", RESULT):
+        with (display or Display()).stage("Bending") as report:
+            result = solve_bending(rig or BendingRig(), frequency, fidelity, report)
+        return BendingStudy(result, save_bending(result, folder))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.cell.bent_bore import BentBore, check_bent_bore, solve_bent_bores
@@ -21,7 +21,7 @@ from acoustic_fem.duct import plane_wave
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.network.chain_matrices import TwoPort, join
 from acoustic_fem.network.microphone import load_admittance
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
@@ -93,7 +93,7 @@ class Bending:
 
 def solve_bending(
     rig: BendingRig,
-    frequency: ArrayLike | str,
+    frequency: FrequencyLike,
     fidelity: str = ONE_DESIGN,
     progress: Progress = lambda what, done: None,
 ) -> Bending:

@@ -6,6 +6,7 @@ Verbs are listed in :mod:`studies.cli.verbs`; those of one subject share a modul
 from __future__ import annotations
 
 import errno
+import re
 import signal
 import subprocess
 import sys
@@ -19,9 +20,10 @@ from typing import Annotated, Any, NoReturn, TextIO
 import typer
 
 from geometry.ground.extras import what_to_install
-from geometry.ground.refusal import Refusal, in_one_line
+from geometry.ground.refusal import Refusal, in_one_line, said_by
 from geometry.ground.system_libraries import what_is_missing
 from geometry.ground.whole_files import FULL
+from studies.cli.environment import check_environment
 from studies.cli.verbs import VERBS, VerbGroup, option_names
 
 __all__ = ["app", "fail", "main"]
@@ -56,6 +58,10 @@ _LONGEST_ARGUMENT = 4096  # no system has longer paths
 
 #: Wrong command lines: what typer raises for them all.
 _USAGE: Any = typer.BadParameter.__base__
+_NO_MEMORY = re.compile(
+    r"(not enough|out of) memory|(cannot|can't|unable to|failed to) (allocate|map segment|start new thread)|bad_alloc",
+    re.I,
+)
 #: What the system says of a disk that takes nothing more, whoever writes to it.
 _FULL = (*FULL, errno.EROFS)
 
@@ -73,6 +79,7 @@ def main() -> NoReturn:
     if signal.getsignal(signal.SIGINT) not in (signal.SIG_IGN, None):  # else nobody wants to be stopped by it
         signal.signal(signal.SIGINT, interrupt)
     try:
+        check_environment()
         code = app(sys.argv[1:] or ["--help"], prog_name="acoustic-fem", standalone_mode=False)
     except (KeyboardInterrupt, typer.Abort):
         fail("stopped", _INTERRUPTED)
@@ -105,6 +112,8 @@ def _tell(error: Exception) -> None:
     if isinstance(error, _USAGE):
         message = error.format_message().removeprefix("Invalid value: ").rstrip(".")
         fail(f"{message}; try {error.ctx.command_path if error.ctx else 'acoustic-fem'} --help", 2)
+    if _lacks_memory(error):
+        fail(f"there is not enough memory: {said_by(error)}; end other programs, or ask for less at once")
     if not isinstance(error, (ImportError, OSError)):
         return
     if missing := what_is_missing(str(error)):
@@ -117,6 +126,15 @@ def _tell(error: Exception) -> None:
         fail(f"{error.filename or 'the output'}: cannot be written: {error.strerror}")
     if error.filename is not None or error.errno == errno.EIO:
         fail(f"{error.filename or 'a file'}: {error.strerror}")
+
+
+def _lacks_memory(error: Exception) -> bool:
+    """True if the system gave no memory, in the words of Python, of the loader, or of a library in C++."""
+    return (
+        isinstance(error, MemoryError)
+        or (isinstance(error, OSError) and error.errno == errno.ENOMEM)
+        or (isinstance(error, (RuntimeError, ImportError, OSError)) and _NO_MEMORY.search(str(error)) is not None)
+    )
 
 
 def _stop(*_: object) -> NoReturn:

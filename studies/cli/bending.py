@@ -12,7 +12,7 @@ import studies
 from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from studies.bending.bending_rig import BendingRig
 from studies.cli.options import Frequencies, display_on_stderr
-from studies.cli.terminal_tables import show, table_of
+from studies.cli.terminal_tables import say, show, table_of
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
 
@@ -62,7 +62,7 @@ def bend(
         study = studies.bending_study(out, rig, fidelity=fidelity, frequency=frequencies, display=display)
     _show_bending(study.result)
     for file in study.files:
-        print(file)
+        say(file)
 
 
 def _show_bending(result: Bending) -> None:
@@ -78,9 +78,9 @@ def _show_bending(result: Bending) -> None:
         table.add_row(f"{angle:g} degrees", *(number(value) for value in values))
     show(table)
     level, phase = result.largest_differences.max(axis=0)
-    print(f"largest difference from the straight tube: {number(level)} dB, {number(phase)} degrees")
+    say(f"largest difference from the straight tube: {number(level)} dB, {number(phase)} degrees")
     if result.unknowns:
-        print(
+        say(
             f"mesh: {result.unknowns} unknowns; the differences are accurate to {100 * result.mesh_error:.2g} %, "
             f"estimated with a mesh twice as coarse; {100 * result.straight_error:.2g} % of a straight bore removed"
         )

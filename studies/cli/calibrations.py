@@ -28,14 +28,15 @@ from studies.cli.options import (
     display_on_stderr,
     noise_choice,
 )
-from studies.cli.terminal_tables import show, show_library, table_of, tell
+from studies.cli.terminal_tables import say, show, show_library, table_of, tell
 from studies.output.call_defaults import MANIFEST, SEED
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
 
 if TYPE_CHECKING:
+    from acoustic_fem.calibration import Update
     from studies.test_rig.calibrating import SensorCalibration
 
-#: s, from which on a delay that the fit found is told.
+#: Delay (s) above which the table of the fit shows it.
 _NOTED_DELAY = 3e-4
 
 
@@ -64,7 +65,7 @@ def rig(
     with display_on_stderr() as display:
         made = studies.record_rig(design, out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
-        print(path)
+        say(path)
     tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")
 
 
@@ -106,58 +107,66 @@ def calibrate(
         found = studies.calibrate_sensor(
             recordings, out, fidelity=fidelity, frequency=frequencies, tolerances=tolerances, air=air, display=display
         )
-    calibration = found.calibration
+    _show_calibration(found)
+    say(found.figure)
+
+
+def _show_calibration(found: SensorCalibration) -> None:
+    """Print how many points are measured and how accurate the library is, then the fit and the recordings as tables."""
+    calibration, fit = found.calibration, found.fit
+    text = f"{found.out}: {len(calibration.estimates)} of {counted(calibration.manifest.design.point_count, 'point')} "
+    text += "measured"
+    if calibration.missing:
+        kept = fit is not None and fit.objection
+        text += f", {len(calibration.missing)} {'of the design' if kept else 'fitted'}"
+    tell(text)
+    if fit is not None:
+        _show_fit(found, fit)
     if calibration.findings:
-        table = table_of("point", "", "finding", numbers=(0,))
+        table = table_of("point", "recording", "finding", numbers=(0,))
         for finding in calibration.findings:
-            table.add_row(str(finding.point), "left out" if finding.excluded else "note", finding.text)
+            table.add_row(str(finding.point), "left out" if finding.excluded else "used", finding.text)
         show(table)
-    _print_fit(found)
-    source = "of the design" if found.fit is not None and found.fit.objection else "fitted"
-    rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""
-    tell(
-        f"{out}: {len(calibration.estimates)} of {counted(calibration.manifest.design.point_count, 'point')} "
-        f"measured{rest}"
-    )
-    print(found.figure)
+    if fit is not None:
+        _print_warnings(found, fit)
 
 
-def _print_fit(found: SensorCalibration) -> None:
-    """Print how the fit to the measured points went, if there was one."""
-    fit = found.fit
-    if fit is None:
-        return
+def _show_fit(found: SensorCalibration, fit: Update) -> None:
+    """Print the figures of the fit to the measured points, each with its meaning."""
     determined = int((fit.eigenvalues >= 1).sum())
-    print(
-        f"fit: {'does not agree' if fit.objection else 'agrees'} with the measurement, chi-squared "
-        f"{fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of {len(fit.parameters)} combinations of "
-        "parameters determined"
-    )
-    if fit.objection:
-        print(
-            f"fit not used: {fit.objection}\nwarning: measured and designed points beside each other may decode "
-            "worse than the design's own library; measure point "
-            f"{', '.join(map(str, found.calibration.missing))} too, or find what is wrong with point {fit.worst_point}"
+    table = table_of("fit to the measured points", "value", "meaning", numbers=(1,))
+    agrees = "no sensor within the tolerances fits" if fit.objection else "a sensor within the tolerances fits"
+    table.add_row("chi-squared", f"{fit.chi_squared:.0f}", f"for {fit.residuals} residuals: {agrees}")
+    meaning = f"of {len(fit.parameters)} combinations of parameters; the others keep their assumed values"
+    table.add_row("determined", str(determined), meaning)
+    if found.expected is not None:
+        many = counted(len(found.expected), "sensor")
+        rows = (
+            (f"{100 * found.expected.mean():.1f} %", f"top-1, mean over {many} that agree with the recordings"),
+            (f"{100 * found.expected[0]:.1f} %", "top-1, the worst of these sensors"),
         )
-        return
-    print(_prospect(found))
-    if abs(fit.delay) > _NOTED_DELAY:
-        when = f"{1e3 * abs(fit.delay):.1f} ms {'later' if fit.delay > 0 else 'earlier'}"
-        print(f"the array's microphones came {when} than stated, against the reference; the fit allows for it")
+        for value, meaning in rows:
+            table.add_row("expected accuracy", value, meaning)
+    if not fit.objection and abs(fit.delay) > _NOTED_DELAY:
+        when = "later" if fit.delay > 0 else "earlier"
+        meaning = f"the array's microphones are {when} than stated, relative to the reference; the fit corrects this"
+        table.add_row("delay", f"{1e3 * abs(fit.delay):.1f} ms", meaning)
+    show(table)
 
 
-def _prospect(found: SensorCalibration) -> str:
-    """Accuracy to expect of the fitted library, and the point to measure next."""
-    shares = found.expected
-    if shares is None:
-        return f"--frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz, so the accuracy of the fit is not predicted"
-    text = (
-        f"expected: {100 * shares.mean():.1f} % of touches classified correctly, {100 * shares[0]:.1f} % in the worst "
-        f"of {len(shares)} cases"
-    )
-    if found.measure_next is None:
-        return text
-    return f"{text}; warning: measure another point, best point {found.measure_next}"
+def _print_warnings(found: SensorCalibration, fit: Update) -> None:
+    """Print why the fit is not used, or why its accuracy is not known or too low, and what to do."""
+    if fit.objection:
+        tell(f"The fit is not used: {fit.objection}")
+        tell(
+            "warning: a mixture of measured and designed points may decode worse than the design's own library. "
+            f"Measure point {', '.join(map(str, found.calibration.missing))} too, or find what is wrong with point "
+            f"{fit.worst_point}."
+        )
+    elif found.expected is None:
+        tell(f"The accuracy is not predicted, because --frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz.")
+    elif found.measure_next is not None:
+        tell(f"warning: the expected accuracy is low, so measure another point, best point {found.measure_next}")
 
 
 def recalibrate(
@@ -201,13 +210,15 @@ def recalibrate(
             channels=channel_map(channels),
             display=display,
         ).found
-    print(
-        f"{out}: from {counted(found.frames, 'frame')} with touches; {found.gain:.2f} +- {found.gain_error:.2f} nats "
-        f"per held-out frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
-    )
+    tell(f"{out}: updated from {counted(found.frames, 'frame')} with touches")
+    table = table_of("check with held-out touches", "value", "meaning", numbers=(1,))
+    gain = f"{found.gain:.2f} +- {found.gain_error:.2f}"
+    table.add_row("gain", gain, f"log-likelihood of a frame (nats) compared with {library}, and its standard error")
+    table.add_row("explained", f"{100 * found.explained:.0f} %", "fraction of the frames that pass the residual test")
+    show(table)
     if len(found.untouched):
         points = localize.recalibration.numbers(found.untouched)
-        print(f"no touch was assigned to point {points}, so it is the least certain: touch it next time")
+        tell(f"No touch was assigned to point {points}, so it is the least certain. Touch it next time.")
 
 
 def convert(

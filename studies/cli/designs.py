@@ -12,6 +12,7 @@ import geometry
 import studies
 from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from geometry.formats.part_files import FORMATS
+from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
 from studies.cli.options import (
     Altitude,
     Design,
@@ -20,7 +21,18 @@ from studies.cli.options import (
     Temperature,
     display_on_stderr,
 )
-from studies.cli.terminal_tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
+from studies.cli.terminal_tables import (
+    say,
+    show,
+    show_check,
+    show_fields,
+    show_findings,
+    show_library,
+    show_parts,
+    table_of,
+    tell,
+)
+from studies.output.folders import as_picture
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Continue although parts overlap.")]
@@ -35,14 +47,8 @@ def studio(
         typer.Option(help="Port of the page; 0 for any. Default: 8765, or the next free one.", show_default=False),
     ] = None,
     host: Annotated[
-        str, typer.Option(metavar="ADDRESS", help="Address of the page; any but this needs --token.")
+        str, typer.Option(metavar="ADDRESS", help="Address of the page; other machines can reach any but this.")
     ] = "127.0.0.1",
-    token: Annotated[
-        str | None,
-        typer.Option(
-            help="Key in the page's address, 16 letters and digits or more. Default: a random one.", show_default=False
-        ),
-    ] = None,
     browser: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
 ) -> None:
     """Edit a design in the browser and see at once what each change does.
@@ -53,7 +59,7 @@ def studio(
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
     """
-    studies.serve_studio(geometry.resolve_design(design), port=port, host=host, token=token, browser=browser)
+    studies.serve_studio(geometry.resolve_design(design), port=port, host=host, browser=browser)
 
 
 def check(
@@ -65,7 +71,9 @@ def check(
     out: Annotated[Path | None, typer.Option(help="JSON file to write the findings to.", show_default=False)] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(help="PNG file to draw the predicted accuracy of each point in.", show_default=False),
+        typer.Option(
+            help="File to draw the predicted accuracy of each point in: .png, .pdf or .svg.", show_default=False
+        ),
     ] = None,
 ) -> None:
     """Validate a design and predict how well it will work.
@@ -86,7 +94,7 @@ def check(
         found = studies.check_design(design, out, picture=picture, display=display)
     show_check(found)
     if picture is not None:
-        print(picture)
+        say(as_picture(picture))
     if found.error is not None:
         raise found.error
 
@@ -99,7 +107,8 @@ def wiring(
         int, typer.Argument(metavar="POINTS", help="Points on each line, 1 to 1000.", show_default=False)
     ],
     out: Annotated[
-        Path | None, typer.Option(help="PNG file to draw the counts for 2 to MICROPHONES in.", show_default=False)
+        Path | None,
+        typer.Option(help="File to draw the counts for 2 to MICROPHONES in: .png, .pdf or .svg.", show_default=False),
     ] = None,
 ) -> None:
     """Compare how many points a number of microphones can serve, with other wirings.
@@ -121,7 +130,7 @@ def wiring(
         )
     show(table)
     if out is not None:
-        print(out)
+        say(as_picture(out))
 
 
 def solve(
@@ -191,7 +200,7 @@ def parts(
         )
     show_parts(made)
     show_findings(made.printing)
-    print(made.report)
+    say(made.report)
 
 
 def run(
@@ -204,16 +213,46 @@ def run(
 ) -> None:
     """Do everything for one design: parts, transfer functions, localizer and report.
 
-    Writes the parts, the library, the trained localizer and report.html. Twelve points take about a minute. A second
-    run is faster because its 3-D cells are on disk. Runs of one design on one machine give identical figures.
+    Writes the parts, the library, the trained localizer, report.html, and MANIFEST.json with the SHA-256 of every
+    file. Twelve points take about a minute. A second run is faster because its 3-D cells are on disk. Runs of one
+    design on one machine give identical figures. The files are identical too if you set SOURCE_DATE_EPOCH, because
+    the files then state that time instead of the clock's.
 
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """
     with display_on_stderr() as display:
         result = studies.run_design(design, out, allow_overlaps=allow_overlaps, display=display)
-    print(studies.run.verdict(result))
+    say(studies.run.verdict(result))
     table = table_of("top-1 accuracy", "trained localizer", "Bayes decoder", "tolerance-aware decoder")
     for row in studies.run.accuracy_rows(result):
         table.add_row(row.touches, row.localizer, row.bayes, row.tolerant)
     show(table)
-    print(f"{out / 'report.html'}")
+    say(f"{out / 'report.html'}")
+
+
+def verify(
+    folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run.", show_default=False)],
+) -> None:
+    """Check that the folder of a run holds exactly the files that the run wrote.
+
+    Compares every file with its SHA-256 in MANIFEST.json, which the run writes last. Lists the files that were changed,
+    that are missing and that the run did not write; the exit code is then 1. A manifest does not
+    replace a signature: it finds damage and accidents, but not a person who also rewrites the manifest.
+
+    Example: [bold]acoustic-fem verify demo[/bold]
+    """
+    found = studies.verify_run(folder)
+    table = table_of("file", "state")
+    for state, names in (("changed", found.changed), ("missing", found.missing), ("extra", found.extra)):
+        for name in names:
+            table.add_row(in_one_line(name), state)
+    if found.complete:
+        tell(f"{counted(len(found.unchanged), 'file')}, all as the run wrote them")
+        return
+    show(table)
+    raise Refusal(
+        f"{len(found.changed)} changed, {len(found.missing)} missing and {len(found.extra)} extra "
+        f"beside {counted(len(found.unchanged), 'unchanged file')}",
+        kind=Kind.DAMAGED,
+        file=folder,
+    )

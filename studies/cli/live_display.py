@@ -141,7 +141,7 @@ class LivePicture:
     def _state(self) -> Text:
         event = None if self._last is None else self._last.event
         if not isinstance(event, Decision):
-            return Text("nothing heard yet")
+            return Text("nothing detected yet")
         named = "" if event.point is None else f"  point {event.point}"
         sure = "" if event.probability is None else f", {100 * event.probability:.0f} %"
         place = ""

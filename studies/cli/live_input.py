@@ -15,7 +15,8 @@ from rich.console import Console
 import acoustic_fem
 import localize
 import studies
-from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.argument_checks import whole_number
+from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
 from studies.cli.options import Altitude, Model, Pressure, Temperature, channel_map, noise_choice
 from studies.cli.terminal_tables import show, table_of
@@ -30,8 +31,11 @@ if TYPE_CHECKING:
 def _list_devices(wanted: bool) -> None:
     if not wanted:
         return
+    devices = localize.live.input_devices()
+    if not devices:
+        raise localize.live.no_device()
     table = table_of("device", "name", "audio system", "channels", "rate (Hz)", "", numbers=(0, 3, 4))
-    for each in localize.live.input_devices():
+    for each in devices:
         default = "default" if each.default else ""
         table.add_row(str(each.number), each.name, each.host, str(each.channels), f"{each.rate:g}", default)
     show(table)
@@ -42,7 +46,15 @@ def live(
     model: Model,
     device: Annotated[
         str | None,
-        typer.Option(help="Sound card: its number, or part of its name. Default: the system's.", show_default=False),
+        typer.Option(
+            help="Sound card: its number, part of its name, or 'NAME, AUDIO SYSTEM' of a card that appears under "
+            "several. Default: the system's.",
+            show_default=False,
+        ),
+    ] = None,
+    rate: Annotated[
+        int | None,
+        typer.Option(help="Sample rate of the sound card, Hz. Default: its own.", show_default=False),
     ] = None,
     list_devices: Annotated[
         bool, typer.Option("--list-devices", callback=_list_devices, is_eager=True, help="List sound cards, then stop.")
@@ -109,12 +121,17 @@ def live(
 
     if device is not None and replay is not None:
         raise typer.BadParameter("--device must not be given beside --replay")
-    wanted = int(device) if device is not None and device.isdecimal() else device
-    source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale)
+    if rate is not None and replay is not None:
+        raise typer.BadParameter("--rate must not be given beside --replay, which has its own rate")
+    number = -1 if device is None else whole_number(device)
+    wanted = device if number < 0 else number
+    source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate)
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
     with _Output(waveform) as output:
-        summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
+        summary = listen(
+            model, source, out, record=record, decoding=decoding, contact_radius_mm=radius, hear=output.hear
+        )
     _print_summary(summary)
     if summary.unrecorded:
         raise Refusal(f"{summary.unrecorded}; all input before that is in the file", kind=Kind.STOPPED)
@@ -179,4 +196,4 @@ def _print_summary(summary: LiveSummary) -> None:
         *([] if summary.warning is None else [f"warning: {summary.warning}"]),
         *summary.recordings,
     ):
-        print(line, file=sys.stderr)
+        print(in_one_line(str(line)), file=sys.stderr)

@@ -190,7 +190,7 @@ def evaluate(
     level = noise_choice(noise)
     with display_on_stderr() as display:
         results = studies.evaluate_localizer(
-            model, library, out, touches=touches, noise=level, seed=seed, display=display
+            model, library, out, touches=touches, microphone_noise=level, seed=seed, display=display
         )
     _show_evaluations(results)
     if out is not None:

@@ -98,7 +98,7 @@ def onnx(
 
     Example: [bold]acoustic-fem onnx localizer --out localizer.onnx[/bold]
     """
-    written = studies.export_decoder(model, out, noise=noise_choice(noise), ambient=ambient)
+    written = studies.export_decoder(model, out, microphone_noise=noise_choice(noise), ambient=ambient)
     tell(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"
@@ -135,7 +135,7 @@ def embed(
     Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
     """
     chosen = cast("Precision", precision)
-    written = studies.embed_decoder(library, out, precision=chosen, budget=budget, noise=noise_choice(noise))
+    written = studies.embed_decoder(library, out, precision=chosen, budget=budget, microphone_noise=noise_choice(noise))
     cost, table = written.decoder.cost, table_of("", "at most", numbers=(1,))
     for name, value in (("flash", cost.flash), ("ram", cost.ram), ("stack", cost.stack)):
         table.add_row(name, f"{value} bytes")
@@ -159,7 +159,11 @@ def locate(
     ] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.png", help="Picture to draw of the signals and the touches.", show_default=False),
+        typer.Option(
+            metavar="FILE.png",
+            help="Picture to draw of the signals and the touches: .png, .pdf or .svg.",
+            show_default=False,
+        ),
     ] = None,
     full_scale: FullScale = None,
     noise: DecoderNoise = None,
@@ -266,7 +270,7 @@ def recognize(
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
-    decoding = studies.Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
+    decoding = studies.Decoding(microphone_noise=noise_choice(noise), ambient=ambient, air=air)
     found = studies.recognize_recording(
         model, library, recording, out, point=point, speed=speed, full_scale=full_scale, decoding=decoding
     )
@@ -301,7 +305,11 @@ def track(
     out: Annotated[Path, typer.Option(help="CSV file for a row per 16 ms of each path.", show_default=False)],
     picture: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.png", help="Picture to draw of the paths on the array.", show_default=False),
+        typer.Option(
+            metavar="FILE.png",
+            help="Picture to draw of the paths on the array: .png, .pdf or .svg.",
+            show_default=False,
+        ),
     ] = None,
     radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm; a stylus has 0.5.")] = MOVING,
     full_scale: FullScale = None,
@@ -319,13 +327,13 @@ def track(
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
-    decoding = studies.Decoding(noise=noise_choice(noise), ambient=ambient, air=air)
+    decoding = studies.Decoding(microphone_noise=noise_choice(noise), ambient=ambient, air=air)
     found = studies.track_recording(
         library,
         recording,
         out,
         picture=picture,
-        radius=radius,
+        contact_radius_mm=radius,
         full_scale=full_scale,
         decoding=decoding,
         channels=channel_map(channels),
@@ -350,7 +358,11 @@ def pulse(
     out: Annotated[Path | None, typer.Option(help="CSV file to write the waveform to.", show_default=False)] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.png", help="Picture to draw of the waveform and its waves.", show_default=False),
+        typer.Option(
+            metavar="FILE.png",
+            help="Picture to draw of the waveform and its waves: .png, .pdf or .svg.",
+            show_default=False,
+        ),
     ] = None,
     point: Annotated[
         int | None,
@@ -368,7 +380,9 @@ def pulse(
 
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """
-    decoding = studies.Decoding(noise=noise_choice(noise), air=acoustic_fem.LocalAir(pressure, altitude, temperature))
+    decoding = studies.Decoding(
+        microphone_noise=noise_choice(noise), air=acoustic_fem.LocalAir(pressure, altitude, temperature)
+    )
     found = studies.read_pulse(
         library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding
     )

@@ -11,7 +11,7 @@ from geometry.design.design_file import prototype_names, prototype_text, stated_
 from geometry.ground.refusal import counted
 from geometry.layout.size import array_size
 from studies.cli.options import asked, defaults_of
-from studies.cli.terminal_tables import show, table_of, tell
+from studies.cli.terminal_tables import say, show, table_of, tell
 from studies.run.starting import PLACES, copy_prototype, new_design
 
 _PLACE: str = defaults_of(new_design)["place"]
@@ -84,7 +84,7 @@ def new(
     diameter = _DIAMETER if diameter is None else diameter
     design = new_design(name, out, place=place, points=points, pitch=pitch, microphones=microphones, diameter=diameter)
     path = out or Path(f"{name}.toml")
-    print(path)
+    say(path)
     size = " x ".join(f"{side:.0f}" for side in array_size(design))
     tell(f"{design.description}; {counted(len(design.microphones), 'microphone')}, {design.layout.kind}, {size} mm")
     tell(f"next: acoustic-fem check {path} --picture {path.with_suffix('.png')}")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
+from geometry.ground.argument_checks import whole_number
 from studies.output.display import Display
 
 if TYPE_CHECKING:
@@ -113,12 +114,12 @@ def channel_map(text: str | None) -> dict[str, int] | None:
         return None
     pairs = [part.partition("=") for part in text.split(",")]
     for name, equals, value in pairs:
-        if not (name.strip() and equals and value.strip().isascii() and value.strip().isdecimal()):
+        if not (name.strip() and equals and whole_number(value.strip()) >= 1):
             raise typer.BadParameter(f"--channels {text} must be like A=1,B=2: microphone and channel from 1")
     names = [name.strip() for name, _, _ in pairs]
     if len(set(names)) < len(names):
         raise typer.BadParameter(f"--channels {text} must give each microphone once")
-    return {name: int(value) for name, (_, _, value) in zip(names, pairs, strict=True)}
+    return {name: whole_number(value.strip()) for name, (_, _, value) in zip(names, pairs, strict=True)}
 
 
 def noise_choice(given: float | None) -> NoiseChoice:

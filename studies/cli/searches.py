@@ -20,14 +20,16 @@ from studies.cli.options import (
     display_on_stderr,
     noise_choice,
 )
-from studies.cli.terminal_tables import show, table_of, tell
+from studies.cli.terminal_tables import say, show, table_of, tell
 from studies.output.call_defaults import BASE_SAMPLES, SEED, SENSORS, STORED_SENSORS
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
+from studies.output.report_texts import percent
 
 if TYPE_CHECKING:
     from studies.optimization.problem import Optimization
     from studies.optimization.search import Candidate
+    from studies.scatter.effects import ToleranceResult
     from studies.scatter.tolerance_run import ToleranceStudy
 
 #: Rows of the front that are printed.
@@ -52,8 +54,8 @@ def tolerance(
 ) -> None:
     """Compute how manufacturing scatter spreads the accuracy, and which tolerance matters most.
 
-    Writes tolerance.json and tolerance.png: the spread of transfer functions and accuracy, and the share of each
-    tolerance in it. Every tube, cavity and membrane deviates independently. Takes about half a minute for 12 points.
+    Writes tolerance.json and tolerance.png: the spread of transfer functions and accuracy, and how much each tolerance
+    contributes to it. Every tube, cavity and membrane deviates independently. Takes about half a minute for 12 points.
 
     Example: [bold]acoustic-fem tolerance array-2x6 --out scatter --library 2000[/bold]
     """
@@ -72,27 +74,51 @@ def tolerance(
         )
     _show_scatter(study)
     for file in study.files:
-        print(file)
+        say(file)
 
 
 def _show_scatter(study: ToleranceStudy) -> None:
-    result = study.result
-    table = table_of("predicted top-1 (%)", "mean", "5 %", "median", "95 %", numbers=(1, 2, 3, 4))
-    summary = result.summary()
+    """Print how much accuracy scatter costs, then the accuracies and the effects of the quantities as tables."""
+    result, summary = study.result, study.result.summary()["accuracy"]
+    tell(
+        f"{study.design.name}: without calibration, {percent(summary['nominal']['mean'])} of touches are assigned to "
+        f"the correct point, as the mean over {counted(len(result.deviation), 'as-built sensor')}"
+    )
+    table = table_of(
+        "predicted top-1 accuracy (%)", "mean", "5th percentile", "median", "95th percentile", numbers=(1, 2, 3, 4)
+    )
+    nominal = number(100 * result.nominal_accuracy, 1)
+    table.add_row("nominal sensor, localizer of the nominal design", nominal, "", "", "")
     for name, title in studies.scatter.ACCURACIES.items():
-        spread = summary["accuracy"][name]
-        table.add_row(title, *(number(100 * spread[key], 1) for key in ("mean", "q05", "median", "q95")))
+        values = (number(100 * summary[name][key], 1) for key in ("mean", "q05", "median", "q95"))
+        table.add_row(f"as-built sensors, {title}", *values)
     show(table)
     if result.sobol:
-        table = table_of("total Sobol index", "ratios", "+-", "top-1", "+-", numbers=(1, 2, 3, 4))
-        of_accuracy = {index.quantity: index for index in result.sobol["nominal"]}
-        for index in result.sobol["deviation"]:
-            other = of_accuracy[index.quantity]
-            values = (index.total, index.error, other.total, other.error)
-            table.add_row(index.quantity.replace("_", " "), *(number(value, 2) for value in values))
-        show(table)
-    tell(f"{study.design.name} as designed: {number(100 * result.nominal_accuracy, 1)} %; noise: {result.noise}")
+        _show_causes(result)
+    tell(f"noise: {result.noise}")
     tell(f"fidelity {result.fidelity.words}")
+
+
+def _show_causes(result: ToleranceResult) -> None:
+    """Print which quantity matters most for the accuracy, and the Sobol indices of all."""
+    of_accuracy = {index.quantity: index for index in result.sobol["nominal"]}
+    most = max(of_accuracy.values(), key=lambda index: index.total)
+    tell(
+        f"The accuracy without calibration depends most on the {_in_words(most.quantity)}. Each index is the fraction "
+        "of the variance to which a quantity contributes, with its standard error."
+    )
+    table = table_of(
+        "total Sobol index", "of the signal ratios", "error", "of the accuracy", "error", numbers=(1, 2, 3, 4)
+    )
+    for index in result.sobol["deviation"]:
+        other = of_accuracy[index.quantity]
+        values = (index.total, index.error, other.total, other.error)
+        table.add_row(_in_words(index.quantity), *(number(value, 2) for value in values))
+    show(table)
+
+
+def _in_words(quantity: str) -> str:
+    return quantity.replace("_", " ")
 
 
 def optimize(
@@ -117,10 +143,10 @@ def optimize(
         found = studies.optimize(study, out, workers=workers, scheduler=scheduler, display=display)
     result = found.result
     _show_front(found.problem, (result.base, *result.front[:_SHOWN]))
-    print(f"{counted(len(result.candidates), 'design')} computed, {sum(count for _, count in result.refused)} refused, "
+    say(f"{counted(len(result.candidates), 'design')} computed, {sum(count for _, count in result.refused)} refused, "
           f"{len(result.front)} on the front")  # fmt: skip
     for file in found.files:
-        print(file)
+        say(file)
 
 
 def _show_front(problem: Optimization, rows: tuple[Candidate, ...]) -> None:

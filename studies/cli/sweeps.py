@@ -9,17 +9,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import studies
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry.ground.refusal import Kind, counted
+from geometry.ground.refusal import Kind, counted, in_one_line
 from studies.cli.options import Scheduler, check_workers, display_on_stderr
-from studies.cli.terminal_tables import show, table_of, tell
+from studies.cli.terminal_tables import say, show, table_of, tell
 from studies.output.call_defaults import BEST_DESIGNS
 from studies.output.display import duration, number
 
 if TYPE_CHECKING:
     from studies.findings.reporting import BestDesigns
     from studies.sweep.plan import Plan
-    from studies.sweep.run import Summary
+    from studies.sweep.summary import Summary
 
 #: Kinds of reasons for failures that are listed; all are in the store.
 _LISTED = 10
@@ -64,11 +63,13 @@ def sweep(
     check_workers(workers, scheduler)
     if dry_run:
         given = studies.load_study(study)
-        _print_plan(studies.plan_sweep(given, workers), given.fidelity)
+        with display_on_stderr() as display:
+            plan = studies.plan_sweep(given, workers, display=display)
+        _print_plan(plan, given)
         return
     assert out is not None
     with display_on_stderr() as display:
-        summary = studies.run_sweep(study, out, workers=workers, scheduler=scheduler, display=display)
+        summary = studies.run_sweep(study, out, workers=workers, scheduler=scheduler, display=display).summary
     _print_summary(summary, out)
     if summary.objection is not None:
         raise studies.sweep.SweepError(summary.objection, kind=Kind.NO_RESULT, file=out)
@@ -123,7 +124,7 @@ def best(
         _show_best(studies.best_designs(results, by, count))
         return
     studies.save_best_design(results, design, out)
-    print(out)
+    say(out)
 
 
 def _show_best(best: BestDesigns) -> None:
@@ -144,44 +145,54 @@ def size(count: float) -> str:
     return f"{number(count / 1e6)} MB" if count < 1e9 else f"{number(count / 1e9)} GB"
 
 
-def _print_plan(plan: Plan, fidelity: str) -> None:
+def _print_plan(plan: Plan, study: studies.Study) -> None:
     left_out = f" ({plan.left_out} more break a constraint)" if plan.left_out else ""
-    print(f"cases: {plan.cases}{left_out}")
+    say(f"cases: {plan.cases}{left_out}")
+    if plan.sampled:
+        say(f"estimated from {plan.sampled} of {plan.cases + plan.left_out} cases, drawn at random")
     if plan.note:
-        print(f"note: {plan.note}")
+        say(f"note: {plan.note}")
     refused = sum(plan.refused.values())
     if refused:
-        print(f"not valid: {refused}, which will be kept as failed; of each kind the first:")
+        say(f"not valid: {refused}, which will be kept as failed; of each kind the first:")
         _print_reasons(plan.refused)
-    if fidelity not in CLOSED_FORMS:
-        print(f"distinct cells ({fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
-    print(f"expected time: {duration(plan.seconds)} with {counted(plan.workers, 'worker')}")
-    print(f"expected memory: {size(plan.memory)}")
-    print(f"store: at most {size(plan.storage)}")
+    if outside := sum(plan.outside.values()):
+        fate = (
+            'which will be kept as failed (outside = "navier-stokes" in the study solves them in 3-D)'
+            if study.outside == "fail"
+            else "which will be solved in 3-D"
+        )
+        say(f"outside the atlas: {outside}, {fate}; of each kind the first:")
+        _print_reasons(plan.outside)
+    if plan.cells:
+        say(f"distinct cells ({study.solid_fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
+    say(f"expected time: {duration(plan.seconds)} with {counted(plan.workers, 'worker')}")
+    say(f"expected memory: {size(plan.memory)}")
+    say(f"store: at most {size(plan.storage)}")
 
 
 def _print_reasons(reasons: dict[str, int]) -> None:
     for reason, count in list(reasons.items())[:_LISTED]:
-        print(f"  {count} x {reason}")
+        say(f"  {count} x {reason}")
     if len(reasons) > _LISTED:
-        print(f"  and {counted(len(reasons) - _LISTED, 'more kind')} of reasons")
+        say(f"  and {counted(len(reasons) - _LISTED, 'more kind')} of reasons")
 
 
 def _print_summary(summary: Summary, out: Path) -> None:
     earlier = summary.cases - summary.computed
-    print(
+    say(
         f"{counted(summary.cases, 'case')}, {summary.computed} computed now in {duration(summary.seconds)}"
         + (f", {earlier} by earlier runs" if earlier else "")
     )
     if summary.cells:
-        print(
+        say(
             f"{counted(summary.cells, 'distinct cell')}, {summary.cells_solved} solved in "
             f"{duration(summary.cell_seconds)}"
         )
     failed = sum(len(numbers) for numbers in summary.failures.values())
     if failed:
-        print(f"{failed} failed, of each kind the first:")
+        say(f"{failed} failed, of each kind the first:")
         _print_reasons({f"{why} (case {numbers[0]})": len(numbers) for why, numbers in summary.failures.items()})
     for note in summary.notes:
-        print(f"note: {note}", file=sys.stderr)
-    print(out)
+        print(f"note: {in_one_line(note)}", file=sys.stderr)
+    say(out)

@@ -14,7 +14,7 @@ from rich.table import Column, Table
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.extras import is_installed
-from geometry.ground.refusal import counted, in_one_line
+from geometry.ground.refusal import counted, in_one_line, visible
 from geometry.layout.cutting import cutting_list
 from geometry.plan.wiring_graph import WiringCounts
 from geometry.schema.declared_fields import fields_of
@@ -50,6 +50,11 @@ def tell(text: str) -> None:
     print(in_one_line(text))
 
 
+def say(text: object) -> None:
+    """Print a text on stdout as it is, but for control characters: a text of a file must not steer the terminal."""
+    print(visible(str(text)))
+
+
 def show(table: Table) -> None:
     """Print a table on stdout.
 
@@ -58,6 +63,7 @@ def show(table: Table) -> None:
     """
     known = Console().is_terminal or "COLUMNS" in os.environ
     console = Console(width=None if known else _UNBROKEN, markup=False, highlight=False)
+    table = _visible(table)
     first, *rest = range(len(table.columns))
     while rest:
         count = len(rest)
@@ -65,6 +71,15 @@ def show(table: Table) -> None:
             count -= 1
         console.print(_part(table, [first, *rest[:count]], console.width))
         rest = rest[count:]
+
+
+def _visible(table: Table) -> Table:
+    """The same table without control characters in its cells."""
+    numbers = tuple(place for place, column in enumerate(table.columns) if column.justify == "right")
+    plain = table_of(*(visible(str(column.header)) for column in table.columns), numbers=numbers)
+    for cells in zip(*(column.cells for column in table.columns), strict=True):
+        plain.add_row(*(visible(str(cell)) for cell in cells))
+    return plain
 
 
 def _widths(table: Table, chosen: list[int], most: int) -> list[int] | None:
@@ -137,7 +152,7 @@ def show_fields() -> None:
 
 def show_check(found: DesignCheck) -> None:
     """All findings on a design, first what keeps it from being made."""
-    print(f"{found.design.name}: {found.verdict}")
+    say(f"{found.design.name}: {found.verdict}")
     _show_first(found.problems, "- {}")
     if found.mend:
         tell(f"- {found.mend}")
@@ -145,8 +160,8 @@ def show_check(found: DesignCheck) -> None:
     if found.printing is not None:
         _show_verdict(found.printing)
     length, width, height = max(found.size[:2]), min(found.size[:2]), found.size[2]
-    print(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
-    print(found.covered)
+    say(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
+    say(found.covered)
     _show_quality(found.quality)
     _show_wiring(found.wiring)
     table = table_of("distinct cell", "places", numbers=(1,))
@@ -251,12 +266,12 @@ def show_parts(made: MadeParts) -> None:
     show(table)
     bill = made.bill
     money = bill.prices.currency
-    print(
+    say(
         f"resin {bill.resin_ml:.3g} ml and {bill.tooling_resin_ml:.3g} ml in molds, "
         f"silicone {bill.silicone_ml:.3g} ml, tube {bill.tube_m:.3g} m: "
         f"about {bill.cost:.2f} {money}, molds {bill.tooling_cost:.2f} {money} (bill.txt)"
     )
-    print("which part goes to which point, and which tube between: assembly.txt")
+    say("which part goes to which point, and which tube between: assembly.txt")
     for name in made.too_large:
         tell(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
     _show_notes(made.notes, made.misfits)
@@ -274,7 +289,7 @@ def _show_first(lines: tuple[str, ...], form: str) -> None:
     for line in lines[:_FIRST]:
         tell(form.format(line))
     if len(lines) > _FIRST:
-        print(form.format(f"and {counted(len(lines) - _FIRST, 'more problem')}"))
+        say(form.format(f"and {counted(len(lines) - _FIRST, 'more problem')}"))
 
 
 def show_findings(printing: PrintReport) -> None:

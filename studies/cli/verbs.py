@@ -13,6 +13,7 @@ from typer.core import TyperCommand, TyperGroup
 
 from geometry.ground.extras import check_extras
 from geometry.ground.refusal import quoted
+from geometry.ground.stated_times import stopped_time
 
 
 class Entry(NamedTuple):
@@ -53,6 +54,7 @@ VERBS = {
         "Do everything for one design: parts, transfer functions, localizer and report.",
         ("fem", "train", "studies"),
     ),
+    "verify": Entry("designs", "Design", "Check that the folder of a run holds exactly the files that the run wrote."),
     "bend": Entry("bending", "Design", "Compute how much less a tube transmits when it is bent.", ("fem",)),
     "parts": Entry("designs", "Make", "Write everything needed to print, cast, buy and assemble a design.", ("cad",)),
     "rig": Entry(
@@ -94,6 +96,12 @@ VERBS = {
     "embed": Entry("locating", "Use", "Export the decoder of a library as C99 source for a microcontroller."),
     "convert": Entry("calibrations", "Use", "Convert a library to netCDF, SOFA, NPZ or CSV, or back, without loss."),
     "sweep": Entry("sweeps", "Study", "Compute the metrics of many designs, every case of a study file.", ("studies",)),
+    "dataset": Entry(
+        "datasets",
+        "Study",
+        "Write a data set of touches to train networks of your own, readable without this program.",
+        ("studies", "train"),
+    ),
     "tolerance": Entry(
         "searches",
         "Study",
@@ -125,8 +133,10 @@ class Verb(TyperCommand):
 
         Raises:
             MissingExtra: it is not.
+            Refusal: ``SOURCE_DATE_EPOCH`` is not a time.
         """
         check_extras(f"what {ctx.info_name} needs", *VERBS[ctx.info_name].needs)
+        stopped_time()
         return super().invoke(ctx)
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
@@ -230,6 +240,7 @@ def verb_named(name: str) -> Callable[..., None]:
 #: Arguments of calls whose option has another name; all others are called as the option is.
 _OPTIONS = {
     "microphone_noise": "noise",
+    "contact_radius_mm": "radius",
     "temperature_c": "temperature",
     "frequency": "frequencies",
     "touches_per_point": "touches",

@@ -1,21 +1,21 @@
-"""``evaluation.json`` and ``evaluation.html``: how well the touched point is named, on one self-contained page."""
+"""``evaluation.json`` and ``evaluation.html``: how often decoders find the touched point, as one page."""
 
 from __future__ import annotations
 
 import base64
-import json
-import tempfile
 from importlib import resources
 from pathlib import Path
 
 import studies
 from geometry.ground.refusal import counted
-from geometry.ground.whole_files import write_text
+from geometry.ground.whole_files import made_folder, temporary_folder, write_text
+from localize.evaluation.conditions import Outcome
 from studies.evaluation.evaluation_figures import draw_conditions, draw_reliability
 from studies.evaluation.full_evaluation import SENSORS, FullEvaluation
 from studies.evaluation.headline import SIGNALS, Headline
 from studies.output.display import number
 from studies.output.folders import write_json
+from studies.output.report_texts import percent, record_rows
 from studies.output.response_figures import draw_confusion
 
 #: What is written into a folder, the page for people first.
@@ -29,7 +29,7 @@ def write_evaluation(found: FullEvaluation, folder: Path) -> None:
         found: of :func:`studies.evaluation.full_evaluation.evaluate_fully`.
         folder: made where it does not exist.
     """
-    folder.mkdir(parents=True, exist_ok=True)
+    made_folder(folder)
     write_json(folder / JSON_FILE, found.to_dict())
     write_text(folder / PAGE_FILE, render(found))
 
@@ -47,6 +47,7 @@ def render(found: FullEvaluation) -> str:
         style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
         found=found,
         verdict=_verdict(found),
+        accuracies=_accuracy_rows(found),
         noise=found.results[0].overall.noise_in_words,
         rows=list(zip(*(each.outcomes for each in found.results), strict=True)),
         sensors=SENSORS,
@@ -56,28 +57,30 @@ def render(found: FullEvaluation) -> str:
 
 
 def _verdict(found: FullEvaluation) -> str:
-    """The page in three sentences."""
+    """The accuracy of the first localizer, in one sentence; :func:`_accuracy_rows` has the other accuracies."""
+    first = found.results[0]
+    return f"The {first.name} assigns {percent(first.overall.top1)} of held-out {SIGNALS} to the correct point."
+
+
+def _accuracy_rows(found: FullEvaluation) -> list[tuple[str, ...]]:
+    """Rows of the table of accuracies: touches and sensors, then a cell for each localizer."""
     headlines = [Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.results]
-    shares = " and ".join(
-        f"the {each.name} assigns {100 * each.overall.top1:.1f} % to the correct point" for each in found.results
-    )
-    hardest = []
-    for each in found.results:
-        worst = min(each.outcomes, key=lambda outcome: outcome.top1)
-        hardest.append(f"for the {each.name} {worst.group}, {worst.name} ({100 * worst.top1:.1f} %)")
-    beside = [
-        f"of {pairs[0][0]} {' and '.join(f'{100 * own.top1:.1f} %' for _, own in pairs)}"
-        for pairs in zip(*(each.beside for each in headlines), strict=True)
-    ]
-    return (
-        f"Held-out {SIGNALS} are classified as follows: {shares}; {', '.join(beside)}. The hardest condition is "
-        f"{', '.join(hardest)}."
-    )
+    rows = [(SIGNALS, *(percent(each.top1) for each in headlines))]
+    for pairs in zip(*(each.beside for each in headlines), strict=True):
+        rows.append((pairs[0][0], *(_with_worst(outcome) for _, outcome in pairs)))
+    hardest = (min(each.outcomes, key=lambda outcome: outcome.top1) for each in found.results)
+    cells = (f"{percent(worst.top1)} ({worst.group}: {worst.name})" for worst in hardest)
+    return [*rows, ("the hardest of all conditions below", *cells)]
+
+
+def _with_worst(outcome: Outcome) -> str:
+    """Accuracy in a condition, and that on the worst sensor if there are several."""
+    worst = "" if outcome.worst is None else f" (worst sensor {percent(outcome.worst)})"
+    return percent(outcome.top1) + worst
 
 
 def _pictures(found: FullEvaluation) -> dict[str, str]:
-    with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder)
+    with temporary_folder() as place:
         paths = {
             "reliability": draw_reliability(found.results, place / "reliability.png"),
             "conditions": draw_conditions(found.results, place / "conditions.png"),
@@ -94,7 +97,7 @@ def _provenance(found: FullEvaluation) -> list[tuple[str, str]]:
     library = {key: value for key, value in found.provenance["library"].items() if key != "cells"}
     return [
         ("made", found.created.strftime("%Y-%m-%d %H:%M UTC")),
-        ("evaluation", json.dumps(own)),
-        ("library", json.dumps(library)),
+        *record_rows("evaluation", own),
+        *record_rows("library", library),
         ("design", found.provenance["design"]),
     ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
-from datetime import UTC, datetime
+from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.ground.refusal import Refusal
+from geometry.ground.stated_times import stated_time
 from localize.signals.array_response import ArrayResponse
 from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
@@ -89,7 +90,7 @@ def evaluate_fully(
     library: Library,
     response: ArrayResponse,
     touches: int,
-    noise: NoiseChoice,
+    microphone_noise: NoiseChoice,
     seed: int,
     progress: Progress,
 ) -> FullEvaluation:
@@ -101,7 +102,7 @@ def evaluate_fully(
         response: of that library.
         touches: held-out touches per point; in a condition a tenth as many, at least 600 of all points together, but
             never more.
-        noise: of the microphones, where the condition is not the noise.
+        microphone_noise: of the microphones, where the condition is not the noise.
         seed: of touches and of as-built sensors.
         progress: called with what is being done and the fraction done.
     """
@@ -113,19 +114,21 @@ def evaluate_fully(
     for number, (name, locator) in enumerate(locators.items()):
         stage = _stage(progress, name, number / len(locators), 1 / len(locators))
         stage("all touches", 0.0)
-        overall = localize.evaluate(locator, response, touches, noise, seed=seed)
-        outcomes = localize.evaluation.evaluate_conditions(locator, response, few, noise, seed, stage)
+        overall = localize.evaluate(locator, response, touches, microphone_noise, seed=seed)
+        outcomes = localize.evaluation.evaluate_conditions(locator, response, few, microphone_noise, seed, stage)
         stage("as-built sensors", 1.0)
-        outcomes += localize.evaluation.evaluate_sensors(locator, response, made, max(1, few // 5), noise, seed)
         outcomes += localize.evaluation.evaluate_sensors(
-            locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP
+            locator, response, made, max(1, few // 5), microphone_noise, seed
+        )
+        outcomes += localize.evaluation.evaluate_sensors(
+            locator, response, rigs, max(1, few // RIGS), microphone_noise, seed, RIG_GROUP
         )
         found.append(LocalizerResult(name, overall, tuple(outcomes)))
     return FullEvaluation(
         design=response.name,
         points=tuple(range(1, response.point_count + 1)),
         results=tuple(found),
-        created=datetime.now(UTC),
+        created=stated_time(),
         provenance={
             **versions(seed, ("numpy", "scipy", "torch", "onnxruntime")),
             "design": response.provenance["design"],

@@ -83,7 +83,7 @@ def evaluate_headlines(
     library: Library,
     response: ArrayResponse,
     touches: int,
-    noise: NoiseChoice,
+    microphone_noise: NoiseChoice,
     seed: int,
     progress: Progress,
 ) -> dict[str, Headline]:
@@ -95,7 +95,7 @@ def evaluate_headlines(
         response: of that library.
         touches: held-out touches per point; beside the headline so many that all points together have 600, if they
             may be as many.
-        noise: of the microphones.
+        microphone_noise: of the microphones.
         seed: of the touches.
         progress: called with what is being done and the fraction done.
     """
@@ -107,9 +107,9 @@ def evaluate_headlines(
     found = {}
     for number, (name, locator) in enumerate(locators.items()):
         progress(name, (1 + number) / (1 + len(locators)))
-        overall = evaluate(locator, response, touches, noise, seed=seed)
-        outcomes = evaluate_conditions(locator, response, few, noise, seed, wanted=wanted)
-        outcomes += evaluate_sensors(locator, response, made, max(1, few // SENSORS), noise, seed)
-        outcomes += evaluate_sensors(locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP)
+        overall = evaluate(locator, response, touches, microphone_noise, seed=seed)
+        outcomes = evaluate_conditions(locator, response, few, microphone_noise, seed, wanted=wanted)
+        outcomes += evaluate_sensors(locator, response, made, max(1, few // SENSORS), microphone_noise, seed)
+        outcomes += evaluate_sensors(locator, response, rigs, max(1, few // RIGS), microphone_noise, seed, RIG_GROUP)
         found[name] = Headline.of(overall, outcomes, SENSORS, unscattered)
     return found

@@ -20,7 +20,7 @@ from localize.signals.same_array import check_same_array, design_difference
 from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
 from studies.output.call_defaults import HELD_OUT_TOUCHES, SEED
 from studies.output.display import Display
-from studies.output.folders import check_folder
+from studies.output.folders import check_folder, claimed_folder
 
 if TYPE_CHECKING:
     from studies.evaluation.headline import Headline
@@ -35,7 +35,7 @@ def evaluate_localizer(
     out: str | os.PathLike[str] | None = None,
     *,
     touches: int = HELD_OUT_TOUCHES,
-    noise: NoiseChoice = "design",
+    microphone_noise: NoiseChoice = "design",
     seed: int = SEED,
     display: Display | None = None,
 ) -> dict[str, Headline]:
@@ -51,7 +51,7 @@ def evaluate_localizer(
         out: a folder for ``evaluation.json`` and ``evaluation.html``: with it, both are also judged under other noise,
             ambient sound, touches and lengths, and on as-built sensors.
         touches: held-out touches of every point.
-        noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        microphone_noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
         seed: of the touches.
         display: shows what is being done.
 
@@ -66,30 +66,33 @@ def evaluate_localizer(
     from studies.evaluation.evaluation_report import JSON_FILE, write_evaluation
     from studies.evaluation.headline import TOLERANT, Headline, evaluate_headlines
 
-    check_noise_choice(noise, "noise")
+    check_noise_choice(microphone_noise, "microphone_noise")
     folder = None if out is None else Path(out)
     if folder is not None:
         check_folder(folder, "evaluate", JSON_FILE, reads=(*files_of(model), *files_of(library)))
     found_model = opened(model)
     localizer, solved = found_model.locator, _library_of(found_model, model, library)
     response = response_of(solved)
-    evaluation.check_evaluation(localizer, response, touches, noise)
+    evaluation.check_evaluation(localizer, response, touches, microphone_noise)
     source = ", ".join(map(str, files_of(model if library is None else library))) or "library"
     check_same_array(localizer.array, response.array, source)
     difference = design_difference(localizer.array, response.array)
     if difference:
         warnings.warn(f"{source}: is of another design than the localizer: {difference}", stacklevel=2)
-    decoder = BayesDecoder(response, noise if isinstance(noise, str) else max(noise, LEAST_NOISE))
+    decoder = BayesDecoder(
+        response, microphone_noise if isinstance(microphone_noise, str) else max(microphone_noise, LEAST_NOISE)
+    )
     locators: dict[str, Locator] = {localizer.kind: localizer, "Bayes decoder": decoder}
     tolerant = tolerant_decoder(solved, decoder.microphone_noise)
     if tolerant is not None:
         locators[TOLERANT] = tolerant
     with (display or Display()).stage("Evaluation") as report:
         if folder is None:
-            return evaluate_headlines(locators, solved, response, touches, noise, seed, report)
-        found = evaluate_fully(locators, solved, response, touches, noise, seed, report)
-        report("report", 1.0)
-        write_evaluation(found, folder)
+            return evaluate_headlines(locators, solved, response, touches, microphone_noise, seed, report)
+        with claimed_folder(folder, "evaluate", JSON_FILE, reads=(*files_of(model), *files_of(library))):
+            found = evaluate_fully(locators, solved, response, touches, microphone_noise, seed, report)
+            report("report", 1.0)
+            write_evaluation(found, folder)
     return {each.name: Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.results}
 
 

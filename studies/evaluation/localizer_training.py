@@ -16,8 +16,7 @@ from localize.model.opened_model import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
 from studies.evaluation.training_files import TOUCHES, write_recognizer_files, write_training_files
 from studies.output.display import Display
-from studies.output.folders import check_folder
-from studies.output.sole_writer import sole_writer_of
+from studies.output.folders import check_folder, claimed_folder
 
 #: Where the state of a training is kept until it is done.
 _CHECKPOINT = "checkpoint.safetensors"
@@ -129,7 +128,10 @@ def _training(
     check_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings))
     loaded = open_library(library)
     response_of(loaded)  # refuses what cannot be trained on, before there is a folder
-    with sole_writer_of(folder, "train", Refusal), (display or Display()).stage(title) as report:
+    with (
+        claimed_folder(folder, "train", _CHECKPOINT, reads=(*files_of(library), recordings)),
+        (display or Display()).stage(title) as report,
+    ):
         _check_unfinished(folder)  # another process may have finished it in the meantime
         yield loaded, report
         (folder / _CHECKPOINT).unlink()

@@ -8,12 +8,13 @@ from pathlib import Path
 
 import studies
 from geometry import save_design
+from geometry.ground.file_checks import check_local
 from geometry.ground.refusal import Kind, Refusal, counted
 from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep, with_base_metrics
 from studies.output.call_defaults import BEST_DESIGNS
 from studies.output.display import Display
 from studies.output.folders import check_new_file
-from studies.sweep.store import is_sweep, open_sweep
+from studies.sweep.results import is_sweep, open_sweep
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +38,7 @@ def read_results(results: str | os.PathLike[str]) -> ResultTable:
     Raises:
         Refusal: it is neither, or holds no design that was computed.
     """
+    check_local(results, field="results")
     place = Path(results)
     if place.is_dir() and not is_sweep(place):
         return table_of_search(*studies.findings.read_search(place))

@@ -14,8 +14,7 @@ from studies.optimization.journal import JOURNAL, seal
 from studies.optimization.problem import Optimization, load_optimization
 from studies.optimization.search import OptimizationResult, search_designs, without
 from studies.output.display import Display
-from studies.output.folders import check_folder
-from studies.output.sole_writer import sole_writer_of
+from studies.output.folders import check_folder, claimed_folder
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +56,7 @@ def optimize(
     problem = study if isinstance(study, Optimization) else load_optimization(study)
     check_folder(folder, "search", JOURNAL)
     check_system_libraries()  # at the end of the search its best designs are drawn
-    with sole_writer_of(folder, "search", Refusal), writing(folder / JOURNAL):
+    with claimed_folder(folder, "search", JOURNAL), writing(folder / JOURNAL):
         with show.stage("Search", of=2) as report:
             result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)
         if not result.front:

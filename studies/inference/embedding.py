@@ -14,10 +14,10 @@ from localize.model.opened_model import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice
 from studies.output.call_defaults import PRECISION
-from studies.output.folders import check_folder, replaced_files
+from studies.output.folders import check_folder, claimed_folder, replaced_files
 
-#: By this file a folder is known as one of an earlier call.
-_MARK = "touch_decoder.h"
+#: List of the files of an earlier call, and a file by which a folder of one without it is known.
+_LIST, _MARK = "decoder-files.txt", "touch_decoder.h"
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +38,7 @@ def embed_decoder(
     *,
     precision: Precision = PRECISION,
     budget: str | None = None,
-    noise: NoiseChoice = "design",
+    microphone_noise: NoiseChoice = "design",
 ) -> EmbeddedFiles:
     """Write the decoder of a library, which needs no training, as C99 for the microcontroller on the sensor.
 
@@ -48,18 +48,21 @@ def embed_decoder(
         precision: of the large tables, ``float32`` or ``int16``.
         budget: what the microcontroller has for it, such as ``flash=512k,ram=16k,instructions=2.5M``; by default all
             that it takes.
-        noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        microphone_noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
 
     Raises:
         Refusal: over the budget, with the numbers; a file that cannot be read, a folder of others, or as
             :func:`localize.embedded.embed`.
     """
     folder = Path(out)
-    check_folder(folder, "embed", _MARK, reads=files_of(library))
+    check_folder(folder, "embed", _LIST, _MARK, reads=files_of(library))
     left = None if budget is None else Budget.stated(budget)
     response = response_of(open_library(library))
-    decoder = embed(response, precision, noise, left)
-    with replaced_files(folder) as fresh:
+    decoder = embed(response, precision, microphone_noise, left)
+    with (
+        claimed_folder(folder, "embed", _LIST, _MARK, reads=files_of(library)),
+        replaced_files(folder, _LIST) as fresh,
+    ):
         for name, text in decoder.files.items():
             write_text(fresh / name, text)
     return EmbeddedFiles(folder, decoder, response.array.assumptions)

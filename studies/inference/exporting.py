@@ -31,7 +31,7 @@ def export_decoder(
     model: ModelSource,
     out: str | os.PathLike[str],
     *,
-    noise: NoiseChoice = "design",
+    microphone_noise: NoiseChoice = "design",
     ambient: float | None = None,
 ) -> ExportedDecoder:
     """Write a localizer as one ONNX graph, from 250 samples of each microphone to the probability of each point.
@@ -40,7 +40,7 @@ def export_decoder(
         model: as of :func:`localize.open_model`: a trained localizer, or a library for the decoder of its sensor as it
             is.
         out: the file to write, such as ``localizer.onnx``; an earlier one is replaced.
-        noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        microphone_noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
         ambient: for a library: sound in the room up to this level, dB SPL; by default a quiet room.
 
     Raises:
@@ -48,7 +48,7 @@ def export_decoder(
     """
     path = Path(out)
     check_new_file(path, ".onnx", reads=files_of(model))
-    found = opened_as_designed(model, Decoding(noise=noise, ambient=ambient))
+    found = opened_as_designed(model, Decoding(microphone_noise=microphone_noise, ambient=ambient))
     if path.suffix.lower() != ".onnx":
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="out", value=str(path), allowed="a name that ends in .onnx")
     localize.export_onnx(found.locator, path)

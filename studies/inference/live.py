@@ -8,10 +8,12 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import TypeAlias
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_lines
@@ -22,10 +24,11 @@ from localize.live.recorder import LiveRecorder
 from localize.live.sound_device import DeviceSource
 from localize.live.sources import ReplaySource, Source
 from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
+from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.resampling import check_full_scale
 from studies.output.call_defaults import FULL_SCALE
-from studies.output.folders import check_new_file
+from studies.output.folders import check_new_file, claimed_file
 
 
 @dataclass(frozen=True)
@@ -33,25 +36,35 @@ class LiveInput:
     """Source of live samples."""
 
     device: int | str | None = None
-    """Sound card: its number, or a part of its name; by default that of the system."""
+    """Sound card: its number, a part of its name, or name and audio system (``USB array, WASAPI``); by default that of
+    the system."""
     replay: str | os.PathLike[str] | None = None
     """WAV file to play in real time instead of listening."""
     channels: Mapping[str, int] | None = None
     """Channel of each microphone, from 1; by default the first ones, in the order of the design."""
     full_scale: float = FULL_SCALE
     """Pressure at full scale of the sound card or file, Pa."""
+    rate: int | None = None
+    """Sample rate of the sound card, Hz; by default its own."""
 
     def __post_init__(self) -> None:
         if self.device is not None and self.replay is not None:
             problem = ("must not be given beside ", Field("replay"))
             raise Refusal(problem, kind=Kind.CONFLICT, field="device")
+        if self.rate is not None:
+            check_range("rate", self.rate, LOWEST_RATE, HIGHEST_RATE, "Hz", whole=True)
+            if self.replay is not None:
+                remedy = "a recording is played at its own rate"
+                raise Refusal(
+                    ("must not be given beside ", Field("replay")), kind=Kind.CONFLICT, field="rate", remedy=remedy
+                )
         check_full_scale(self.full_scale)
 
     def open(self, microphones: tuple[str, ...]) -> Source:
         """Source of the microphones of these names, not listened to yet."""
         if self.replay is not None:
             return ReplaySource(self.replay, microphones, self.full_scale, self.channels)
-        return DeviceSource(microphones, self.device, self.full_scale, self.channels)
+        return DeviceSource(microphones, self.device, self.full_scale, self.channels, rate=self.rate)
 
 
 class LiveSession:
@@ -124,7 +137,7 @@ def listen(
     *,
     record: str | os.PathLike[str] | None = None,
     decoding: Decoding | None = None,
-    radius: float | None = None,
+    contact_radius_mm: float | None = None,
     hear: Hear | None = None,
 ) -> LiveSummary:
     """Summary of touches that are named while they happen, until the source ends, ``hear`` says so, or Ctrl-C.
@@ -137,8 +150,8 @@ def listen(
         out: a file for a line of JSON for every frame, 16 ms apart, written as it comes; an earlier one is replaced.
         record: a new WAV file for what comes in, at the rate at which it does; readable even if the program is killed.
         decoding: how the model is opened, and what is reported beside the point; by default as it is.
-        radius: of a contact whose place on the surface is reported beside its point, and its gesture when its path has
-            ended, mm; needs a library. By default neither is.
+        contact_radius_mm: of a contact whose place on the surface is reported beside its point, and its gesture when
+            its path has ended, mm; needs a library. By default neither is.
         hear: called with every event.
 
     Raises:
@@ -151,20 +164,26 @@ def listen(
         source or LiveInput(),
     )
     beside = None if decoding is None else decoding.library
-    check_new_file(lines, ".jsonl", reads=(*files_of(model), heard_from.replay, *files_of(beside)))
-    check_new_file(kept, ".wav", kept="a recording", option="record")
+    check_lines = partial(
+        check_new_file, lines, ".jsonl", reads=(*files_of(model), heard_from.replay, *files_of(beside))
+    )
+    check_kept = partial(check_new_file, kept, ".wav", kept="a recording", option="record")
+    check_lines()
+    check_kept()
     if lines is not None and kept is not None and lines.resolve() == kept.resolve():
         problem = ("must be another file than ", Field("record"))
         raise Refusal(problem, kind=Kind.CONFLICT, field="out", value=str(lines))
     found = opened(model, decoding)
     samples = heard_from.open(found.locator.microphones)
     recorder = None
-    if kept is not None:
-        recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.full_scale)
-    listener = found.listen(samples, recorder, radius)
-    session = LiveSession(listener, found)
     counts, loud = _Counts(), LoudFrames()
     with ExitStack() as stack:
+        stack.enter_context(claimed_file(lines, check_lines))
+        stack.enter_context(claimed_file(kept, check_kept))
+        if kept is not None:
+            recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.full_scale)
+        listener = found.listen(samples, recorder, contact_radius_mm)
+        session = LiveSession(listener, found)
         stack.enter_context(_nothing_freed())
         # Lines are written as they come, and stand in the file whenever the program ends.
         write = None if lines is None else stack.enter_context(whole_lines(lines))

@@ -18,7 +18,7 @@ from localize.model.opened_model import Decoding, ModelSource, files_of, open_li
 from localize.recordings.recording import read_recording
 from localize.signals.array_response import response_of
 from studies.output.figure_style import WIDTH, figure_in_style, line_colours, save_figure
-from studies.output.folders import check_new_file, is_own_table
+from studies.output.folders import check_new_file, is_own_table, new_picture
 
 #: Columns of the waveform, at 1 kHz.
 COLUMNS = ("time (s)", "force (N)")
@@ -51,7 +51,7 @@ def read_pulse(
         library: of the array, with a design: a path, a library or an open model; its sensor is decoded as it is.
         recording: see :func:`localize.read_recording`; at least 3 s.
         out: a table of the waveform, ``.csv``; an earlier one of a pulse is replaced.
-        picture: of the waveform with its waves, ``.png``; an earlier one is replaced.
+        picture: of the waveform with its waves, ``.png`` by default; an earlier one is replaced.
         point: under which it is felt, from 1; by default that which is named.
         full_scale: as of :func:`studies.locate_recording`.
         decoding: noise and air of the place.
@@ -61,10 +61,10 @@ def read_pulse(
             short; a point that the array does not have.
     """
     given = decoding or Decoding()
-    table, drawn = (None if each is None else Path(each) for each in (out, picture))
+    table = None if out is None else Path(out)
     kept = None if table is None or is_own_table(table, COLUMNS) else "a table that does not come from pulse"
     check_new_file(table, ".csv", reads=(*files_of(library), recording), kept=kept)
-    check_new_file(drawn, ".png", reads=(*files_of(library), recording), option="picture")
+    drawn = new_picture(picture, reads=(*files_of(library), recording), option="picture")
     check_sound_there(recording)
     response = response_of(open_library(library, given.air))
     array = response.array
@@ -72,7 +72,7 @@ def read_pulse(
         problem = "is of no design; the force of a pulse needs its membranes"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")
     check_point(point, array.point_count)
-    reader = localize.PulseReader(response, given.noise)
+    reader = localize.PulseReader(response, given.microphone_noise)
     heard = read_recording(Path(recording), array.microphones, full_scale)
     reading = reader.read(heard.signals, point)
     if table is not None:

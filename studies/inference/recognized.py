@@ -90,7 +90,7 @@ def recognize_recording(
         raise Refusal(problem, kind=Kind.CONFLICT, field="speed", value=speed)
     check_point(point, array.point_count)
     heard = read_recording(Path(recording), recognizer.microphones, full_scale)
-    noise = None if given.noise == "design" else given.noise
+    noise = None if given.microphone_noise == "design" else given.microphone_noise
     filters = FilterBank(open_library(opened_library), recognizer, noise)
     found = []
     for each in filters.touches(heard.signals, point, speed, opened_library.locator):

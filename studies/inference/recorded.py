@@ -17,7 +17,7 @@ from localize.live.events import Decision
 from localize.model.located_touches import LocatedTouches as LocatedTouches
 from localize.model.opened_model import Decoding as Decoding, ModelSource, files_of, opened
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
-from studies.output.folders import check_new_file
+from studies.output.folders import check_new_file, new_picture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -46,7 +46,7 @@ def locate_recording(
         model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
         recording: see :func:`localize.read_recording`.
         out: a file for a line of JSON for every frame; an earlier one is replaced.
-        picture: of the signals and the touches, ``.png``; an earlier one is replaced.
+        picture: of the signals and the touches, ``.png`` by default; an earlier one is replaced.
         full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip, by
             default recognised by flat tops.
         decoding: how the model is opened, and what is reported beside the point; by default as it is.
@@ -57,10 +57,10 @@ def locate_recording(
     Raises:
         Refusal: a file that cannot be written or read, or options that do not go together.
     """
-    path, drawn = (None if each is None else Path(each) for each in (out, picture))
+    path = None if out is None else Path(out)
     reads = (*files_of(model), recording, *files_of(None if decoding is None else decoding.library))
     check_new_file(path, ".jsonl", reads=reads)
-    check_new_file(drawn, ".png", reads=reads, option="picture")
+    drawn = new_picture(picture, reads=reads, option="picture")
     check_sound_there(recording)
     found = opened(model, decoding)
     if found.decoding.waveform and path is None:

@@ -23,10 +23,10 @@ from localize.tracking.path import Track
 from localize.tracking.path_gestures import Gesture, gesture_of
 from localize.tracking.signal_track import tracks_of
 from studies.output.figure_style import figure_in_style, line_colours, save_figure
-from studies.output.folders import check_new_file, is_own_table
+from studies.output.folders import check_new_file, is_own_table, new_picture
 
 #: Columns of the table.
-COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "heard")
+COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "detected")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -48,7 +48,7 @@ def track_recording(
     out: str | os.PathLike[str] | None = None,
     *,
     picture: str | os.PathLike[str] | None = None,
-    radius: float = MOVING,
+    contact_radius_mm: float = MOVING,
     full_scale: float | None = None,
     decoding: Decoding | None = None,
     channels: Mapping[str, int] | None = None,
@@ -59,8 +59,8 @@ def track_recording(
         library: of the array, with a design: a path, a library or an open model.
         recording: see :func:`localize.read_recording`.
         out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
-        picture: of the paths on the array, ``.png``; an earlier one is replaced.
-        radius: of the contact, mm, 0.05 to 100.
+        picture: of the paths on the array, ``.png`` by default; an earlier one is replaced.
+        contact_radius_mm: of the contact, mm, 0.05 to 100.
         full_scale: as of :func:`studies.locate_recording`.
         decoding: how signals are read.
         channels: microphone -> channel of the recording, from 1; by default by their names or their order.
@@ -68,23 +68,23 @@ def track_recording(
     Raises:
         Refusal: a file that cannot be written or read, no library, or a radius out of range.
     """
-    table, drawn = (None if each is None else Path(each) for each in (out, picture))
+    table = None if out is None else Path(out)
     reads = (*files_of(library), recording)
     kept = None if table is None or is_own_table(table, COLUMNS) else "a table that does not come from track"
     check_new_file(table, ".csv", reads=reads, kept=kept)
-    check_new_file(drawn, ".png", reads=reads, option="picture")
+    drawn = new_picture(picture, reads=reads, option="picture")
     check_sound_there(recording)
     model = opened_as_designed(library, decoding)
-    tracker, array = model.tracker(radius), model.locator.array
-    heard = read_recording(Path(recording), array.microphones, full_scale, channels=channels)
-    tracks = tuple(tracks_of(model.stream(frames=True), tracker, heard.signals))
+    tracker, array = model.tracker(contact_radius_mm), model.locator.array
+    read = read_recording(Path(recording), array.microphones, full_scale, channels=channels)
+    tracks = tuple(tracks_of(model.stream(frames=True), tracker, read.signals))
     if table is not None:
         write_text(table, _rows(tracks))
     if drawn is not None:
         draw_paths(tracks, tracker.response, drawn)
     return TrackedRecording(
         array=array,
-        seconds=heard.seconds,
+        seconds=read.seconds,
         assumptions=model.assumptions,
         tracks=tracks,
         gestures=tuple(map(gesture_of, tracks)),
@@ -108,7 +108,7 @@ def _rows(tracks: tuple[Track, ...]) -> str:
 
 
 def draw_paths(tracks: tuple[Track, ...], response: ArrayResponse, path: str | os.PathLike[str]) -> Path:
-    """Picture of paths on the points of an array: where they are heard, and how sure they are.
+    """Picture of paths on the points of an array: where contacts are detected, with the uncertainty.
 
     Args:
         tracks: the paths.

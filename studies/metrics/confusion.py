@@ -27,6 +27,7 @@ from functools import reduce
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals.noise_model import NoiseSpectrum
@@ -60,8 +61,8 @@ class PredictedConfusion:
 
 def predict_confusion(
     transfer_function: ArrayLike,
-    frequency: ArrayLike,
-    noise: float | NoiseSpectrum | ArrayLike,
+    frequency: FrequencyLike,
+    microphone_noise: float | NoiseSpectrum | ArrayLike,
     *,
     listener: Listener = "network",
     assumed: ArrayLike | None = None,
@@ -73,7 +74,7 @@ def predict_confusion(
     Args:
         transfer_function: (n_design, n_point, n_microphone, n_freq) complex, Pa/Pa, of the sensors that are touched.
         frequency: (n_freq,) Hz, ascending, over 1 to 100 Hz.
-        noise: of every microphone: Pa rms over 0 to 500 Hz, white; a spectrum from
+        microphone_noise: of every microphone: Pa rms over 0 to 500 Hz, white; a spectrum from
             :mod:`localize.signals.noise_model`; or mean squares per hertz (n_design, 500), Pa^2.
         listener: "network" or "model".
         assumed: (n, n_point, n_microphone, n_freq) complex, Pa/Pa, that the listener goes by; by default those of each
@@ -86,13 +87,13 @@ def predict_confusion(
             band, an unknown listener, or noise that is not finite and above zero.
     """
     return predict_confusions(
-        transfer_function, frequency, [noise], listener=listener, assumed=assumed, touches=touches, seed=seed
+        transfer_function, frequency, [microphone_noise], listener=listener, assumed=assumed, touches=touches, seed=seed
     )[0]
 
 
 def predict_confusions(
     transfer_function: ArrayLike,
-    frequency: ArrayLike,
+    frequency: FrequencyLike,
     noises: Sequence[float | NoiseSpectrum | ArrayLike],
     *,
     listener: Listener = "network",
@@ -103,7 +104,7 @@ def predict_confusions(
     """Confusions under several noises, of the same touches, which are simulated once; arguments and errors as
     :func:`predict_confusion`.
     """
-    h, grid = np.asarray(transfer_function, np.complex128), np.asarray(frequency, np.float64)
+    h, grid = np.asarray(transfer_function, np.complex128), frequencies(frequency)
     _check(h, grid, touches)
     designs, points, microphones, _ = h.shape
     powers = [noise_of_filters(noise, designs, listener) for noise in noises]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from acoustic_fem.quantities.checks import in_range
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import point_axes
 from geometry.layout.placement import ArrayLayout
@@ -20,7 +20,7 @@ _SIDE = _CORNER + np.roll(_CORNER, -1, axis=0)
 _REACH = (_SIDE * _CORNER).sum(1)
 
 
-def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | None = None) -> float:
+def coverage(design: ArrayDesign, contact_radius_mm: float = FINGER, layout: ArrayLayout | None = None) -> float:
     """Share of an array's area in which the middle of a round contact may lie and it still touches a membrane.
 
     The area is the convex hull of all membranes, in plan; what lies between lines that are far apart counts, for
@@ -29,19 +29,19 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
 
     Args:
         design: the array.
-        radius: of the contact's area, mm, 0 to 1000.
+        contact_radius_mm: of the contact's area, mm, 0 to 1000.
         layout: where its parts lie, where it is known already.
 
     Raises:
         Refusal: a radius out of range.
     """
-    in_range("radius", radius, 0.0, 1000.0, "mm")
+    check_range("contact_radius_mm", contact_radius_mm, 0.0, 1000.0, "mm")
     place = point_axes(design) if layout is None else np.array([point.position for point in layout.points])
     kinds = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]
     own = np.array(kinds)[list(design.kind_of_point)]
     height, left, right = _hull(place, own, _LINES // 2 if _is_mirrored(place, own) else _LINES)
     # a row for each point: the long axis is the last one
-    x, y, reach = place[:, :1], place[:, 1:], own[:, None] + radius
+    x, y, reach = place[:, :1], place[:, 1:], own[:, None] + contact_radius_mm
     half = np.sqrt(np.maximum(reach**2 - (height - y) ** 2, 0.0))
     begin, end = x - half, x + half
     for ends in (begin, end):

@@ -56,9 +56,9 @@ def noise_of_filters(noise: float | NoiseSpectrum | ArrayLike, designs: int, lis
     power = np.atleast_2d(power)
     if power.shape[1] != NOISE_LINES or len(power) not in (1, designs):
         problem = f"has shape {power.shape}; it must be one value, ({NOISE_LINES},) or ({designs}, {NOISE_LINES})"
-        raise Refusal(problem, kind=Kind.WRONG_TYPE, field="noise")
+        raise Refusal(problem, kind=Kind.WRONG_TYPE, field="microphone_noise")
     if not np.all(np.isfinite(power)) or np.any(power < 0) or np.any(power.sum(axis=1) <= 0):
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="noise", allowed="finite and above 0")
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="microphone_noise", allowed="finite and above 0")
     return np.asarray(power @ _passed_noise(listener))
 
 

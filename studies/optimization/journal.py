@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from geometry.ground.file_checks import read_bytes
+from geometry.ground.file_checks import check_own_file, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind, said_by
+from geometry.ground.whole_files import temporary_folder
 from studies.study.differences import other_table
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
 
 if TYPE_CHECKING:
     import optuna
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 JOURNAL = "trials.journal"
 """Name of the file of the trials in the folder of an optimisation."""
 _SEAL = "trials.seal"
+_LOCK = f"{JOURNAL}.lock"  # Optuna's own; it waits without end for one that is a link to nothing
 _KIND = "search 2"
 _LARGEST = 2_000_000_000
 """Most bytes of a journal; a trial has about a thousand."""
@@ -45,11 +46,13 @@ class Seal:
 
 def journal_exists(out: Path) -> bool:
     """True if a folder holds trials."""
-    return os.path.isfile(out / JOURNAL)
+    return os.path.lexists(out / JOURNAL)
 
 
 def opened(out: Path, directions: Directions, identity: dict[str, Any], atlas: str) -> optuna.Study:
     """The trials of a folder, to be continued; a line that a kill left half written is cut off.
+
+    The caller holds the folder: :func:`studies.output.sole_writer.sole_writer_of`.
 
     Args:
         out: the folder; it must exist.
@@ -61,7 +64,9 @@ def opened(out: Path, directions: Directions, identity: dict[str, Any], atlas: s
         StudyError: the journal is damaged, or holds the trials of another problem or of another table.
     """
     path = out / JOURNAL
-    if path.is_file():
+    (out / _LOCK).unlink(missing_ok=True)  # of a search that was killed: nobody else writes here, as the caller sees to
+    if os.path.lexists(path):
+        check_own_file(path, "the journal of a search", StudyError)
         read_seal(out)
         whole = path.read_bytes().rfind(b"\n") + 1
         if whole < path.stat().st_size:
@@ -85,8 +90,8 @@ def read_only(out: Path, directions: Directions, identity: dict[str, Any]) -> It
     """The trials of a folder, which stays as it is; arguments and errors as for :func:`opened`."""
     read_seal(out)
     held = read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
-    with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / JOURNAL
+    with temporary_folder() as folder:
+        copy = folder / JOURNAL
         copy.write_bytes(held[: held.rfind(b"\n") + 1])
         search = _study(copy, directions)
         _check_owner(out / JOURNAL, search.user_attrs.get("problem"), identity)
@@ -119,7 +124,7 @@ def read_seal(out: Path) -> Seal:
 
 def _stated(out: Path) -> Seal:
     """The seal as it stands on disk."""
-    if not (out / _SEAL).is_file():
+    if not os.path.lexists(out / _SEAL):
         return Seal()
     length, digest, unprintable = json.loads(read_record(out / _SEAL, _KIND, JOURNAL, StudyError))
     return Seal(length, digest, dict(unprintable))
@@ -141,7 +146,9 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
             directions=directions,
             load_if_exists=True,
         )
-    except (ValueError, KeyError, TypeError, AttributeError) as error:  # lines of others, beyond what was sealed
+    except (OSError, MemoryError):
+        raise
+    except Exception as error:  # at lines of others, beyond what was sealed
         problem = f"is not the journal of a search: {type(error).__name__}: {said_by(error)}"
         raise StudyError(problem, kind=Kind.UNREADABLE, file=path) from None
 

@@ -18,3 +18,7 @@ PRECISION: Literal["float32"] = "float32"
 """Numbers of the tables of an exported decoder."""
 MANIFEST = "calibration.toml"
 """Manifest that a folder of calibration recordings must contain."""
+TOUCHES, SAMPLES_PER_SHARD = 4096, 4096
+"""Numbers of a data set: samples of every design, and of a shard."""
+DATASET_FORMAT: Literal["npz"] = "npz"
+"""Files of the shards of a data set."""

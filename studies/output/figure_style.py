@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.whole_files import whole_file
+from geometry.ground.whole_files import made_folder, whole_file
 from localize.signals.stimulus import BAND
+from studies.output.folders import as_picture, check_drawing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -44,6 +45,7 @@ _STYLE: dict[Any, Any] = {
 
 def crop_picture(path: Path, margin: int = 16) -> None:
     """Cut away the white around a picture but for ``margin`` pixels; a picture that is all white is left as it is."""
+    check_drawing()
     from matplotlib.image import imread, imsave
 
     pixels = imread(path)
@@ -75,12 +77,15 @@ def frequency_panels(rows: int) -> Iterator[tuple[Figure, list[list[Axes]]]]:
 @contextmanager
 def figure_in_style(size: tuple[float, float], **style: Any) -> Iterator[Figure]:
     """Empty figure of a size in inches, in the report's style; drawn without a display and forgotten afterwards."""
+    check_drawing()
     import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     settings: dict[Any, Any] = {**_STYLE, **style}
-    with mpl.rc_context(settings):
+    with mpl.rc_context():
+        mpl.rcdefaults()  # whatever a matplotlibrc says, such as that texts are set by LaTeX
+        mpl.rcParams.update(settings)
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)
         yield figure
@@ -96,9 +101,13 @@ def line_colours(count: int) -> NDArray[np.float64]:
 
 
 def save_figure(figure: Figure, path: str | os.PathLike[str]) -> Path:
-    """Write a figure as PNG and close it; missing folders are made. The path."""
-    path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    """Write a figure and close it, in the format of the path's suffix; missing folders are made. The path.
+
+    Raises:
+        Refusal: the suffix is not that of a format of pictures.
+    """
+    path = as_picture(path)
+    made_folder(path.parent)
     with whole_file(path) as beside:
         figure.savefig(beside, dpi=DPI)
     return path

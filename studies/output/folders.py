@@ -11,27 +11,33 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 import acoustic_fem
 from geometry.ground.extras import check_extras
-from geometry.ground.file_checks import read_bytes
-from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.file_checks import check_local, ordinary_file, read_bytes
+from geometry.ground.refusal import Field, Kind, Refusal, said_by
+from geometry.ground.stated_times import stopped_time
 from geometry.ground.text_files import LARGEST_TEXT, read_text
-from geometry.ground.whole_files import write_text
+from geometry.ground.whole_files import leftovers, write_text
+from studies.output.sole_writer import sole_writer_of, sole_writer_of_file
 
 #: Marks a folder as the result of a run, which a later run may replace.
 MARK = ".acoustic-fem-run"
 #: Lists what was put into a folder that may hold files of others too.
 FILES = "files.txt"
-#: What a run writes: the design first, the report last.
+#: What a run writes: the design first, the report and the list of all files last.
 DESIGN = "design.toml"
 RESULTS = ("library.nc", "parts", "localizer", "figures")
 REPORT = ("report.html", "results.json")
+MANIFEST = "MANIFEST.json"
 
+
+PICTURES = (".png", ".pdf", ".svg", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".eps", ".ps")
+"""Suffixes of the formats of pictures."""
 
 Files = Iterable[str | os.PathLike[str] | None]
 """Files and folders that a call reads; None for one that is not given."""
@@ -70,7 +76,7 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     known = dict.fromkeys(_digest(text) for text in (found, design.encode()) if text is not None)
     make_folder(folder, "run", MARK, known)
     same = found == design.encode()
-    for name in REPORT if same else (*REPORT, *RESULTS, DESIGN):
+    for name in (MANIFEST, *REPORT) if same else (MANIFEST, *REPORT, *RESULTS, DESIGN):
         _remove(folder / name)
     write_text(of_earlier, design)
     return folder
@@ -90,12 +96,13 @@ def check_new_file(
         option: name of the argument by which it was given.
 
     Raises:
-        Refusal: it is a folder, no ordinary file or one that is read, exists and is kept, or its own folder does not
-            exist or cannot be written to; or a picture, and nothing is installed that draws.
+        Refusal: it is the address of a store, a folder, no ordinary file or one that is read, exists and is kept, or
+            its own folder does not exist or cannot be written to; or a picture, and nothing is installed that draws.
     """
     if path is None:
         return
-    if path.suffix == ".png":
+    check_local(path, field=option)
+    if path.suffix.lower() in PICTURES:
         check_extras(f"what draws {path}", "plots")
     if path.is_dir():
         raise Refusal("must be a file, not a folder", kind=Kind.EXISTS, file=path, field=Field(option))
@@ -112,6 +119,63 @@ def check_new_file(
         problem = f"must lie in a folder that exists; there is no {path.parent}"
         raise Refusal(problem, kind=Kind.MISSING, file=path, field=Field(option))
     _check_writable(path, path.parent, option)
+
+
+def as_picture(path: str | os.PathLike[str], option: str = "out") -> Path:
+    """Path of the file of a picture: a name without a suffix gets ``.png``.
+
+    Args:
+        path: of the file.
+        option: name of the argument by which it was given.
+
+    Raises:
+        Refusal: its suffix is not that of a format of pictures.
+    """
+    path = Path(path)
+    if path.is_dir():
+        return path
+    if not path.suffix:
+        path = path.with_name(f"{path.name}.png")
+    if path.suffix.lower() not in PICTURES:
+        allowed = f"a picture, which ends in {', '.join(PICTURES[:-1])} or {PICTURES[-1]}"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field(option), allowed=allowed)
+    return path
+
+
+def new_picture(
+    path: str | os.PathLike[str] | None, *, reads: Files = (), option: str = "out", kept: str | None = None
+) -> Path | None:
+    """Path of a picture that can be drawn and written, as of :func:`as_picture`; None where none is asked for.
+
+    Arguments are those of :func:`check_new_file`.
+
+    Raises:
+        Refusal: as :func:`as_picture` and :func:`check_new_file`, or :func:`check_drawing`.
+    """
+    if path is None:
+        return None
+    drawn = as_picture(path, option)
+    check_new_file(drawn, drawn.suffix.lower(), reads=reads, option=option, kept=kept)
+    check_drawing()
+    return drawn
+
+
+def check_drawing() -> None:
+    """Refuse to draw where matplotlib does not start or write, because of what is around it.
+
+    Raises:
+        Refusal: ``MPLBACKEND`` or ``SOURCE_DATE_EPOCH`` has a wrong value, or a matplotlibrc cannot be read.
+    """
+    stopped_time()
+    for path in ("matplotlibrc", os.environ.get("MATPLOTLIBRC", "")):  # matplotlib would wait for a pipe without end
+        if os.path.exists(path) and not os.path.isdir(path) and path != os.devnull:
+            ordinary_file(path, "a matplotlibrc", Refusal, LARGEST_TEXT)
+    try:
+        import matplotlib as mpl  # noqa: F401
+    except ValueError as error:
+        field = "MPLBACKEND" if "backend" in str(error) else "matplotlibrc"
+        problem = f"keeps matplotlib from starting: {said_by(error)}"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field=field) from None
 
 
 def is_own_table(path: Path, columns: Sequence[str]) -> bool:
@@ -142,6 +206,7 @@ def check_new_library(path: Path, formats: Sequence[str], reads: Files = ()) -> 
     """
     from acoustic_fem.library.exchange import check_replaceable
 
+    check_local(path, field="out")
     if path.suffix.lower() not in formats and not path.is_dir():
         allowed = f"a library, {' or '.join(formats)}"
         raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field("out"), allowed=allowed)
@@ -160,9 +225,10 @@ def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files
         reads: files and folders that are read.
 
     Raises:
-        Refusal: it, or a folder on the way to it, is a file or cannot be written to; it holds a file that is read, or
-            anything that no such call made.
+        Refusal: it is the address of a store; it, or a folder on the way to it, is a file or cannot be written to; it
+            holds a file that is read, or anything that no such call made.
     """
+    check_local(path, field="out")
     place = next(folder for folder in (path, *path.absolute().parents) if folder.exists() or folder.is_symlink())
     if not place.is_dir():
         problem = f"must be a folder; {place} is a {'file' if place.exists() else 'link to nothing'}"
@@ -172,7 +238,7 @@ def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files
             problem = f"holds {read}, which is read"
             raise Refusal(problem, kind=Kind.CONFLICT, file=path, field=Field("out"), remedy="name another folder")
     is_own = maker is None or not path.is_dir() or any((path / mark).is_file() for mark in marks)
-    if not is_own and any(path.iterdir()):
+    if not is_own and set(path.iterdir()) - set(_unfinished(path, marks)):
         raise Refusal(
             f"holds files that no {maker} of this program made",
             kind=Kind.EXISTS,
@@ -181,6 +247,53 @@ def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files
             remedy=f"name a new or empty folder, or one of an earlier {maker}",
         )
     _check_writable(path, place, "out")
+
+
+def _unfinished(folder: Path, marks: Iterable[str]) -> Iterator[Path]:
+    """Files and folders of a call that was killed before it had written one of the marks, or while it wrote one."""
+    for mark in marks:
+        yield from leftovers(folder / mark)
+        if (fresh := _beside_list(folder, mark)).is_dir():
+            yield fresh
+
+
+@contextmanager
+def claimed_folder(path: Path, maker: str, *marks: str, reads: Files = ()) -> Iterator[None]:
+    """A folder to which nobody else writes while the block runs; arguments and errors as for :func:`check_folder`.
+
+    Files that a killed call left half written are removed.
+
+    Raises:
+        Refusal: as there, or another process is writing to it.
+    """
+    check_folder(path, maker, *marks, reads=reads)
+    with sole_writer_of(path, maker, Refusal):
+        check_folder(path, maker, *marks, reads=reads)
+        for left in list(_unfinished(path, marks)):
+            _remove(left)
+        yield
+
+
+@contextmanager
+def claimed_file(path: Path | None, check: Callable[[], None]) -> Iterator[None]:
+    """A file that nobody else writes while the block runs.
+
+    Args:
+        path: of the file; none is nothing to write.
+        check: refuses a file that must not be written, also one that another process has written in the meantime.
+
+    Raises:
+        Refusal: as ``check``, or another process is writing it.
+    """
+    check()
+    if path is None:
+        yield
+        return
+    with sole_writer_of_file(path, Refusal):
+        check()
+        for left in list(leftovers(path)):
+            _remove(left)
+        yield
 
 
 def make_folder(path: Path, maker: str, mark: str, notes: Iterable[str] = ()) -> None:
@@ -237,16 +350,20 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
 
 
 @contextmanager
-def replaced_files(folder: Path) -> Iterator[Path]:
+def replaced_files(folder: Path, list_name: str = FILES) -> Iterator[Path]:
     """Empty folder whose files move into ``folder`` when all went well, and are removed when not.
 
     Files of an earlier call are removed, so that no folder holds files of two designs; files of others stay. Both are
-    told apart by the list ``files.txt``: whenever a call is stopped, it names all that calls have put there.
+    told apart by a list: whenever a call is stopped, it names all that calls have put there.
+
+    Args:
+        folder: the folder.
+        list_name: name of the list, a text file in the folder; each command has its own.
 
     Raises:
         Refusal: the list contains a file that is not in the folder.
     """
-    fresh, listed = folder / ".files.new", folder / FILES
+    fresh, listed = _beside_list(folder, list_name), folder / list_name
     earlier = set(read_text(listed, "a list of files", Refusal).splitlines()) if listed.exists() else set()
     for name in sorted(earlier):
         if name in ("", ".", "..") or Path(name).name != name:
@@ -258,15 +375,20 @@ def replaced_files(folder: Path) -> Iterator[Path]:
     try:
         with _called_as_in(folder, fresh):
             yield fresh
-        names = {path.name for path in fresh.iterdir()} | {FILES}
+        names = {path.name for path in fresh.iterdir()} | {list_name}
         _write_list(listed, earlier | names)
-        for name in names - {FILES}:
+        for name in names - {list_name}:
             os.replace(fresh / name, folder / name)
         for name in earlier - names:
             (folder / name).unlink(missing_ok=True)
         _write_list(listed, names)
     finally:
         _remove(fresh)
+
+
+def _beside_list(folder: Path, list_name: str) -> Path:
+    """Folder in which files are made before they are put on a list; it is left there if the process is killed."""
+    return folder / f".{Path(list_name).stem}.new"
 
 
 @contextmanager

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 from geometry.assembly.model import array_model
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
+from geometry.ground.whole_files import temporary_folder
 from geometry.layout.overlaps import schematic_notes
 from geometry.layout.size import array_size
 from geometry.pictures.viewer import write_gltf
@@ -47,8 +46,8 @@ def model_of_array(design: ArrayDesign) -> dict[str, Any]:
         Refusal: a part cannot be built.
     """
     model = array_model(design)
-    with TemporaryDirectory() as folder:
-        content = write_gltf(model, Path(folder) / "array.glb").read_bytes()
+    with temporary_folder() as folder:
+        content = write_gltf(model, folder / "array.glb").read_bytes()
     return {
         "glb": content,
         "parts": [

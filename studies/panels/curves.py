@@ -8,11 +8,12 @@ from itertools import combinations
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
+from acoustic_fem.quantities.checks import FrequencyLike
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from localize.signals.stimulus import BAND
@@ -74,7 +75,7 @@ def curve_frequencies() -> NDArray[np.float64]:
     return np.geomspace(*BAND, FREQUENCY_COUNT)
 
 
-def quick_library(design: ArrayDesign, frequency: ArrayLike | str | None = None) -> tuple[Library, QuickFidelity]:
+def quick_library(design: ArrayDesign, frequency: FrequencyLike | None = None) -> tuple[Library, QuickFidelity]:
     """The library of a design and its fidelity: ``atlas`` in milliseconds if that covers the design, otherwise 3-D.
 
     Args:

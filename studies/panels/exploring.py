@@ -9,7 +9,6 @@ from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from shutil import make_archive
-from tempfile import TemporaryDirectory
 from time import monotonic
 from typing import Any
 
@@ -23,7 +22,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_toml
-from geometry.ground.whole_files import write_text
+from geometry.ground.whole_files import temporary_folder, write_text
 from studies.findings.page import design_of
 from studies.findings.result_table import Column, ResultTable, effect, fast_front, table_of_search, table_of_sweep
 from studies.findings.searching import optimize
@@ -32,12 +31,12 @@ from studies.optimization.problem import read_optimization
 from studies.optimization.search import found_so_far
 from studies.output.display import Report
 from studies.panels.cad_panel import CallbackDisplay
-from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import read_study
 from studies.sweep.progress import Progress
+from studies.sweep.results import open_sweep
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 
 #: Figures of merit of one study, as many as a search can weigh against each other.
 MOST_METRICS = 4
@@ -88,9 +87,9 @@ def study_file(
     }
     if not search:
         stated |= {"sampling": "sobol", "cases": designs}
-    stated |= {"metrics": list(metrics), "parameters": tomlkit.table()}
+    stated |= {"metrics": list(metrics), "vary": tomlkit.table()}
     for name, given in ranges.items():
-        stated["parameters"].add(tomlkit.key(name), _range(given))
+        stated["vary"].add(tomlkit.key(name), _range(given))
     if search:
         batch = min(64, max(designs // 4, 1))
         objectives = [{"metric": name} for name in metrics]
@@ -122,10 +121,10 @@ def _is_search(text: str) -> bool:
 
 def write_study(design: ArrayDesign, text: str, path: Path) -> None:
     """Write a study file and its base beside each other into one ZIP file, as ``sweep`` and ``optimize`` take them."""
-    with TemporaryDirectory() as folder:
-        write_text(Path(folder) / "study.toml", text)
-        write_text(Path(folder) / f"{design.name}.toml", write_design(design))
-        make_archive(str(path.with_suffix("")), "zip", folder)
+    with temporary_folder() as folder:
+        write_text(folder / "study.toml", text)
+        write_text(folder / f"{design.name}.toml", write_design(design))
+        make_archive(str(path.with_suffix("")), "zip", str(folder))
 
 
 def study_folder(design: ArrayDesign, text: str) -> Path:
@@ -183,7 +182,7 @@ def run_study(design: ArrayDesign, text: str, notify: Callable[[str], None] = la
         def progress(now: Progress) -> None:
             report(f"{now.done} of {now.total} {now.what}{f', {now.failed} failed' * bool(now.failed)}", 0.0)
 
-        objection = run_sweep(study, place / "results.zarr", progress=progress).objection
+        objection = run_sweep(study, place / "results.zarr", progress=progress).summary.objection
         if objection:
             raise Refusal(objection, kind=Kind.NO_RESULT)
     return study_so_far(design, text)

@@ -7,10 +7,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from acoustic_fem.quantities.checks import one_of
 from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from studies.panels.cad_panel import CallbackDisplay
 from studies.run.library_files import convert_library, solve_library
@@ -89,5 +89,5 @@ def make_export(
     """
     if name not in EXPORTS:
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="export", value=name, allowed=EXPORTS)
-    one_of("fidelity", fidelity, FIDELITIES)
+    check_choice("fidelity", fidelity, FIDELITIES)
     return str(EXPORTS[name].make(design, Path(folder), fidelity, CallbackDisplay(notify)))

@@ -26,7 +26,7 @@ def sound_cards() -> list[dict[str, Any]]:
     return [
         {
             "number": each.number,
-            "name": f"{each.name} ({each.host})",
+            "name": each.label,
             "channels": each.channels,
             "default": each.default,
         }

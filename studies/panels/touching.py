@@ -8,7 +8,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +18,7 @@ import localize
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.whole_files import temporary_folder
 from localize import Decision, gesture_of, read_recording, touches_of
 from localize.contacts import Contact
 from localize.contacts.contact import surface_of
@@ -149,13 +149,13 @@ def replay_recording(design: ArrayDesign, content: bytes, name: str, full_scale:
         Refusal: no WAV file, or none of the design's microphones, or one longer than :data:`LONGEST`.
     """
     decoder = decoder_of(design)
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9._-]', '_', Path(name).stem)[:60] or 'recording'}.wav"
+    with temporary_folder() as folder:
+        path = folder / f"{re.sub(r'[^A-Za-z0-9._-]', '_', Path(name).stem)[:60] or 'recording'}.wav"
         path.write_bytes(content)
         try:
             recording = read_recording(path, decoder.model.locator.microphones, full_scale)
         except Refusal as error:
-            raise without_folder(error, folder) from None
+            raise without_folder(error, str(folder)) from None
     if recording.seconds > LONGEST:
         problem = f"is {recording.seconds:.0f} s long; it must be at most {LONGEST:g} s"
         raise Refusal(problem, file=name, kind=Kind.UNSUITABLE)

@@ -26,6 +26,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras, is_installed
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.shown import Shown
 from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps, schematic_notes
@@ -41,7 +42,7 @@ from localize.signals.stimulus import BAND
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import worst_heard
 from studies.output.display import Display, Report
-from studies.output.folders import check_new_file, write_json
+from studies.output.folders import check_new_file, new_picture, write_json
 from studies.run.quality import DesignQuality, design_quality, draw_quality
 from studies.run.validity import Validity, model_validity
 
@@ -67,8 +68,8 @@ class KindUse:
     """Number of places of all lines that have it."""
 
 
-@dataclass(frozen=True)
-class DesignCheck:
+@dataclass(frozen=True, repr=False)
+class DesignCheck(Shown):
     """Findings on a design before it is solved: everything that ``acoustic-fem check`` says."""
 
     design: ArrayDesign
@@ -104,6 +105,19 @@ class DesignCheck:
     """Fidelity of the attenuation: the atlas, or 3-D and why."""
     quality: DesignQuality | None = None
     """How good it is; None where that was not asked, there is nothing to tell apart, or nothing to judge it with."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        quality = self.quality
+        return f"Check of {self.design.name}", {
+            "size": f"{self.size[0]:.4g} x {self.size[1]:.4g} x {self.size[2]:.4g} mm",
+            "points": self.design.point_count,
+            "coverage": f"{self.coverage:.0%}",
+            "cells": f"{len(self.cells)} distinct",
+            "predicted top-1 accuracy": "" if quality is None else f"{quality.nominal:.1%} on the nominal sensor",
+            "problems": f"{len(self.problems)}, the first: {self.problems[0]}" if self.problems else "none",
+            "fix": self.mend,
+        }
 
     @property
     def covered(self) -> str:
@@ -191,7 +205,7 @@ def check_design(
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
         out: a JSON file for all findings; an earlier one is replaced.
-        picture: a PNG file for the array in plan, each point coloured by its predicted accuracy.
+        picture: a file, ``.png`` by default, for the array in plan, each point coloured by its predicted accuracy.
         quality: whether to predict how good it is: :func:`studies.run.design_quality`; with a picture in any case.
         display: shows what is being done.
 
@@ -199,10 +213,10 @@ def check_design(
         Refusal: no such design, a part cannot be built, the membrane's proportions are outside what can be solved, a
             file cannot be written, or a picture is asked for of a design with one point or microphone.
     """
-    path, drawn = None if out is None else Path(out), None if picture is None else Path(picture)
+    path = None if out is None else Path(out)
     design = resolve_design(design)
     check_new_file(path, ".json")
-    check_new_file(drawn, ".png", option="picture")
+    drawn = new_picture(picture, option="picture")
     if drawn is not None:
         check_extras("what judges points", "train")
     judge = drawn is not None or (quality and is_installed("train"))

@@ -18,6 +18,7 @@ from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
+from studies.output.report_texts import percent
 from studies.run.run_result import RunResult
 
 #: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
@@ -60,7 +61,7 @@ def verdict(result: RunResult) -> str:
     lines = len(design.lines)
     found = (
         f"{counted(design.point_count, 'point')} on {counted(lines, 'line')} between "
-        f"{counted(len(design.microphones), 'microphone')}: the trained localizer assigns {_percent(network.top1)} of "
+        f"{counted(len(design.microphones), 'microphone')}: the trained localizer assigns {percent(network.top1)} of "
         f"held-out {network.signals} to the correct point."
     )
     if network.unscattered:
@@ -86,11 +87,11 @@ def accuracy_rows(result: RunResult) -> list[AccuracyRow]:
             if each is None:
                 found.append("not known")
             elif row < 0:
-                found.append(_percent(each.top1))
+                found.append(percent(each.top1))
             else:
                 outcome = each.outcomes[row]
-                worst = "" if outcome.worst is None else f" (worst sensor {_percent(outcome.worst)})"
-                found.append(_percent(outcome.top1) + worst)
+                worst = "" if outcome.worst is None else f" (worst sensor {percent(outcome.worst)})"
+                found.append(percent(outcome.top1) + worst)
         return tuple(found)
 
     names = (result.network.signals, *(name for name, _ in result.network.beside))
@@ -116,7 +117,7 @@ def confusion_sentence(result: RunResult) -> str:
         return f"The localizer missed none of {result.network.touches} held-out touches."
     named, share = _numbers(result, pair), pair[2]
     text = (
-        f"The localizer most often takes points {named[0]} and {named[1]} for each other: {_percent(share)} of their "
+        f"The localizer most often takes points {named[0]} and {named[1]} for each other: {percent(share)} of their "
         "touches. "
     )
     if named in result.separability.equally_hard:
@@ -145,7 +146,9 @@ def noise_sentence(result: RunResult) -> str:
 def training_sentence(result: RunResult) -> str:
     """Sentences on how long the localizer was trained, and whether the time ran out."""
     training, planned = result.training, result.training["plan"]
-    text = f"The localizer was trained on {counted(training['touches'], 'touch')} in {training['seconds']:.0f} s"
+    text = f"The localizer was trained on {counted(training['touches'], 'touch')}"
+    if training["seconds"]:  # 0 where the clock of files is stopped
+        text += f" in {training['seconds']:.0f} s"
     if not training["cut_short"]:
         return text + "."
     touches = planned["epochs"] * planned["seconds_per_point"] * result.design.point_count
@@ -203,8 +206,8 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
             f"{coverage(design, layout=result.layout):.0%}",
             f"of the area, where a contact of {FINGER:g} mm radius touches a membrane",
         ),
-        KeyFigure("localizer, top-1", _percent(network.top1), f"{network.touches} {network.signals}, {noise}"),
-        KeyFigure("localizer, top-2", _percent(network.top2), f"within one place: {_percent(network.within_one)}"),
+        KeyFigure("localizer, top-1", percent(network.top1), f"{network.touches} {network.signals}, {noise}"),
+        KeyFigure("localizer, top-2", percent(network.top2), f"within one place: {percent(network.within_one)}"),
         KeyFigure(
             "hardest pair",
             f"points {first} and {second}",
@@ -214,7 +217,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     ]
     pair = network.hardest_pair
     confused = "none" if pair is None else "points {} and {}".format(*_numbers(result, pair))
-    share = "" if pair is None else f"taken for each other in {_percent(pair[2])} of their touches"
+    share = "" if pair is None else f"taken for each other in {percent(pair[2])} of their touches"
     figures.append(KeyFigure("most confused by the localizer", confused, share))
     for frequency in (10.0, 100.0):
         weakest, point = worst_heard(h, frequency)
@@ -360,10 +363,6 @@ def _finite(finding: dict[str, Any]) -> dict[str, Any]:
     return {
         key: None if isinstance(value, float) and not math.isfinite(value) else value for key, value in finding.items()
     }
-
-
-def _percent(share: float) -> str:
-    return "100 %" if share == 1 else f"{100 * min(share, 0.9995):.1f} %"
 
 
 def _where(place_: tuple[int, str, float]) -> str:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-
-from numpy.typing import ArrayLike
 
 import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import FORMATS, load, write_library
+from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from geometry.design.design_file import DesignLike, resolve_design
@@ -17,7 +17,7 @@ from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import counted
 from geometry.ground.typed import PathLike
 from studies.output.display import Display
-from studies.output.folders import check_new_library
+from studies.output.folders import check_new_library, claimed_file
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 
 
@@ -26,7 +26,7 @@ def solve_library(
     out: PathLike,
     *,
     fidelity: str = ONE_DESIGN,
-    frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
+    frequency: FrequencyLike = LIBRARY_FREQUENCIES,
     air: LocalAir | None = None,
     display: Display | None = None,
 ) -> Library:
@@ -45,11 +45,12 @@ def solve_library(
     """
     checked_air(air)
     path, show, design = Path(out), display or Display(), resolve_design(design)
-    check_new_library(path, (".nc",))
+    check = partial(check_new_library, path, (".nc",))
+    check()
     if fidelity not in CLOSED_FORMS:
         check_extras("what solves in 3-D", "fem")
         check_system_libraries()
-    with show.stage("Cells") as report:
+    with claimed_file(path, check), show.stage("Cells") as report:
         library = acoustic_fem.solve(design, frequency, fidelity, air, report)
         write_library(library, path)
     for line in cell_lines(library):
@@ -68,9 +69,9 @@ def convert_library(library: PathLike, out: PathLike) -> Library:
         Refusal: a file that is not a library, or cannot be written.
     """
     path = Path(out)
-    check_new_library(path, FORMATS, reads=(library,))
-    loaded = load(Path(library))
-    write_library(loaded, path)
+    with claimed_file(path, partial(check_new_library, path, FORMATS, reads=(library,))):
+        loaded = load(Path(library))
+        write_library(loaded, path)
     return loaded
 
 
@@ -80,6 +81,8 @@ def cell_lines(library: Library) -> list[str]:
     for cell in library.provenance["cells"]:
         if "unknowns" not in cell:
             lines.append(f"{cell['cell']}: {cell['method']}")
+        elif "cached" not in cell:  # the clock of files is stopped
+            lines.append(f"{cell['cell']}: {counted(cell['unknowns'], 'unknown')}")
         elif cell["cached"]:
             lines.append(f"{cell['cell']}: from the cache ({counted(cell['unknowns'], 'unknown')})")
         else:

@@ -17,6 +17,7 @@ from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import FORMATS, ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Field
+from geometry.ground.stated_times import stopped_time
 from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
@@ -27,7 +28,7 @@ from geometry.printing.report_files import write_report
 from geometry.schema.field_errors import DesignError
 from geometry.schema.print_processes import PrintProcess, find_process, process_of
 from studies.output.display import Display, Report
-from studies.output.folders import FILES, check_folder, replaced_files
+from studies.output.folders import FILES, check_folder, claimed_folder, replaced_files
 
 #: Remedy where a design cannot be built.
 ALL_THE_SAME = (Field("allow_overlaps"), " draws it all the same")
@@ -80,6 +81,7 @@ def export_parts(
             folder's list of files contains a file that is not its own.
         OSError: the folder cannot be written.
     """
+    stopped_time()
     check_system_libraries()
     folder, design = Path(out), resolve_design(design)
     named = None if process is None or isinstance(process, PrintProcess) else process
@@ -88,7 +90,11 @@ def export_parts(
     layout = lay_out(design)
     if not allow_overlaps:
         refuse_unbuildable(design, layout, ALL_THE_SAME)
-    with (display or Display()).stage("Parts") as report, replaced_files(folder) as fresh:
+    with (
+        claimed_folder(folder, "parts", FILES, reads=(named,)),
+        (display or Display()).stage("Parts") as report,
+        replaced_files(folder) as fresh,
+    ):
         report("drawing the parts", 0.0)
         model = array_model(design, layout=layout)
         report("fit", 0.05)

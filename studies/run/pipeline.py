@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import replace
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 import acoustic_fem
 import geometry
@@ -17,7 +15,7 @@ import localize
 from acoustic_fem import Library
 from acoustic_fem.library.exchange import write_library
 from acoustic_fem.numerics.disk_cache import CacheWarning
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry import export, print_report
 from geometry.assembly.model import ArrayModel, put_together
@@ -27,6 +25,7 @@ from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.formats.part_files import ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.stated_times import stated_seconds, stated_time, stopped_time
 from geometry.ground.typed import Array, PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
@@ -44,8 +43,9 @@ from studies.metrics.separation import Separability, separability
 from studies.output import response_figures as draw
 from studies.output.display import Display, Report
 from studies.output.figure_style import crop_picture
-from studies.output.folders import claim_folder, replaced_folder
+from studies.output.folders import DESIGN, MARK, REPORT, RESULTS, claim_folder, claimed_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES
+from studies.run.file_list import write_file_list
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
@@ -75,14 +75,15 @@ def run_design(
     *,
     display: Display | None = None,
     fidelity: str = ONE_DESIGN,
-    frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
+    frequency: FrequencyLike = LIBRARY_FREQUENCIES,
     plan: TrainingPlan | None = None,
     allow_overlaps: bool = False,
 ) -> RunResult:
     """Result of the whole chain for one design, written into a folder with ``report.html``.
 
     Cells come from the disk cache where an earlier run solved them. Files are written beside, then renamed, so
-    that a run that is killed leaves no half of one; ``report.html`` and ``results.json`` come last.
+    that a run that is killed leaves no half of one; ``report.html``, ``results.json`` and the list of all files,
+    ``MANIFEST.json``, come last. With ``SOURCE_DATE_EPOCH`` set, runs of one design on one machine write equal bytes.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype; it must have at least two points.
@@ -100,14 +101,29 @@ def run_design(
         OSError: the folder cannot be written.
     """
     show, design = display or Display(), _with_points(design)
+    stopped_time()
     check_system_libraries()
     layout = lay_out(design)
     if not allow_overlaps:
         refuse_unbuildable(design, layout, ALL_THE_SAME)
     notes = buildability_notes(design, layout)
-    folder = claim_folder(out, write_design(design.completed()))
-    plan = plan or training_plan(design.point_count)
     grid = frequency_grid(frequency)
+    with claimed_folder(Path(out), "run", MARK):
+        return _run(design, layout, Path(out), show, fidelity, grid, plan or training_plan(design.point_count), notes)
+
+
+def _run(
+    design: ArrayDesign,
+    layout: ArrayLayout,
+    out: Path,
+    show: Display,
+    fidelity: str,
+    grid: Array,
+    plan: TrainingPlan,
+    notes: tuple[str, ...],
+) -> RunResult:
+    """The chain for a design that can be built, into a folder that is nobody else's."""
+    folder = claim_folder(out, write_design(design.completed()))
 
     with show.stage("Parts", of=_STAGES) as report:
         model, files, printing, figures = _make_parts(design, layout, folder, report)
@@ -124,7 +140,7 @@ def run_design(
     result = RunResult(
         design=design,
         folder=folder,
-        created=datetime.now(UTC),
+        created=stated_time(),
         library=library,
         lumped=lumped,
         disagreement=difference,
@@ -142,10 +158,11 @@ def run_design(
         validity=model_validity(design, library.medium, worst_heard(library.transfer_function, BAND[1])[0]),
         warnings=limits,
         figures=figures,
-        seconds=show.seconds,
+        seconds={stage: stated_seconds(seconds) for stage, seconds in show.seconds.items()},
     )
     write_results(result, folder / "results.json")
     write_report(result, folder / "report.html")
+    write_file_list(folder, (MARK, DESIGN, *RESULTS, *REPORT))
     return result
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -19,6 +19,7 @@ from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import cutting_list
 from localize.signals.stimulus import BAND
 from studies.output.display import number
+from studies.output.report_texts import record_rows
 from studies.run.check import cell_uses
 from studies.run.findings import (
     SENSITIVITY_AT,
@@ -147,17 +148,6 @@ def _assumptions(result: RunResult) -> list[str]:
     ]
 
 
-def _rows(name: str, value: object) -> Iterator[tuple[str, str]]:
-    """Rows of a nested record, each a dotted name with its value."""
-    if isinstance(value, Mapping):
-        for key, part in value.items():
-            yield from _rows(f"{name}.{key}", part)
-    elif isinstance(value, (list, tuple)):
-        yield name, ", ".join(map(str, value))
-    else:
-        yield name, "" if value is None else str(value)
-
-
 def _provenance(result: RunResult) -> list[tuple[str, str]]:
     library = result.library
     own = {key: value for key, value in library.provenance.items() if key != "cells"}
@@ -173,8 +163,8 @@ def _provenance(result: RunResult) -> list[tuple[str, str]]:
             f"{medium.density:.4f} kg/m³, viscosity {medium.viscosity:.4g} Pa s, "
             f"sound speed {medium.sound_speed:.1f} m/s",
         ),
-        *_rows("library", own),
-        *_rows("localizer", result.localizer_provenance["localizer"]),
-        *_rows("training", result.training["plan"]),
+        *record_rows("library", own),
+        *record_rows("localizer", result.localizer_provenance["localizer"]),
+        *record_rows("training", result.training["plan"]),
         ("seconds", ", ".join(f"{name} {seconds:.1f}" for name, seconds in result.seconds.items())),
     ]

@@ -11,10 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.whole_files import whole_file
 from geometry.plan.wiring_graph import WiringCounts, wiring_counts
-from studies.output.figure_style import WIDTH, figure_in_style
-from studies.output.folders import check_new_file
+from studies.output.figure_style import WIDTH, figure_in_style, save_figure
+from studies.output.folders import new_picture
 
 MOST_MICROPHONES, MOST_POINTS = 16, 1000
 
@@ -47,14 +46,13 @@ def wiring_table(
     Args:
         microphones: M, 2 to 16.
         points_per_line: N, 1 to 1000.
-        out: a PNG file for the picture of :func:`draw_wirings`.
+        out: a file for the picture of :func:`draw_wirings`; a name without a suffix gets ``.png``.
 
     Raises:
         Refusal: a number out of range, or a file that cannot be written.
     """
-    path = None if out is None else Path(out)
     found = wirings(microphones, points_per_line)
-    check_new_file(path, ".png")
+    path = new_picture(out)
     if path is not None:
         draw_wirings(path, microphones, points_per_line)
     return found
@@ -64,7 +62,7 @@ def draw_wirings(path: str | os.PathLike[str], microphones: int, points_per_line
     """Picture of points, and points per transducer relative to the two usual wirings, over the number of microphones.
 
     Args:
-        path: of the PNG.
+        path: of the picture; a name without a suffix gets ``.png``.
         microphones: M, the largest number drawn, at least 2.
         points_per_line: N.
 
@@ -75,7 +73,6 @@ def draw_wirings(path: str | os.PathLike[str], microphones: int, points_per_line
 
     counts = [wirings(count, points_per_line) for count in range(2, microphones + 1)]
     number = np.arange(2, microphones + 1)
-    path = Path(path)
     with figure_in_style((WIDTH, 3.4)) as figure:
         left, right = figure.subplots(1, 2)
         chain, full = (np.array([every[end].points for every in counts]) for end in (0, -1))
@@ -94,6 +91,4 @@ def draw_wirings(path: str | os.PathLike[str], microphones: int, points_per_line
             axes.set_xlabel("microphones M")
             axes.xaxis.set_major_locator(MaxNLocator(integer=True))
             axes.legend(fontsize=8)
-        with whole_file(path) as beside:
-            figure.savefig(beside, dpi=130)
-    return path
+        return save_figure(figure, path)

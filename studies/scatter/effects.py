@@ -20,11 +20,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from acoustic_fem.atlas.fidelity_choice import QuickFidelity
 from acoustic_fem.membrane.disc import KnownDiscs
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
@@ -121,7 +121,7 @@ class ToleranceResult:
 
 def scatter_effects(
     design: ArrayDesign,
-    frequency: ArrayLike | str,
+    frequency: FrequencyLike,
     *,
     samples: int = 256,
     base_samples: int = 128,
@@ -199,7 +199,7 @@ def scatter_effects(
 
 def scattered_accuracy(
     design: DesignLike,
-    frequency: ArrayLike | str,
+    frequency: FrequencyLike,
     *,
     sensors: int,
     tolerances: Sequence[Tolerance] = TOLERANCES,
@@ -235,7 +235,7 @@ def scattered_accuracy(
 
 
 def quick_scattered_accuracy(
-    design: DesignLike, frequency: ArrayLike | str, *, sensors: int
+    design: DesignLike, frequency: FrequencyLike, *, sensors: int
 ) -> tuple[Array, QuickFidelity]:
     """:func:`scattered_accuracy` at the fidelity of a quick answer, and which that is.
 

@@ -15,22 +15,23 @@ from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.atlas.fidelity_choice import QuickFidelity
 from acoustic_fem.library.provenance import versions
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, read_completed, write_design
-from geometry.ground.file_checks import read_bytes
+from geometry.ground.file_checks import check_local, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import writing
 from studies.output.folders import check_folder
+from studies.output.sole_writer import sole_writer_of_file
 from studies.output.zarr_files import METADATA, Layout, Variable, ZarrFiles
 
 #: Attribute of the Zarr store that marks it, and the layout of the store that it states.
@@ -50,7 +51,7 @@ def write_perturbed_library(
     path: str | os.PathLike[str],
     design: DesignLike,
     count: int,
-    frequency: ArrayLike | str,
+    frequency: FrequencyLike,
     *,
     tolerances: Sequence[Tolerance] = TOLERANCES,
     seed: int = 0,
@@ -91,20 +92,22 @@ def write_perturbed_library(
     fidelity = as_built_fidelity(scattered, grid, air)
     sensors = AsBuiltSensors(scattered, grid, air, fidelity.name)
     target.parent.mkdir(parents=True, exist_ok=True)
-    beside = target.with_name(f".{target.name}.{os.getpid()}.new")
-    try:
-        with writing(target):
-            layout = _layout(scattered, count, grid, seed, fidelity)
-            files = ZarrFiles(beside, layout)
-            for first in range(0, count, BLOCK):
-                report("sensors", first / count)
-                h = sensors.transfer_functions(scattered.draws(first, min(BLOCK, count - first), seed))
-                files.put(first, dict(zip(_PARTS, (h.real, h.imag), strict=True)))
-            sums = json.dumps(files.sums)
-            write_record(beside / _MANIFEST, _KIND, _MANIFEST, f"{sums}\n".encode() + layout.packed())
-            os.rename(beside, target)
-    finally:
-        shutil.rmtree(beside, ignore_errors=True)
+    with sole_writer_of_file(target, Refusal):
+        beside = target.with_name(f".{target.name}.new")
+        shutil.rmtree(beside, ignore_errors=True)  # of a process that was killed
+        try:
+            with writing(target):
+                layout = _layout(scattered, count, grid, seed, fidelity)
+                files = ZarrFiles(beside, layout)
+                for first in range(0, count, BLOCK):
+                    report("sensors", first / count)
+                    h = sensors.transfer_functions(scattered.draws(first, min(BLOCK, count - first), seed))
+                    files.put(first, dict(zip(_PARTS, (h.real, h.imag), strict=True)))
+                sums = json.dumps(files.sums)
+                write_record(beside / _MANIFEST, _KIND, _MANIFEST, f"{sums}\n".encode() + layout.packed())
+                os.rename(beside, target)
+        finally:
+            shutil.rmtree(beside, ignore_errors=True)
     return PerturbedLibrary(target)
 
 
@@ -144,6 +147,7 @@ class PerturbedLibrary:
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
+        check_local(path)
         self.path = Path(path)
         if not (self.path / _MANIFEST).exists():
             raise Refusal(

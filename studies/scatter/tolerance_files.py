@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from geometry.ground.whole_files import made_folder
 from localize.signals.stimulus import BAND
 from studies.output.figure_style import WIDTH, figure_in_style as new_figure, save_figure
 from studies.output.folders import write_json
@@ -16,7 +17,7 @@ SUMMARY = "tolerance.json"
 
 def save_tolerance(result: ToleranceResult, folder: Path) -> tuple[Path, ...]:
     """Write tolerance.json and tolerance.png into a folder; their paths."""
-    folder.mkdir(parents=True, exist_ok=True)
+    made_folder(folder)
     summary = folder / SUMMARY
     write_json(summary, result.summary())
     return summary, draw_tolerance(result, folder / "tolerance.png")

@@ -8,9 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from numpy.typing import ArrayLike
-
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
@@ -19,7 +17,7 @@ from geometry.ground.typed import PathLike
 from localize.signals.noise_model import NoiseChoice
 from studies.output.call_defaults import BASE_SAMPLES, SEED, SENSORS, STORED_SENSORS
 from studies.output.display import Display
-from studies.output.folders import check_folder
+from studies.output.folders import check_folder, claimed_folder
 from studies.output.frequencies import FREQUENCIES
 from studies.scatter.effects import ToleranceResult, scatter_effects
 from studies.scatter.perturbed_library import MOST_SENSORS, write_perturbed_library
@@ -51,7 +49,7 @@ def tolerance_study(
     tolerances: PathLike | Sequence[Tolerance] | None = None,
     microphone_noise: NoiseChoice = "design",
     seed: int = SEED,
-    frequency: ArrayLike | str = FREQUENCIES,
+    frequency: FrequencyLike = FREQUENCIES,
     display: Display | None = None,
 ) -> ToleranceStudy:
     """Spread of transfer functions and accuracy by manufacturing scatter, and which tolerance matters most.
@@ -88,20 +86,23 @@ def tolerance_study(
     store = folder / _LIBRARY
     if library_size and store.exists():
         raise Refusal("exists, and a library is never overwritten", kind=Kind.EXISTS, file=store, field=Field("out"))
-    with show.stage("Scatter", of=2 if library_size else 1) as report:
-        result = scatter_effects(
-            design,
-            grid,
-            samples=samples,
-            base_samples=base_samples,
-            tolerances=scatter,
-            microphone_noise=microphone_noise,
-            seed=seed,
-            progress=report,
-        )
-    files = save_tolerance(result, folder)
-    if library_size:
-        with show.stage("Library", of=2) as report:
-            write_perturbed_library(store, design, library_size, grid, tolerances=scatter, seed=seed, progress=report)
-        files = (*files, store)
-    return ToleranceStudy(design, result, files)
+    with claimed_folder(folder, "tolerance", SUMMARY, reads=(workshop,)):
+        with show.stage("Scatter", of=2 if library_size else 1) as report:
+            result = scatter_effects(
+                design,
+                grid,
+                samples=samples,
+                base_samples=base_samples,
+                tolerances=scatter,
+                microphone_noise=microphone_noise,
+                seed=seed,
+                progress=report,
+            )
+        files = save_tolerance(result, folder)
+        if library_size:
+            with show.stage("Library", of=2) as report:
+                write_perturbed_library(
+                    store, design, library_size, grid, tolerances=scatter, seed=seed, progress=report
+                )
+            files = (*files, store)
+        return ToleranceStudy(design, result, files)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import traceback
 from collections.abc import Awaitable
 from importlib import resources
@@ -23,7 +24,7 @@ from studies.panels.curves import CURVES
 from studies.panels.exploring import MOST_DESIGNS, MOST_METRICS, metric_words
 from studies.panels.export_files import EXPORTS
 from studies.panels.points import figure_words
-from studies.studio.guard import Guard, Guarded
+from studies.studio.guard import SECRET, Guard, Guarded
 from studies.studio.messages import MessageError, packed_signals, read_message, written
 from studies.studio.sessions import Sessions
 from studies.studio.stage import MISTAKE
@@ -31,6 +32,12 @@ from studies.studio.workplace import Workplace
 
 #: Largest design file, recording and recognizer that are taken, and largest message of a page, bytes.
 MOST_UPLOAD, MOST_RECORDING, MOST_RECOGNIZER, MOST_MESSAGE = 256 * 1024, 32 * 1024**2, 16 * 1024**2, 1024**2
+#: Seconds within which a page proves itself over its websocket, and within which a part of an upload follows another.
+PROOF_WITHIN, PART_WITHIN = 5.0, 10.0
+#: Websockets that may wait for that proof; beyond, the one that has waited longest is closed.
+MOST_UNPROVEN = 16
+#: Where the secret is put into the page for a browser that has just used the code.
+_PLACE = b'<meta charset="utf-8">'
 #: Files of the page by their addresses, with what they are.
 _PAGE = {
     "/": ("index.html", "text/html; charset=utf-8"),
@@ -48,6 +55,7 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         workplace: where jobs are done; whoever made it closes it.
     """
     sessions = Sessions(design, workplace)
+    unproven: list[asyncio.Timeout] = []
 
     async def model(request: Request) -> Response:
         content = workplace.model_file(request.path_params["key"])
@@ -63,9 +71,9 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         return FileResponse(path, filename=name)
 
     async def upload(request: Request) -> Response:
-        content = await _body(request, MOST_UPLOAD)
-        if content is None:
-            return _refused(f"the file must be at most {MOST_UPLOAD // 1024} kB", 413)
+        content = await _body(request, MOST_UPLOAD, f"the file must be at most {MOST_UPLOAD // 1024} kB")
+        if isinstance(content, Response):
+            return content
         name = request.query_params.get("name", "design.toml")[:100]
         try:
             text = content.decode("utf-8")
@@ -78,9 +86,9 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         found = sessions.find(request.query_params.get("session"))
         if found is None:
             return _refused("there is no such session", 404)
-        content = await _body(request, MOST_RECORDING)
-        if content is None:
-            return _refused(f"the recording must be at most {MOST_RECORDING // 1024**2} MB", 413)
+        content = await _body(request, MOST_RECORDING, f"the recording must be at most {MOST_RECORDING // 1024**2} MB")
+        if isinstance(content, Response):
+            return content
         name, scale = (
             request.query_params.get("name", "recording.wav")[:100],
             request.query_params.get("full_scale", "1"),
@@ -102,9 +110,11 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         found = sessions.find(request.query_params.get("session"))
         if found is None:
             return _refused("there is no such session", 404)
-        content = await _body(request, MOST_RECOGNIZER)
-        if content is None:
-            return _refused(f"the recognizer must be at most {MOST_RECOGNIZER // 1024**2} MB", 413)
+        content = await _body(
+            request, MOST_RECOGNIZER, f"the recognizer must be at most {MOST_RECOGNIZER // 1024**2} MB"
+        )
+        if isinstance(content, Response):
+            return content
         about = await _handed_in(workplace.recognizer(content))
         if isinstance(about, Response):
             return about
@@ -112,7 +122,7 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         return JSONResponse(about)
 
     async def session(socket: WebSocket) -> None:
-        await _hold(socket, sessions)
+        await _hold(socket, sessions, guard, unproven)
 
     pages = [Route(address, _page(*what), methods=["GET"]) for address, what in _PAGE.items()]
     app = Starlette(
@@ -129,14 +139,19 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
     return Guarded(app, guard)
 
 
-async def _body(request: Request, most: int) -> bytes | None:
-    """Content that is handed in; None as soon as it is more than ``most`` bytes."""
-    content = bytearray()
-    async for chunk in request.stream():
-        content += chunk
+async def _body(request: Request, most: int, too_long: str) -> bytes | Response:
+    """Content that is handed in, or a refusal as soon as it is more than ``most`` bytes or does not go on."""
+    content, parts = bytearray(), request.stream()
+    while True:
+        try:
+            async with asyncio.timeout(PART_WITHIN):
+                content += await anext(parts)
+        except StopAsyncIteration:
+            return bytes(content)
+        except TimeoutError:
+            return _refused(f"the upload did not go on for {PART_WITHIN:g} s", 408)
         if len(content) > most:
-            return None
-    return bytes(content)
+            return _refused(too_long, 413)
 
 
 async def _handed_in(work: Awaitable[Any]) -> Any:
@@ -160,14 +175,41 @@ def _page(name: str, kind: str) -> Any:
     content = (resources.files(here) / "static" / name).read_bytes()
 
     async def answer(request: Request) -> Response:
-        return Response(content, headers={"content-type": kind})
+        secret = request.scope.get(SECRET)
+        shown = content
+        if secret is not None:
+            shown = content.replace(_PLACE, _PLACE + f'\n<meta name="secret" content="{secret}">'.encode(), 1)
+        return Response(shown, headers={"content-type": kind})
 
     return answer
 
 
-async def _hold(socket: WebSocket, sessions: Sessions) -> None:
+async def _first_message(socket: WebSocket, guard: Guard, unproven: list[asyncio.Timeout]) -> dict[str, Any] | None:
+    """The first message of a page, which holds its secret; None if it does not come soon or the secret is wrong."""
+    try:
+        async with asyncio.timeout(PROOF_WITHIN) as waits:
+            unproven.append(waits)
+            if len(unproven) > MOST_UNPROVEN:
+                unproven[0].reschedule(0.0)
+            try:
+                message = read_message(await _text(socket))
+            finally:
+                unproven.remove(waits)
+    except (TimeoutError, MessageError):
+        return None
+    return message if guard.is_page(socket.headers, message.get("secret")) else None
+
+
+async def _hold(socket: WebSocket, sessions: Sessions, guard: Guard, unproven: list[asyncio.Timeout]) -> None:
     """One page from its first message to its last."""
     await socket.accept()
+    try:
+        first = await _first_message(socket, guard, unproven)
+    except WebSocketDisconnect:
+        return
+    if first is None:
+        await socket.close(1008, "the first message must hold the secret of the page")
+        return
 
     async def send(message: str | bytes) -> None:
         try:
@@ -182,7 +224,8 @@ async def _hold(socket: WebSocket, sessions: Sessions) -> None:
     try:
         while True:
             try:
-                message = read_message(await _text(socket))
+                message = read_message(await _text(socket)) if first is None else first
+                first = None
                 if message.get("do") == "ping":
                     await send('{"type":"pong"}')
                 elif session is None:

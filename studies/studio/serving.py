@@ -1,7 +1,8 @@
-"""The studio from the command line: a socket on this machine, the address with the token, the browser."""
+"""The studio from the command line: a socket on this machine, the address with its code, the browser."""
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import socket
@@ -19,8 +20,8 @@ from geometry.ground.refusal import Field, Kind, Refusal
 
 #: Port that is taken where it is free, and how many after it are tried.
 USUAL_PORT, _PORTS = 8765, 20
-#: Least length of a token that a user chooses, characters.
-LEAST_TOKEN = 16
+#: Connections that are taken in one step, so that there are files left to close those that are too many.
+_BACKLOG = 32
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
@@ -33,7 +34,6 @@ def serve_studio(
     *,
     port: int | None = None,
     host: str = "127.0.0.1",
-    token: str | None = None,
     browser: bool = True,
     notify: Callable[[str], None] = _post,
 ) -> None:
@@ -42,33 +42,39 @@ def serve_studio(
     Args:
         design: that a page begins with: a design, the path of its file, or the name of a prototype.
         port: to listen at, 0 to 65535, 0 for any; by default 8765, or the next one that is free.
-        host: address to listen at; any but that of this machine's loopback needs a ``token``.
-        token: that the address of the page holds, at least 16 characters; by default one that nobody can guess.
+        host: address of this machine to listen at; other machines reach any but those of its loopback.
         browser: open the page in the browser of the user.
-        notify: called with the lines for the user.
+        notify: called with the lines for the user. The address of the page is in the first one. It holds a code that
+            works once, so a line with another address follows when it was used.
 
     Raises:
-        Refusal: what it takes is not installed, no port is free, or an address for others without a token.
+        Refusal: what it takes is not installed, no port is free, or an address that is not one of this machine.
     """
     check_extras("the server of the page", "studio")
-    _check(host, token)
+    is_visible = _is_visible(host)
     design = resolve_design(design)
     for variable in _THREADS:  # of the processes that follow; this one has its limits below
         os.environ.setdefault(variable, "1")
     import scipy.linalg  # loads BLAS, which is to have one thread
     import uvicorn
 
+    from studies.studio.connections import bounded_protocol
     from studies.studio.server import MOST_MESSAGE, studio_app
 
     del scipy
     listening = _bound(host, port)
     number = listening.getsockname()[1]
-    guard = studies.studio.Guard(host, number, token)
-    workplace = studies.studio.Workplace()
     name = f"[{host}]" if ":" in host else host
-    address = f"http://{name}:{number}/?token={guard.token}"
+
+    def address() -> str:
+        return f"http://{name}:{number}/?code={guard.code}"
+
+    guard = studies.studio.Guard(host, number, lambda: notify(f"Address for another browser: {address()}"))
+    workplace = studies.studio.Workplace()
     config = uvicorn.Config(
         studio_app(design, guard, workplace),
+        http=bounded_protocol(),
+        backlog=_BACKLOG,
         log_level="warning",
         server_header=False,
         lifespan="off",
@@ -90,10 +96,12 @@ def serve_studio(
     try:
         with threadpool_limits(1):
             workplace.warm_up(design)
-            notify(f"The studio of {design.name}: {address}")
-            notify("The address holds the key: give it to nobody. Ctrl-C ends.")
+            notify(f"The studio of {design.name}: {address()}")
+            notify("The address works once: give it to nobody. Ctrl-C ends.")
+            if is_visible:
+                notify("Other machines can reach it and nothing is encrypted: use it only in a network that you trust.")
             if browser:
-                webbrowser.open(address)
+                webbrowser.open(address())
             server.run(sockets=[listening])
     except KeyboardInterrupt:
         notify("The studio has ended; pages keep their designs until it is there again.")
@@ -104,7 +112,12 @@ def serve_studio(
         raise SystemExit(128 + ended[0])
 
 
-def _check(host: str, token: str | None) -> None:
+def _is_visible(host: str) -> bool:
+    """True if other machines can reach an address.
+
+    Raises:
+        Refusal: it is not one address.
+    """
     try:
         address = ip_address("127.0.0.1" if host == "localhost" else host)
     except ValueError:
@@ -118,22 +131,7 @@ def _check(host: str, token: str | None) -> None:
             value=host,
             allowed="one address, because the studio answers to one name only",
         )
-    if token is not None and len(token) < LEAST_TOKEN:
-        raise Refusal(
-            f"has {len(token)} characters; it must have at least {LEAST_TOKEN}", kind=Kind.OUT_OF_RANGE, field="token"
-        )
-    if token is not None and not token.isalnum():
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="token", allowed="letters and digits only, because it is part of an address"
-        )
-    if not address.is_loopback and token is None:
-        raise Refusal(
-            "is visible to other machines",
-            kind=Kind.MISSING,
-            field="host",
-            value=host,
-            remedy=("give ", Field("token"), f" too, at least {LEAST_TOKEN} characters"),
-        )
+    return not address.is_loopback
 
 
 def _bound(host: str, port: int | None) -> socket.socket:
@@ -150,6 +148,10 @@ def _bound(host: str, port: int | None) -> socket.socket:
             found.listen()  # whoever has read the address may come before the server does
         except OSError as error:
             found.close()
+            if error.errno == errno.EADDRNOTAVAIL:
+                raise Refusal(
+                    kind=Kind.OUT_OF_RANGE, field="host", value=host, allowed="an IP address of this machine"
+                ) from None
             reason = error.strerror
             continue
         return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -91,14 +92,25 @@ def cases_of(study: Study) -> Cases:
     return kept_cases(study, drawn, [number for number, _ in allowed_cases(study, drawn)])
 
 
-def drawn_cases(study: Study) -> Cases:
-    """Cases of a study before its constraints leave any out, in the order of :func:`cases_of`."""
+def drawn_count(study: Study) -> int:
+    """Number of cases of a study before its constraints leave any out."""
+    return study.cases if study.sampling != "grid" else math.prod(len(axis[0].grid()) for axis in study.axes)
+
+
+def drawn_cases(study: Study, numbers: NDArray[np.int64] | None = None) -> Cases:
+    """Cases of a study before its constraints leave any out, in the order of :func:`cases_of`.
+
+    Args:
+        study: the study.
+        numbers: those to draw, (n,) int64; by default all.
+    """
+    chosen = np.arange(drawn_count(study)) if numbers is None else numbers
     if study.sampling == "grid":
         grids = [[parameter.grid() for parameter in axis] for axis in study.axes]
-        indices = np.meshgrid(*(np.arange(len(axis[0])) for axis in grids), indexing="ij")
-        columns = [grid[index.ravel()] for axis, index in zip(grids, indices, strict=True) for grid in axis]
+        indices = np.unravel_index(chosen, [len(axis[0]) for axis in grids])
+        columns = [grid[index] for axis, index in zip(grids, indices, strict=True) for grid in axis]
     else:
-        places = _sampled(study)
+        places = _sampled(study)[chosen]
         columns = [parameter.at(place) for axis, place in zip(study.axes, places.T, strict=True) for parameter in axis]
     return Cases(study.base, tuple(parameter.name for parameter in study.parameters), tuple(columns))
 
@@ -111,14 +123,21 @@ def allowed_cases(study: Study, drawn: Cases) -> Iterator[tuple[int, DrawnCase]]
             yield number, case
 
 
-def kept_cases(study: Study, drawn: Cases, numbers: Sequence[int]) -> Cases:
+def kept_cases(study: Study, drawn: Cases, numbers: Sequence[int], total: int | None = None) -> Cases:
     """Those of the drawn cases that are part of a study, by their numbers.
+
+    Args:
+        study: the study.
+        drawn: its cases before any was left out, or a sample of them.
+        numbers: of those that are kept.
+        total: number of all cases, where ``drawn`` is a sample.
 
     Raises:
         Refusal: there are none.
     """
     if not numbers:
-        left = f"of {study.name} leave none of {counted(len(drawn), 'case')}"
+        sample = "" if total in (None, len(drawn)) else f" drawn at random from {total}"
+        left = f"of {study.name} leave none of {counted(len(drawn), 'case')}{sample}"
         raise Refusal(left, kind=Kind.CONFLICT, field="constraints")
     columns = tuple(column[list(numbers)] for column in drawn.columns)
     return Cases(drawn.base, drawn.names, columns, len(drawn) - len(numbers))
@@ -146,6 +165,16 @@ def sobol_note(study: Study) -> str:
     if study.sampling != "sobol" or study.cases == lower:
         return ""
     return f"a Sobol sample of {study.cases} cases is not balanced; one of {lower} or {2 * lower} is"
+
+
+def repeated_note(cases: Cases) -> str:
+    """Note on cases that have the values of earlier ones, as samples of lists and stock sizes do; empty without any."""
+    places = np.stack([np.unique(column, return_inverse=True)[1] for column in cases.columns], axis=1)
+    repeated = len(cases) - len(np.unique(places, axis=0))
+    if not repeated:
+        return ""
+    verb = "repeats" if repeated == 1 else "repeat"
+    return f"{repeated} of {counted(len(cases), 'case')} {verb} the values of an earlier one"
 
 
 class DrawnCase:

@@ -12,7 +12,7 @@ from typing import Any, NoReturn
 
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
-from geometry.ground.refusal import Kind, Refusal, said_by
+from geometry.ground.refusal import Kind, Refusal, quoted, said_by
 
 #: A dotted name; a step after ``materials.`` may hold dashes, an index of a list is a number.
 _NAME = re.compile(r"""(?<![\w.'"])(?:materials\.[\w-]+(?:\.\w+)+|[A-Za-z]\w*(?:\.\w+)*)\b(?!\s*\()""")
@@ -20,11 +20,13 @@ _TEXT = re.compile(r"""'[^']*'|"[^"]*\"""")
 _WORDS = {"and", "or", "not", "in", "True", "False", "None"}
 _LONGEST = 500
 
-_OPERATIONS: dict[type[ast.AST], Callable[[Any, Any], Any]] = {
+_ARITHMETIC: dict[type[ast.AST], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
+}
+_COMPARISONS: dict[type[ast.AST], Callable[[Any, Any], Any]] = {
     ast.Lt: operator.lt,
     ast.LtE: operator.le,
     ast.Gt: operator.gt,
@@ -54,7 +56,7 @@ class Constraint:
         """
         try:
             return bool(_value(self.tree, [values[name] for name in self.names]))
-        except (TypeError, ArithmeticError, ValueError) as error:
+        except (TypeError, ArithmeticError, ValueError, RecursionError) as error:
             problem = f"cannot be computed: {said_by(error)}"
             raise Refusal(problem, kind=Kind.NO_RESULT, field="constraints", value=self.text) from None
 
@@ -86,18 +88,19 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
         return f"_{names.index(name)}"
 
     pieces, end = [], 0
-    for quoted in _TEXT.finditer(text):  # nothing is a name inside quotes
-        pieces += [_NAME.sub(placed, text[end : quoted.start()]), quoted[0]]
-        end = quoted.end()
+    for literal in _TEXT.finditer(text):  # nothing is a name inside quotes
+        pieces += [_NAME.sub(placed, text[end : literal.start()]), literal[0]]
+        end = literal.end()
     pieces.append(_NAME.sub(placed, text[end:]))
     try:
         tree = ast.parse("".join(pieces).strip(), mode="eval").body
         _check(tree, len(names))
-    except (SyntaxError, ValueError, RecursionError) as error:
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:  # the last of very many parentheses
         problem = "holds what is not allowed" if isinstance(error, Refusal) else "cannot be read"
         refuse(problem, remedy="give a condition such as 'tube.length > 20 * tube.inner_diameter'")
     if not isinstance(tree, (ast.Compare, ast.BoolOp, ast.UnaryOp)):
         refuse("must compare values, with <, <=, >, >=, == or !=")
+    values = []
     for name in names:
         try:
             value = value_of(base, name)
@@ -105,6 +108,14 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
             refuse(f"names {name}, which {error.problem}", error.kind, str(error.remedy))
         if not isinstance(value, (int, float, str)) and value is not None:
             refuse(f"names {name}, which must be a number or a text, not a table or a list")
+        values.append(value)
+    if None not in values:  # a value that the base does not give may be a number in each case
+        try:
+            _value(tree, values)
+        except (ArithmeticError, ValueError, RecursionError):  # may be well in each case
+            pass
+        except TypeError as error:
+            refuse(f"cannot be computed: {said_by(error)}")
     return Constraint(text, tuple(names), tree)
 
 
@@ -115,9 +126,9 @@ def _check(node: ast.AST, count: int) -> None:
             pass
         case ast.UnaryOp(op=ast.Not() | ast.USub() | ast.UAdd(), operand=part):
             parts = [part]
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _ARITHMETIC:
             parts = [left, right]
-        case ast.Compare(left=left, ops=ops, comparators=others) if all(type(op) in _OPERATIONS for op in ops):
+        case ast.Compare(left=left, ops=ops, comparators=others) if all(type(op) in _COMPARISONS for op in ops):
             parts = [left, *others]
         case ast.Call(func=ast.Name(id=name), args=parts, keywords=[]) if name in _FUNCTIONS and parts:
             pass
@@ -140,18 +151,29 @@ def _value(node: ast.AST, values: list[Any]) -> Any:
         case ast.UnaryOp(op=ast.Not(), operand=part):
             return not _value(part, values)
         case ast.UnaryOp(op=ast.USub(), operand=part):
-            return -_value(part, values)
+            return -_number(_value(part, values))
         case ast.UnaryOp(operand=part):
-            return +_value(part, values)
+            return +_number(_value(part, values))
         case ast.BinOp(left=left, op=op, right=right):
-            return _OPERATIONS[type(op)](_value(left, values), _value(right, values))
+            return _ARITHMETIC[type(op)](_number(_value(left, values)), _number(_value(right, values)))
         case ast.Compare(left=left, ops=ops, comparators=others):
             sides = [_value(part, values) for part in (left, *others)]
-            return all(_OPERATIONS[type(op)](a, b) for op, a, b in zip(ops, sides, sides[1:], strict=False))
+            return all(_COMPARISONS[type(op)](a, b) for op, a, b in zip(ops, sides, sides[1:], strict=False))
         case ast.Call(func=ast.Name(id=name), args=parts):
-            return _FUNCTIONS[name](*(_value(part, values) for part in parts))
+            return _FUNCTIONS[name](*[_number(_value(part, values)) for part in parts])
         case ast.Name(id=name):
             return values[int(name[1:])]
         case ast.Constant(value=value):
             return value
     raise AssertionError(f"unchecked: {ast.dump(node)}")
+
+
+def _number(value: Any) -> float:
+    """A value that is to be computed with: Python would also multiply a text, by any number.
+
+    Raises:
+        TypeError: it is not a number.
+    """
+    if isinstance(value, (int, float)):
+        return value
+    raise TypeError(f"{quoted(value)} is not a number")

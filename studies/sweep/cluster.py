@@ -93,13 +93,11 @@ class Cluster:
     Args:
         client: the client, connected.
         name: of the scheduler, for messages.
-        own: whether the workers are processes of this one and need not be asked what is installed.
-        patience: seconds to wait while no worker is there.
+        notes: notes on the workers that are known already.
     """
 
-    def __init__(self, client: Any, name: str, own: bool, patience: float | None = None) -> None:
-        self._client, self._name, self._own = client, name, own
-        self._patience = PATIENCE if patience is None else patience
+    def __init__(self, client: Any, name: str, notes: Iterable[str] = ()) -> None:
+        self._client, self._name = client, name
         self._crew: dict[str, _Worker] = {}
         #: What the workers were given, the first first.
         self._given: list[_Attempt] = []
@@ -111,7 +109,7 @@ class Cluster:
         self._looked = self._back = self._manned = monotonic()
         self._rejected = ""
         #: What is to be known of the workers, each once.
-        self.notes: dict[str, None] = {}
+        self.notes: dict[str, None] = dict.fromkeys(notes)
         client.loop.add_callback(self._ask_again_and_again)
 
     # -- in the client's own thread ---------------------------------------------------------------------
@@ -262,9 +260,9 @@ class Cluster:
                 self._again.append(attempt.task)
         if any(worker.same and not worker.silent for worker in self._crew.values()):
             self._manned = now
-        elif now - self._manned > self._patience:
+        elif now - self._manned > PATIENCE:
             why = f": {self._rejected}" if self._rejected else ""
-            raise WorkersLost(f"there have been no workers for {self._patience:.0f} s{why}", kind=Kind.STOPPED)
+            raise WorkersLost(f"there have been no workers for {PATIENCE:.0f} s{why}", kind=Kind.STOPPED)
 
     def _return(self, now: float) -> None:
         """Take nobody to have been silent while this process was away: stopped by its user, or long at its store."""
@@ -284,10 +282,9 @@ class Cluster:
         for address, about in known.items():
             running = about["status"] == "running"
             if address not in self._crew:
-                worker = _Worker(address, about["nthreads"], about["last_seen"], now, same=True if self._own else None)
+                worker = _Worker(address, about["nthreads"], about["last_seen"], now)
                 self._crew[address] = worker
-                if not self._own:
-                    self._client.loop.add_callback(self._ask_installed, worker)
+                self._client.loop.add_callback(self._ask_installed, worker)
             worker = self._crew[address]
             if running and about["last_seen"] != worker.seen:
                 worker.seen, worker.heard = about["last_seen"], now

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from time import process_time
 
 import numpy as np
 
-from acoustic_fem.cell.design_cells import SECONDS_PER_CELL, cached_count
+from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
 from acoustic_fem.membrane.disc import design_disc
 from acoustic_fem.membrane.disc_table import disc_count
 from acoustic_fem.membrane.elasticity import DiscShape
@@ -15,12 +15,12 @@ from acoustic_fem.numerics.processors import cores
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from studies.study.cases import Cases
 from studies.study.study import Study
-from studies.sweep.block import FAILURES, CellKey, Job, solve_block
+from studies.sweep.block import FAILURES, Job, solve_block
 
 #: Processor time of one membrane, s.
 _SECONDS_PER_DISC = 0.22
 #: Time until workers of this machine compute: processes are started and modules loaded, and ended afterwards.
-START_UP = 10.0
+START_UP = 4.0
 #: Workers must save so many times their start-up; what is expected is not known better.
 _WORTH = 2.0
 #: Cases that are timed, how often cheap ones are repeated to a batch of the usual size, and what is long enough, s.
@@ -39,28 +39,35 @@ def elapsed(seconds: float, workers: int) -> float:
 
 
 def seconds_of(
-    study: Study, cases: Cases, numbers: Sequence[int], cells: Collection[CellKey], discs: Sequence[DiscShape]
+    study: Study,
+    cases: Cases,
+    numbers: Sequence[int],
+    missing: float,
+    discs: Sequence[DiscShape],
+    fraction: float = 1.0,
 ) -> float:
     """Processor time that some cases will take, s.
 
     Args:
         study: the study.
-        cases: all of its cases.
+        cases: all of its cases, or a sample of them.
         numbers: of those that are computed.
-        cells: the 3-D cells that they need.
+        missing: number of 3-D cells to solve.
         discs: the membranes of all cases, which are solved together.
+        fraction: size of the sample, of one; the others take as long.
     """
-    missing = len(cells) - cached_count(cells, study.frequency, study.fidelity)
     return (
-        _seconds_per_case(study, cases, numbers) * len(numbers)
+        _seconds_per_case(study, cases, numbers) * len(numbers) / fraction
         + SECONDS_PER_CELL * missing
-        + _SECONDS_PER_DISC * disc_count(discs)
+        + _SECONDS_PER_DISC * (disc_count(discs) if study.membranes == "interpolated" else len(discs))
     )
 
 
 def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> float:
     """Processor time of one case without its 3-D cells and membranes; a 3-D network costs as much as a lumped one."""
-    chosen = []
+    chosen: list[int] = []
+    if not len(numbers):
+        return 0.0
     for number in np.array(numbers, int)[np.unique(np.linspace(0, len(numbers) - 1, _TIMED + 1).astype(int))]:
         try:
             design = cases.design(int(number))
@@ -81,7 +88,7 @@ def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> flo
 
 def _timed(study: Study, cases: Cases, chosen: Sequence[int]) -> float:
     alone = study.fidelity not in CLOSED_FORMS
-    job = Job("lumped" if alone else study.fidelity, study.frequency, study.metrics, False)
+    job = Job("lumped" if alone else study.fidelity, study.frequency, study.metrics, study.keep)
     few = Cases(cases.base, cases.names, tuple(column[chosen] for column in cases.columns))
     start = process_time()
     for part in [few.part(k, k + 1) for k in range(len(few))] if alone else [few]:

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import math
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from acoustic_fem.cell.design_cells import cached_count
 from geometry.ground.typed import PathLike
-from studies.study.cases import by_kind, sobol_note
-from studies.study.file import resolve_study
-from studies.study.study import Study
+from studies.output.display import Display
+from studies.study.cases import Cases, by_kind, repeated_note, sobol_note
+from studies.study.study import Study, resolve_study
 from studies.sweep.cost import elapsed, seconds_of, team_size
-from studies.sweep.records import block_size, point_count
-from studies.sweep.survey import surveyed
+from studies.sweep.progress import shown_on
+from studies.sweep.records import block_size, point_count, response_shapes
+from studies.sweep.survey import Survey, surveyed
 
+#: Number of cases up to which all are looked at, in a minute or less; of more a sample of so many is.
+MOST_SURVEYED = 5000
 #: Memory of a worker that has loaded everything, and of one that solves a 3-D cell, bytes.
 _WORKER_MEMORY = 0.25e9
 _CELL_MEMORY = 1.0e9
@@ -30,6 +36,8 @@ class Plan:
     """Number of combinations or samples that broke a constraint."""
     refused: dict[str, int]
     """Number of cases whose design is not valid, per kind of reason, each by its first."""
+    outside: dict[str, int]
+    """Number of cases outside the atlas, per kind of reason, each by its first; with ``outside = "fail"`` they fail."""
     cells: int
     """Number of distinct 3-D cells; 0 where cells are closed forms."""
     cells_cached: int
@@ -44,29 +52,71 @@ class Plan:
     """Size of the store before compression, bytes."""
     note: str
     """Note on the sample; empty where there is nothing to know."""
+    sampled: int = 0
+    """Number of cases that were looked at where that is not all of them: numbers are then estimates. 0 if all were."""
 
 
-def plan_sweep(study: Study | PathLike, workers: int | None = None) -> Plan:
+def plan_sweep(study: Study | PathLike, workers: int | None = None, *, display: Display | None = None) -> Plan:
     """Cost of a study: its cases and cells counted, a few of its cases measured in closed form.
+
+    If the study has more than 5000 cases, a random sample of so many stands for all: every number of designs and cells
+    is then an estimate.
+
+    Args:
+        study: the study, or its file.
+        workers: processes on this machine; by default as many as pay.
+        display: shows how many designs were looked at.
 
     Raises:
         Refusal: as :func:`studies.sweep.survey.surveyed`.
     """
-    study = resolve_study(study)
-    found = surveyed(study, every=True)
-    cases = found.cases
+    study, show = resolve_study(study), display or Display()
+    with show.stage("Plan") as report:
+        found = surveyed(study, every=True, most=MOST_SURVEYED, progress=shown_on(report, often=show.terminal))
+        return _planned(study, found, workers)
+
+
+def _planned(study: Study, found: Survey, workers: int | None) -> Plan:
+    cases, fraction = found.cases, found.fraction
+    count = round(len(cases) / fraction)
     valid = [number for number in range(len(cases)) if number not in found.refused]
     cells = found.cells_of(valid)
-    cached = cached_count(cells, study.frequency, study.fidelity)
-    alone = seconds_of(study, cases, valid, cells, found.discs)
+    cached = cached_count(cells, study.frequency, study.solid_fidelity)
+    distinct = len(cells) if fraction == 1 else _distinct(found, valid)
+    cached_in_all = round(cached * distinct / max(len(cells), 1))
+    alone = seconds_of(study, cases, valid, distinct - cached_in_all, found.discs, fraction)
     team = workers or team_size(alone)
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency) * 16
-    memory = team * (_WORKER_MEMORY + block_size(study, cases) * values * _ARRAYS)
-    if len(cells) > cached:
+    size = {"double": 16, "single": 8}[study.precision]
+    kept = sum(math.prod(sizes) for sizes in response_shapes(study, point_count(cases)).values()) * size
+    memory = team * (_WORKER_MEMORY + block_size(study, cases, count) * values * _ARRAYS)
+    if distinct > cached_in_all:
         memory += team * _CELL_MEMORY
-    stored = 8 * (len(study.metrics) + len(cases.names) + 1) + (values if study.transfer_functions else 0)
-    refused = {why: len(numbers) for why, numbers in by_kind(found.refused.items()).items()}
+    stored = 8 * (len(study.metrics) + len(cases.names) + 1) + kept
+    refused, outside = (
+        {why: round(len(numbers) / fraction) for why, numbers in by_kind(reasons.items()).items()}
+        for reasons in (found.refused, found.outside)
+    )
     return Plan(
-        len(cases), cases.left_out, refused, len(cells), cached, elapsed(alone, team),
-        team, memory, stored * len(cases), sobol_note(study),
+        count, round(cases.left_out / fraction), refused, outside, distinct, cached_in_all, elapsed(alone, team),
+        team, memory, stored * count, _note(study, cases, fraction), len(cases) + cases.left_out if fraction < 1 else 0,
     )  # fmt: skip
+
+
+def _note(study: Study, cases: Cases, fraction: float) -> str:
+    repeated = repeated_note(cases) if fraction == 1 else ""
+    return "; ".join(note for note in (sobol_note(study), repeated) if note)
+
+
+def _distinct(found: Survey, numbers: Sequence[int]) -> int:
+    """Number of distinct cells of all cases, estimated from a sample.
+
+    A. Chao, Scand. J. Statist. 11 (1984) 265, with the correction for few: cells that one case of the sample has, and
+    those that two have, say how many it has not. At most as many as if no two cases outside the sample shared any.
+    """
+    if not found.cells:
+        return 0
+    times = Counter(Counter(key for number in numbers for key in set(found.cells[number])).values())
+    seen = sum(times.values())
+    unseen = times[1] * (times[1] - 1) / (2 * (times[2] + 1))
+    return round(min(seen + unseen, seen / found.fraction))

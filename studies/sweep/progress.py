@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from time import perf_counter
@@ -25,6 +26,21 @@ class Progress:
     """Cases (or cells) per second of this run; 0 before the first."""
     remaining: float
     """Time left at that rate, s; NaN before the first."""
+
+
+def progress_of(what: str, done: int, total: int, failed: int, computed: int, seconds: float) -> Progress:
+    """Progress of a sweep at the rate of this run.
+
+    Args:
+        what: words for what is being done.
+        done: number finished.
+        total: number of all.
+        failed: number of those finished that failed.
+        computed: number finished by this run.
+        seconds: time that they took, s.
+    """
+    rate = computed / max(seconds, 1e-9)
+    return Progress(what, done, total, failed, rate, (total - done) / rate if rate else math.nan)
 
 
 def shown_on(report: Report, often: bool) -> Callable[[Progress], None]:

@@ -10,10 +10,13 @@ from typing import Any, Protocol
 from acoustic_fem.numerics.processors import cores
 from geometry.ground.refusal import Field, Kind, Refusal, said_by
 from studies.sweep.cluster import Cluster, WorkersLost, in_one_thread
+from studies.sweep.processes import Processes
 
-#: Seconds to wait for a scheduler, which runs already, and for processes of this machine, which may be busy.
+#: Seconds to wait for a scheduler, which runs already.
 _ANSWER = 15.0
-_PATIENCE = 600.0
+#: Addresses that dask encrypts and whose certificates it checks, and what is said of others.
+_ENCRYPTED = ("tls", "wss")
+_OPEN = "is not encrypted: whoever reaches this port can run programs as you; docs/cluster.md says how to protect it"
 _LOGGERS = ("distributed", "tornado")
 
 
@@ -38,13 +41,6 @@ class Workers(Protocol):
         Raises:
             WorkersLost: no workers are left, or a task ended several.
         """
-
-
-#: Of a worker of this machine. With dask's own setting of malloc every array is fetched from the system anew, which
-#: took two fifths of a worker's time.
-ENVIRONMENT = {f"{name}_NUM_THREADS": 1 for name in ("OMP", "MKL", "OPENBLAS")} | {
-    f"MALLOC_{name}_THRESHOLD_": 1 << 30 for name in ("TRIM", "MMAP")
-}
 
 
 @contextmanager
@@ -89,26 +85,13 @@ class _Here:
 
 
 @contextmanager
-def _local(count: int) -> Iterator[Cluster]:
-    """A cluster of processes on this machine, which end with this one."""
-    import dask
-    from distributed import Client, LocalCluster
-
-    # a worker whose thread keeps the interpreter to itself for a while, or a machine that is busy, is not dead
-    patient = {
-        "distributed.comm.timeouts.connect": "60s",
-        "distributed.comm.timeouts.tcp": "600s",
-        "distributed.scheduler.worker-ttl": None,
-        "distributed.scheduler.allowed-failures": 1,  # a task that ends two workers is given up
-    }
-    one = {f"distributed.nanny.pre-spawn-environ.{name}": value for name, value in ENVIRONMENT.items()}
-    with (
-        dask.config.set({**one, **patient}),
-        LocalCluster(n_workers=count, threads_per_worker=1, processes=True, dashboard_address=None,
-                     silence_logs=40) as cluster,
-        Client(cluster, set_as_default=False) as client,
-    ):  # fmt: skip
-        yield Cluster(client, "the scheduler of this machine", own=True, patience=_PATIENCE)
+def _local(count: int) -> Iterator[Processes]:
+    """Processes of this machine, which end with this one."""
+    processes = Processes(count)
+    try:
+        yield processes
+    finally:
+        processes.close()
 
 
 @contextmanager
@@ -123,7 +106,8 @@ def _connected(address: str) -> Iterator[Cluster]:
             problem = f"no scheduler answers at {address}: {said_by(error)}"
             raise WorkersLost(problem, kind=Kind.STOPPED) from None
         with client:
-            yield Cluster(client, f"the scheduler at {address}", own=False)
+            is_open = address.partition("://")[0] not in _ENCRYPTED
+            yield Cluster(client, f"the scheduler at {address}", [f"{address} {_OPEN}"] if is_open else [])
 
 
 @contextmanager

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 import acoustic_fem
 import localize
@@ -17,7 +17,7 @@ from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.calibration.manifest import read_manifest
 from acoustic_fem.calibration.measured_library import calibrate
 from acoustic_fem.calibration.model_updating import update
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
@@ -26,7 +26,7 @@ from geometry.ground.typed import PathLike
 from localize.signals import BAND
 from studies.output.call_defaults import MANIFEST
 from studies.output.display import Display
-from studies.output.folders import check_new_file
+from studies.output.folders import check_new_file, claimed_file
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
 from studies.test_rig.calibration_figures import draw_calibration
 from studies.test_rig.priors import fit_priors, model_deviation
@@ -59,7 +59,7 @@ def calibrate_sensor(
     out: PathLike,
     *,
     fidelity: str = ONE_DESIGN,
-    frequency: ArrayLike | str = CALIBRATION_FREQUENCIES,
+    frequency: FrequencyLike = CALIBRATION_FREQUENCIES,
     tolerances: PathLike | Sequence[Tolerance] | None = None,
     air: LocalAir | None = None,
     display: Display | None = None,
@@ -88,27 +88,31 @@ def calibrate_sensor(
     if path.suffix.lower() != ".nc":
         remedy = "the figure of the calibration is written beside it as .png"
         raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field("out"), allowed="a library, .nc", remedy=remedy)
-    check_new_file(path, kept="a measured library")
-    check_new_file(picture, kept="the figure of one")
-    grid, scatter, source = frequency_grid(frequency), tolerances_of(tolerances), Path(recordings)
-    manifest = read_manifest(source / MANIFEST if source.is_dir() else source)
-    if air is not None:
-        manifest = replace(manifest, design=manifest.design.with_values(air.design_values))
-    with show.stage("Design") as report:
-        model = acoustic_fem.solve(manifest.design, grid, fidelity=fidelity, progress=report)
-    with show.stage("Recordings") as report:
-        calibration = calibrate(manifest, model, report)
-    fit, deviation = None, None
-    if calibration.missing:
-        with show.stage("Fit"):
-            fit = update(UpdatedModel(model, fit_priors(manifest.design, scatter)), calibration.estimates)
-            deviation = model_deviation(manifest.design, grid, scatter)
-    used = None if fit is None or fit.objection else fit
-    library = calibration.library(model, deviation, used)
-    acoustic_fem.save(library, path)
-    figure = draw_calibration(calibration, model, picture)
-    expected, measure_next = (None, None) if used is None else _prospect(used)
-    return SensorCalibration(path, figure, library, calibration, fit, expected, measure_next)
+
+    def check() -> None:
+        check_new_file(path, kept="a measured library")
+        check_new_file(picture, kept="the figure of one")
+
+    with claimed_file(path, check):
+        grid, scatter, source = frequency_grid(frequency), tolerances_of(tolerances), Path(recordings)
+        manifest = read_manifest(source / MANIFEST if source.is_dir() else source)
+        if air is not None:
+            manifest = replace(manifest, design=manifest.design.with_values(air.design_values))
+        with show.stage("Design") as report:
+            model = acoustic_fem.solve(manifest.design, grid, fidelity=fidelity, progress=report)
+        with show.stage("Recordings") as report:
+            calibration = calibrate(manifest, model, report)
+        fit, deviation = None, None
+        if calibration.missing:
+            with show.stage("Fit"):
+                fit = update(UpdatedModel(model, fit_priors(manifest.design, scatter)), calibration.estimates)
+                deviation = model_deviation(manifest.design, grid, scatter)
+        used = None if fit is None or fit.objection else fit
+        library = calibration.library(model, deviation, used)
+        acoustic_fem.save(library, path)
+        figure = draw_calibration(calibration, model, picture)
+        expected, measure_next = (None, None) if used is None else _prospect(used)
+        return SensorCalibration(path, figure, library, calibration, fit, expected, measure_next)
 
 
 def _prospect(fit: Update) -> tuple[NDArray[np.float64] | None, int | None]:

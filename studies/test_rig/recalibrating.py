@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,7 +26,7 @@ from localize.signals.frames import FRAME, cut_frames
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from studies.output.call_defaults import SEED
 from studies.output.display import Display
-from studies.output.folders import check_new_file
+from studies.output.folders import check_new_file, claimed_file
 
 if TYPE_CHECKING:
     from localize import SelfCalibration
@@ -78,31 +79,32 @@ def recalibrate(
     """
     checked_air(air)
     path = Path(out)
-    check_new_file(path, ".nc", kept="a calibrated library")
-    present = acoustic_fem.load(library)
-    if air is not None:
-        present = present.in_air(air)
-    response = response_of(present)
-    paths = [Path(recording) for recording in recordings]
-    heard = [
-        read_recording(recording, response.microphones, full_scale, channels=channels).signals for recording in paths
-    ]
-    passed = [HighPass(len(signals), HIGH_PASS).begin(signals) for signals in heard]
-    frames = [cut_frames(signals[None])[0] for signals in passed]
-    of_microphones = response.noise(microphone_noise)
-    level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
-    _refuse_the_same_take(paths, heard, frames, level)
-    with (display or Display()).stage("Touches") as report:
-        found = localize.self_calibrate(
-            present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS
-        )
-    if not found.accepted:
-        problem = f"give no calibration that holds: {found.objection}"
-        remedy = f"{path} is not written; {library} stays the best library known"
-        raise localize.SelfCalibrationError(problem, kind=Kind.UNSUITABLE, field="recordings", remedy=remedy)
-    calibrated = found.library()
-    acoustic_fem.save(calibrated, path)
-    return Recalibration(path, calibrated, found)
+    with claimed_file(path, partial(check_new_file, path, ".nc", kept="a calibrated library")):
+        present = acoustic_fem.load(library)
+        if air is not None:
+            present = present.in_air(air)
+        response = response_of(present)
+        paths = [Path(recording) for recording in recordings]
+        heard = [
+            read_recording(recording, response.microphones, full_scale, channels=channels).signals
+            for recording in paths
+        ]
+        passed = [HighPass(len(signals), HIGH_PASS).begin(signals) for signals in heard]
+        frames = [cut_frames(signals[None])[0] for signals in passed]
+        of_microphones = response.noise(microphone_noise)
+        level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
+        _refuse_the_same_take(paths, heard, frames, level)
+        with (display or Display()).stage("Touches") as report:
+            found = localize.self_calibrate(
+                present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS
+            )
+        if not found.accepted:
+            problem = f"give no calibration that holds: {found.objection}"
+            remedy = f"{path} is not written; {library} stays the best library known"
+            raise localize.SelfCalibrationError(problem, kind=Kind.UNSUITABLE, field="recordings", remedy=remedy)
+        calibrated = found.library()
+        acoustic_fem.save(calibrated, path)
+        return Recalibration(path, calibrated, found)
 
 
 def _refuse_the_same_take(

@@ -18,7 +18,7 @@ from geometry.design.design_file import DesignLike, write_design
 from geometry.ground.typed import PathLike
 from studies.output.call_defaults import MANIFEST, SEED
 from studies.output.display import Display
-from studies.output.folders import check_folder, make_folder, replaced_folder, write_json
+from studies.output.folders import check_folder, claimed_folder, make_folder, replaced_folder, write_json
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import RIG_MARK, HiddenScatter, Recorder, Rig
 
@@ -87,15 +87,16 @@ def record_rig(
     design = rig.design
     recorder = recorder or Recorder(seconds=SECONDS)
     session = session or TouchSession(TAKES, TAKE_SECONDS)
-    make_folder(folder, "rig", RIG_MARK)
-    points = range(1, design.point_count + 1)
-    with show.stage("Calibration", of=3), replaced_folder(folder / CALIBRATION) as fresh:
-        calibration = rig.record(fresh, points, recorder).name
-    with show.stage("Touches", of=3), replaced_folder(folder / TOUCHES) as fresh:
-        touches = record_touches(rig, fresh, points, session, recorder).name
-    with show.stage("Truth", of=3):
-        library = _write_truth(rig, folder, recorder, session)
-    manifests = folder / CALIBRATION / calibration, folder / TOUCHES / touches
+    with claimed_folder(folder, "rig", RIG_MARK):
+        make_folder(folder, "rig", RIG_MARK)
+        points = range(1, design.point_count + 1)
+        with show.stage("Calibration", of=3), replaced_folder(folder / CALIBRATION) as fresh:
+            calibration = rig.record(fresh, points, recorder).name
+        with show.stage("Touches", of=3), replaced_folder(folder / TOUCHES) as fresh:
+            touches = record_touches(rig, fresh, points, session, recorder).name
+        with show.stage("Truth", of=3):
+            library = _write_truth(rig, folder, recorder, session)
+        manifests = folder / CALIBRATION / calibration, folder / TOUCHES / touches
     return RigSession(folder, rig, *manifests, folder / TRUTH, library, recorder.full_scale)
 
 

@@ -14,8 +14,8 @@ import numpy as np
 import scipy.signal
 import tomlkit
 
-from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.sound_file import write_wav
+from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
 from localize.recordings.touch_manifest import PARTS, Part
@@ -55,9 +55,9 @@ class TouchSession:
 
     def __post_init__(self) -> None:
         for name, high, unit in (("tilt", 12.0, "dB"), ("press", 10.0, "Pa"), ("hysteresis", 1.0, "")):
-            in_range(name, getattr(self, name), 0.0, high, unit)
-        in_range("takes", self.takes, 1, 1000)
-        in_range("seconds", self.seconds, *LENGTHS, "s")
+            check_range(name, getattr(self, name), 0.0, high, unit)
+        check_range("takes", self.takes, 1, 1000)
+        check_range("seconds", self.seconds, *LENGTHS, "s")
 
 
 def record_touches(
@@ -80,7 +80,7 @@ def record_touches(
     """
     recorder = replace(recorder or Recorder(), seconds=session.seconds)
     for point in points:
-        in_range("points", point, 1, rig.design.point_count)
+        check_range("points", point, 1, rig.design.point_count)
     check_folder(folder, "rig", RIG_MARK)
     make_folder(folder, "rig", RIG_MARK)
     manifest = tomlkit.document()

@@ -29,12 +29,13 @@ from acoustic_fem.calibration.fitted_model import PartScatter
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import noise_density, response
-from acoustic_fem.quantities.checks import in_range, one_of
+from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
 from acoustic_fem.quantities.local_air import design_air, standard_pressure
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.design_file import DesignLike, resolve_design, write_design
+from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
@@ -102,7 +103,7 @@ class HiddenScatter(PartScatter):
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            in_range(field.name, getattr(self, field.name), *_RANGES.get(field.name, (0.0, 0.3)))
+            check_range(field.name, getattr(self, field.name), *_RANGES.get(field.name, (0.0, 0.3)))
 
 
 @dataclass(frozen=True)
@@ -134,7 +135,7 @@ class Recorder:
     """True if there is a file for each channel instead of one for all."""
 
     def __post_init__(self) -> None:
-        in_range("seconds", self.seconds, *LENGTHS, "s")
+        check_range("seconds", self.seconds, *LENGTHS, "s")
 
 
 class Rig:
@@ -160,7 +161,8 @@ class Rig:
         if seed < 0:
             raise Refusal(kind=Kind.OUT_OF_RANGE, field="seed", value=seed, allowed="0 or above")
         design = resolve_design(design)
-        self.design, self.seed, self.fidelity = design, seed, one_of("fidelity", fidelity, FIDELITIES)
+        check_choice("fidelity", fidelity, FIDELITIES)
+        self.design, self.seed, self.fidelity = design, seed, fidelity
         self.scatter = scatter or HiddenScatter()
         shared = Topology.of(design)
         self.topology = shared.individual()
@@ -203,18 +205,19 @@ class Rig:
         self.hidden = _relaxing(self.hidden, abs(float(steeper)) * scatter.slope)
         self.medium = Medium.at(air.temperature + warmer, air.humidity, pressure)
 
-    def transfer_function(self, frequency: Array) -> Complex:
+    def transfer_function(self, frequency: FrequencyLike) -> Complex:
         """Transfer functions that recordings without noise give: microphones with their gains and high-passes.
 
         Args:
-            frequency: (n_freq,) float64, Hz, 0.4 to 160.
+            frequency: (n_freq,) Hz, 0.4 to 160, or FIRST:LAST:COUNT.
 
         Returns:
             (n_point, n_microphone, n_freq) complex128, Pa/Pa, by the nominal microphone's response.
         """
-        in_range("frequency", float(np.min(frequency)), _NODES[0], _NODES[-1], "Hz")
-        in_range("frequency", float(np.max(frequency)), _NODES[0], _NODES[-1], "Hz")
-        level, phase = self._curves(np.log(frequency))
+        grid = frequencies(frequency)
+        for value in (grid.min(), grid.max()):
+            check_range("frequency", float(value), _NODES[0], _NODES[-1], "Hz")
+        level, phase = self._curves(np.log(grid))
         return np.asarray(np.exp(level + 1j * phase))
 
     @cached_property
@@ -246,7 +249,7 @@ class Rig:
         """
         recorder = recorder or Recorder()
         for point in points:
-            in_range("points", point, 1, self.design.point_count)
+            check_range("points", point, 1, self.design.point_count)
         check_folder(folder, "rig", RIG_MARK)
         make_folder(folder, "rig", RIG_MARK)
         write_text(folder / "design.toml", write_design(self.design))

@@ -128,6 +128,29 @@ FAULTS: dict[str, tuple[Rule, dict[str, str], str]] = {
         {"acoustic_fem/air/__init__.pyi": "from .wind import wind as wind\n"},
         "acoustic_fem.air.wind is public and a module",
     ),
+    "an argument of another name": (
+        house_rules.one_form_of_arguments,
+        {"acoustic_fem/air/wind.py": "def breeze(medium): ...\n"},
+        "acoustic_fem.air.breeze(medium=) is called air elsewhere",
+    ),
+    "a grid that takes no text": (
+        house_rules.one_form_of_arguments,
+        {
+            "geometry/upper/wall.py": "from geometry.ground import Stone\n\nclass Wall(Stone):\n"
+            "    def sound(self, frequency: ArrayLike): ...\n"
+        },
+        "geometry.upper.Wall.sound(frequency: ArrayLike) is FrequencyLike elsewhere",
+    ),
+    "an air of another type": (
+        house_rules.one_form_of_arguments,
+        {"acoustic_fem/air/wind.py": "def breeze(*, air: Medium = None): ...\n"},
+        "acoustic_fem.air.breeze(air: Medium) is AirLike elsewhere",
+    ),
+    "another default": (
+        house_rules.one_form_of_arguments,
+        {"acoustic_fem/air/wind.py": "def breeze(microphone_noise: float = 1e-3): ...\n"},
+        "acoustic_fem.air.breeze(microphone_noise=0.001) has the default 'design' elsewhere",
+    ),
 }
 
 
@@ -246,7 +269,7 @@ def test_what_is_required_is_imported_and_what_is_imported_is_required() -> None
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = {name: names_of(lines) - {"acoustic-fem"} for name, lines in project["optional-dependencies"].items()}
     required = names_of(project["dependencies"]).union(
-        *(extras[name] for name in ("audio", "plots", "cad", "fem", "onnx", "train", "studies", "sofa"))
+        *(extras[name] for name in ("audio", "plots", "cad", "fem", "onnx", "train", "studies", "sofa", "parquet"))
     )
     optional = extras["studio"]
     studio = ROOT / "studies" / "studio"

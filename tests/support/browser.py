@@ -19,7 +19,6 @@ import numpy as np
 import pytest
 from PIL import Image
 
-TOKEN = "theStudiosOwnTestToken"
 #: A renderer in software for three dimensions, and pages put together by the processor, as without a graphics card.
 ARGUMENTS = [
     *("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
@@ -36,11 +35,23 @@ class Studio:
     """A running studio."""
 
     process: subprocess.Popen[str]
-    port: int
+    first: str
+    """The first line that it printed."""
+    taken: bool = False
 
     @property
-    def address(self) -> str:
-        return f"http://127.0.0.1:{self.port}/?token={TOKEN}"
+    def port(self) -> int:
+        return int(self.first.split(":")[-1].split("/")[0])
+
+    def take_address(self) -> str:
+        """An address with a code that nobody has used; whoever takes one uses it, so that the next one is printed."""
+        assert self.process.stdout is not None
+        line = self.process.stdout.readline() if self.taken else self.first
+        while "?code=" not in line:
+            assert line, "the studio has ended"
+            line = self.process.stdout.readline()
+        self.taken = True
+        return line.split(": ")[-1].strip()
 
     def kill(self) -> None:
         self.process.send_signal(signal.SIGKILL)
@@ -49,20 +60,23 @@ class Studio:
 
 @contextmanager
 def studio(
-    design: str = "array-2x6", port: int = 0, module: str = "studies.cli.app", **environment: str
+    design: str = "array-2x6",
+    port: int = 0,
+    module: str = "studies.cli.app",
+    browser: bool = False,
+    **environment: str,
 ) -> Iterator[Studio]:
     """A studio of a design, ended at the end; ``module`` has the command line's ``main``."""
     program = f"import sys; sys.path.append({str(Path(__file__).parent)!r}); from {module} import main; main()"
     line = [
         *(sys.executable, "-c", program, "studio", design),
-        *("--port", str(port), "--no-browser", "--token", TOKEN),
+        *("--port", str(port), "--browser" if browser else "--no-browser"),
     ]
     environment = {**os.environ, "PYTHONUNBUFFERED": "1", **environment}
     process = subprocess.Popen(line, stdout=subprocess.PIPE, text=True, env=environment)
     try:
         assert process.stdout is not None
-        first = process.stdout.readline()
-        yield Studio(process, int(first.split(":")[-1].split("/")[0]))
+        yield Studio(process, process.stdout.readline())
     finally:
         process.terminate()
         try:
@@ -108,7 +122,7 @@ def opened(context: Any, running: Studio) -> Any:
     found.on("console", lambda told: found.problems.append(told.text) if "Content Security" in told.text else None)
     here = (f"http://127.0.0.1:{running.port}/", "data:", "blob:")
     found.on("request", lambda asked: None if asked.url.startswith(here) else found.problems.append(asked.url))
-    found.goto(running.address)
+    found.goto(running.take_address())
     until(found, f"document.documentElement.dataset.painted !== undefined && {PAINTED}")
     return found
 

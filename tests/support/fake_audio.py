@@ -37,8 +37,13 @@ class FakeAudio:
     rate: float = 48_000.0
     channels: int = 4
     name: str = "USB array"
-    failures: list[str] = field(default_factory=list)
-    """Messages of attempts to open that fail before the next run, the first one succeeding."""
+    failures: list[str | tuple[Any, ...]] = field(default_factory=list)
+    """Messages of attempts to open that fail before the next run, the first one succeeding; or all that PortAudio says.
+    """
+    hosts: tuple[str, ...] = ("ALSA",)
+    """Audio systems, under each of which the device is listed."""
+    rates: tuple[float, ...] = (44_100.0, 48_000.0)
+    """Rates that the device can record at."""
     absent: int = 0
     """How often the list of devices is without it after a run."""
     pace: float = 0.0
@@ -49,7 +54,7 @@ class FakeAudio:
     listed: int = 0
 
     def query_hostapis(self) -> list[dict[str, Any]]:
-        return [{"name": "ALSA"}]
+        return [{"name": host} for host in self.hosts]
 
     def query_devices(self, kind: str | None = None) -> Any:
         if not self.initialised:
@@ -65,10 +70,15 @@ class FakeAudio:
             self.absent -= 1
             return [speaker]
         # after each return it has another number
-        return [speaker, *[speaker] * len(self.opened), self._entry(self.name, self.channels)]
+        own = [self._entry(self.name, self.channels, host) for host in range(len(self.hosts))]
+        return [speaker, *[speaker] * len(self.opened), *own]
 
-    def _entry(self, name: str, channels: int) -> dict[str, Any]:
-        return {"name": name, "hostapi": 0, "max_input_channels": channels, "default_samplerate": self.rate}
+    def _entry(self, name: str, channels: int, host: int = 0) -> dict[str, Any]:
+        return {"name": name, "hostapi": host, "max_input_channels": channels, "default_samplerate": self.rate}
+
+    def check_input_settings(self, device: int, channels: int, dtype: str, samplerate: float) -> None:
+        if samplerate not in self.rates:
+            raise PortAudioError("Invalid sample rate", -9997)
 
     def _terminate(self) -> None:
         if not self.initialised:
@@ -80,7 +90,8 @@ class FakeAudio:
 
     def InputStream(self, **arguments: Any) -> FakeStream:
         if self.opened and self.failures:
-            raise PortAudioError(self.failures.pop(0), -9985)
+            failure = self.failures.pop(0)
+            raise PortAudioError(*failure) if isinstance(failure, tuple) else PortAudioError(failure, -9985)
         self.opened.append(arguments)
         return FakeStream(self, arguments, self.runs[len(self.opened) - 1])
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import sys
 from collections import defaultdict
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
@@ -97,4 +99,72 @@ def names_at_the_doors(root: Path) -> list[str]:
     return broken
 
 
-RULES = (package_order, room_order, module_circles, rooms_and_modules, names_at_the_doors)
+#: Names that an argument at a face has elsewhere, and the packages in which it must not have them.
+OTHER_NAMES = {
+    "medium": ("air", PACKAGES),
+    "frequencies": ("frequency", PACKAGES),
+    "noise": ("microphone_noise", PACKAGES),
+    "radius": ("contact_radius_mm", ("localize", "studies")),
+    "contact_radius": ("contact_radius_mm", ("geometry", "localize", "studies")),
+    "contact_radius_mm": ("contact_radius", ("acoustic_fem",)),
+}
+#: Types that an argument has wherever it is taken. An array is a grid that belongs to other arrays, a float one value.
+TYPES = {
+    "frequency": (
+        "FrequencyLike",
+        "FrequencyLike | None",
+        "Array",
+        "Values",
+        "NumpyOrTorch",
+        "NDArray[np.float64]",
+        "float",
+    ),
+    "air": ("AirLike", "LocalAir | None", "AirLike | MediumParameters"),
+}
+#: Defaults that an argument has wherever it has one.
+DEFAULTS = {"microphone_noise": ("'design'", "None"), "air": ("None",)}
+
+
+def one_form_of_arguments(root: Path) -> list[str]:
+    """Arguments of public functions, methods and classes whose name, type or default differs from that elsewhere."""
+    broken = []
+    for name, given, default in _arguments_at_the_doors(House(root)):
+        package, annotation = name.split(".")[0], "" if given.annotation is None else ast.unparse(given.annotation)
+        other, packages = OTHER_NAMES.get(given.arg, ("", ()))
+        if package in packages:
+            broken.append(f"{name}({given.arg}=) is called {other} elsewhere")
+        if given.arg in TYPES and annotation not in TYPES[given.arg]:
+            broken.append(f"{name}({given.arg}: {annotation}) is {TYPES[given.arg][0]} elsewhere")
+        if default is not None and given.arg in DEFAULTS and ast.unparse(default) not in DEFAULTS[given.arg]:
+            broken.append(
+                f"{name}({given.arg}={ast.unparse(default)}) has the default {DEFAULTS[given.arg][0]} elsewhere"
+            )
+    return sorted(set(broken))
+
+
+def _arguments_at_the_doors(house: House) -> Iterator[tuple[str, ast.arg, ast.expr | None]]:
+    """Arguments of what faces hand on, by the dotted name of the function or class, each with its default."""
+    for face, names in house.handed_on.items():
+        for name, module in names.items():
+            if module not in house.files:
+                continue
+            for node in ast.parse(house.files[module].read_text(encoding="utf-8")).body:
+                if isinstance(node, ast.FunctionDef) and node.name == name:
+                    yield from _arguments(f"{face}.{name}", node.args)
+                elif isinstance(node, ast.ClassDef) and node.name == name:
+                    for part in node.body:
+                        if isinstance(part, ast.FunctionDef) and (part.name == "__init__" or part.name[0] != "_"):
+                            yield from _arguments(f"{face}.{name}.{part.name}", part.args)
+
+
+def _arguments(name: str, given: ast.arguments) -> Iterator[tuple[str, ast.arg, ast.expr | None]]:
+    placed = [*given.posonlyargs, *given.args]
+    defaults = [*[None] * (len(placed) - len(given.defaults)), *given.defaults]
+    for argument, default in [
+        *zip(placed, defaults, strict=True),
+        *zip(given.kwonlyargs, given.kw_defaults, strict=True),
+    ]:
+        yield name, argument, default
+
+
+RULES = (package_order, room_order, module_circles, rooms_and_modules, names_at_the_doors, one_form_of_arguments)

@@ -7,6 +7,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { access } from "./access";
 import { byId, colour, hand, make, words } from "./dom";
 
 export interface Part { label: string; part: string; kind: string; group: string; }
@@ -78,7 +79,7 @@ export class ArrayPanel {
   async take(model: Model): Promise<void> {
     byId("array-note").textContent = model.notes.join(" ");
     if (!this.renderer) return;
-    const answer = await fetch(model.file);
+    const answer = await fetch(model.file, { headers: access() });
     if (!answer.ok) throw new Error(`${model.file}: ${answer.status}`);
     const found = await new GLTFLoader().parseAsync(await answer.arrayBuffer(), "");
     this.clear();

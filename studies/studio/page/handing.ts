@@ -1,9 +1,11 @@
 // Files that are handed in to the studio.
+import { access } from "./access";
+
 /** What the studio answers to something that is handed in; or that it is not taken, and why. */
 export async function handIn(address: string, asked: Record<string, string>, body: BodyInit): Promise<Response> {
   let why = "The studio does not answer.";
   try {
-    const answer = await fetch(`${address}?${new URLSearchParams(asked)}`, { method: "POST", body });
+    const answer = await fetch(`${address}?${new URLSearchParams(asked)}`, { method: "POST", body, headers: access() });
     if (answer.ok) return answer;
     why = `The studio rejected it (${answer.status}).`;
     why = (await answer.json()).message;

@@ -1,11 +1,16 @@
 // The websocket to the server: opened again when it is lost, and half-open links are found by pings.
+import { secret } from "./access";
+
 export type State = "open" | "lost" | "gone" | "locked";
 const PING_EVERY = 3000, PONG_WITHIN = 6000;
+/** Code of a websocket that the studio closes because the page has no secret, or an old one. */
+const REFUSED = 1008;
 
 export class Link {
   private socket: WebSocket | null = null;
   private asked = 0;
   private answered = true;
+  private admitted = false;
   private tries = 0;
   constructor(
     private hello: () => object,
@@ -28,17 +33,21 @@ export class Link {
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     this.answered = true;
+    this.admitted = false;
     socket.onopen = () => {
-      this.tries = 0;
-      socket.send(JSON.stringify(this.hello()));
-      this.state("open");
+      socket.send(JSON.stringify({ ...this.hello(), secret: secret() }));
     };
     socket.onmessage = (event) => {
+      if (!this.admitted) {
+        this.admitted = true;
+        this.tries = 0;
+        this.state("open");
+      }
       this.answered = true;
       if (typeof event.data === "string") this.text(JSON.parse(event.data));
       else this.binary(event.data);
     };
-    socket.onclose = () => this.lost(socket);
+    socket.onclose = (event) => this.lost(socket, event.code === REFUSED ? "locked" : "lost");
   }
 
   private watch(): void {
@@ -51,12 +60,12 @@ export class Link {
     } else if (performance.now() - this.asked > PONG_WITHIN) this.lost(this.socket);
   }
 
-  private lost(socket: WebSocket): void {
+  private lost(socket: WebSocket, state: State = "lost"): void {
     if (socket !== this.socket) return;
     this.socket = null;
     socket.onclose = socket.onmessage = null;
     socket.close();
-    this.state("lost");
+    this.state(state);
     this.tries += 1;
     setTimeout(() => this.again(), Math.min(250 * 2 ** this.tries, 4000));
   }

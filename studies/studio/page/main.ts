@@ -1,6 +1,7 @@
 // The page of the studio: panels, and what they and the server tell each other.
 import "uplot/dist/uPlot.min.css";
 import "./studio.css";
+import { takeSecret } from "./access";
 import { ArrayPanel, type Part } from "./array";
 import { CheckPanel } from "./check";
 import { ComparePanel } from "./compare";
@@ -21,8 +22,9 @@ const STATES: Record<State, string> = {
   open: "",
   lost: "The connection to the studio was lost and is being restored. The design is kept.",
   gone: "The studio does not answer: it has ended. Start it again with “acoustic-fem studio”. This page keeps the design and continues with it.",
-  locked: "The studio was restarted with a new key. Open the address that it printed in this browser, then this page continues with its design.",
+  locked: "The studio does not know this browser. Open the address that it printed last in this browser, then this page continues with its design.",
 };
+takeSecret();
 let session: string | null = null;
 let stated: any = null;
 let name = "design";
@@ -450,7 +452,6 @@ window.addEventListener("hashchange", async () => {
 const dark = matchMedia("(prefers-color-scheme: dark)");
 theme(localStorage.getItem("acoustic-fem-theme") ?? (dark.matches ? "dark" : "light"));
 dark.addEventListener("change", () => { if (!localStorage.getItem("acoustic-fem-theme")) theme(dark.matches ? "dark" : "light"); });
-if (location.search) history.replaceState(null, "", `/${location.hash}`);
 
 byId("points-png").addEventListener("click", () => table.picture(name));
 byId("points-csv").addEventListener("click", () => table.table(name));

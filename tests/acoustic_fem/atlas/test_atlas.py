@@ -144,7 +144,7 @@ def test_cells_outside_are_refused_by_name(design):
     with refused(Kind.NO_RESULT, error=OutsideAtlas) as found:
         acoustic_fem.solve(design, [1.0, 2000.0], "atlas")
     assert "shear number" in found.value.field
-    with refused(Kind.NO_RESULT, "medium: gamma", error=OutsideAtlas):
+    with refused(Kind.NO_RESULT, "air: gamma", error=OutsideAtlas):
         acoustic_fem.solve(design, BAND, "atlas", replace(AIR, gamma=1.66))
 
 

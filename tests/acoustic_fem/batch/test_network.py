@@ -428,11 +428,11 @@ def test_air_that_does_not_fit_is_refused():
     design = prototype("array-2x6")
     parameters, topology = scaled(ArrayParameters.from_design(design, AIR), 3), Topology.of(design)
     air = MediumParameters.from_media([AIR, AIR])
-    with refused(Kind.WRONG_TYPE, "medium.density"):
+    with refused(Kind.WRONG_TYPE, "air.density"):
         batch_response(parameters, topology, BAND, air)
-    with refused(Kind.OUT_OF_RANGE, "medium.gamma"):
+    with refused(Kind.OUT_OF_RANGE, "air.gamma"):
         batch_response(parameters, topology, BAND, replace(MediumParameters.from_media([AIR]), gamma=np.zeros(1)))
-    with refused(Kind.WRONG_TYPE, "medium.density"):
+    with refused(Kind.WRONG_TYPE, "air.density"):
         batch_response(parameters.tensors(), topology, BAND, air)
 
 

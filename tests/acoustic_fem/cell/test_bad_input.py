@@ -29,6 +29,7 @@ from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 from geometry.air.wound_tube import Winding
 from geometry.design.design_file import prototype
+from geometry.ground.argument_checks import check_range, real_numbers
 from geometry.ground.refusal import Kind
 from geometry.schema.ports import CellPort
 
@@ -170,13 +171,13 @@ BODIES = {
     "accuracy": {"accuracy": np.nan},
     "accuracy in words": {"accuracy": "fine"},
     "fidelity": {"fidelity": "lumped"},
-    "no gas": {"medium": None},
+    "no gas": {"air": "thin"},
 }
 
 
 @pytest.mark.usefixtures("no_meshing")
 def test_a_bad_body_of_air_is_refused_by_name_before_any_work():
-    good = {"solid": BOX, "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "medium": AIR}
+    good = {"solid": BOX, "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "air": AIR}
     cases = {name: partial(solid.port_admittance, **{**good, **change}) for name, change in BODIES.items()}
     check_messages(Path(__file__).with_name("bodies.txt"), cases)
 
@@ -186,7 +187,9 @@ def test_a_step_file_cut_short_is_refused_by_its_name(tmp_path, length):
     whole, cut = tmp_path / "whole.step", tmp_path / "cut.step"
     cq.exporters.export(cq.Workplane(BOX), str(whole))
     cut.write_bytes(whole.read_bytes()[:length])
-    with pytest.raises(ValueError, match=r"cut\.step: cut short or not a STEP file|solid must be one CadQuery shape"):
+    with pytest.raises(
+        ValueError, match=r"cut\.step: cut short, damaged or not a STEP file|solid must be one CadQuery shape"
+    ):
         solid.port_admittance(cut, {"a": (0.5, 0.5, 0)}, [1.0], AIR)
 
 
@@ -200,9 +203,9 @@ def test_a_cavity_with_no_port_is_refused_by_its_name():
 # -- checks -----------------------------------------------------------------------------------------------
 def test_numbers_of_any_real_kind_are_taken():
     for values in (3, 3.0, np.float32(3), [3, 4.0], np.arange(3), range(3)):
-        np.testing.assert_array_equal(checks.numbers("x", values), np.asarray(values, dtype=float))
+        np.testing.assert_array_equal(real_numbers("x", values), np.asarray(values, dtype=float))
     with refused(Kind.WRONG_TYPE, "accuracy", [1e-3, 2e-3]):
-        checks.in_range("accuracy", [1e-3, 2e-3], 0, 1)
+        check_range("accuracy", [1e-3, 2e-3], 0, 1)
 
 
 def test_messages_of_quantities_and_grids_read_well():
@@ -212,8 +215,8 @@ def test_messages_of_quantities_and_grids_read_well():
         Path(__file__).parent / "messages.txt",
         {
             **{f"grid, {name}": partial(checks.frequency_grid, grid) for name, (grid, _) in GRIDS.items()},
-            "one number": lambda: checks.in_range("accuracy", [1e-3, 2e-3], 0, 1),
-            "range": lambda: checks.in_range("accuracy", 0.5, 2e-4, 3e-3),
+            "one number": lambda: check_range("accuracy", [1e-3, 2e-3], 0, 1),
+            "range": lambda: check_range("accuracy", 0.5, 2e-4, 3e-3),
             "range with unit": lambda: Medium.at(pressure=1013.25),
             "positive": lambda: plane_wave.port_admittance(1e-4, -0.01, [1.0], AIR),
             "complex": lambda: plane_wave.UserLine(-1.0, 1e8).series_impedance(10.0, AIR),

@@ -330,7 +330,7 @@ def test_a_cell_that_cannot_be_read_is_said_and_solved_again(tmp_path, monkeypat
     ids=lambda value: "" if isinstance(value, str) else next(iter(value)),
 )
 def test_bad_input_is_refused_by_name(change, message):
-    good = {"solid": cq.Solid.makeBox(1, 1, 1), "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "medium": AIR}
+    good = {"solid": cq.Solid.makeBox(1, 1, 1), "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "air": AIR}
     with pytest.raises((ValueError, MeshError, LinearSolverError), match=message):
         port_admittance(**{**good, **change})
 

@@ -130,11 +130,11 @@ def test_what_takes_too_long_or_ends_the_process_is_refused(
     export(library, path)
     unsealed(path)
     monkeypatch.setattr(sealed_netcdf, "_trial", read_for_ever)
-    monkeypatch.setattr(sealed_netcdf, "_PATIENCE", 0.2)
+    monkeypatch.setattr(sealed_netcdf, "PATIENCE", 0.2)
     with pytest.raises(LibraryError, match=r"library.sofa: cannot be read in 0.2 s; it is damaged, or not a library"):
         load(path)
     monkeypatch.setattr(sealed_netcdf, "_trial", crash)
-    monkeypatch.setattr(sealed_netcdf, "_PATIENCE", 60)
+    monkeypatch.setattr(sealed_netcdf, "PATIENCE", 60)
     with pytest.raises(LibraryError, match=r"library.sofa: cut short, damaged or not .*: it ends what reads it"):
         load(path)
 

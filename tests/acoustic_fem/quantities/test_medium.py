@@ -3,10 +3,15 @@
 import dataclasses
 import math
 
+import numpy as np
 import pytest
 from reference_data import AIR
 from refusals import refused
 
+import geometry
+from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.batch.topology import Topology
 from acoustic_fem.quantities.medium import GAS_CONSTANT, MOLAR_MASS_AIR, Medium, saturation_pressure
 from geometry.ground.refusal import Kind
 
@@ -26,6 +31,40 @@ def test_dry_air_at_20_degrees_agrees_with_published_values():
     assert air.conductivity == pytest.approx(25.87e-3, rel=2e-3, abs=0)
     assert air.heat_capacity == pytest.approx(1006.1, rel=1e-3, abs=0)
     assert air.sound_speed == pytest.approx(343.4, rel=2e-3, abs=0)
+
+
+#: Table F.1 of IEC 61094-2:2009: density, speed of sound, gamma, viscosity and thermal diffusivity of two states, SI.
+_IEC = {
+    (23.0, 0.5, 101325.0): (1.1860848, 345.86652, 1.4007573, 1.826566e-5, 2.115317e-5),
+    (20.0, 0.65, 80000.0): (0.9441589, 344.38267, 1.4000266, 1.811295e-5, 2.627024e-5),
+}
+
+
+@pytest.mark.parametrize("state", _IEC)
+def test_air_agrees_with_the_calibration_standard_as_far_as_its_documentation_says(state):
+    air = Medium.at(*state)
+    density, sound_speed, gamma, viscosity, thermal_diffusivity = _IEC[state]
+    assert air.density == pytest.approx(density, rel=5e-4, abs=0)
+    assert air.sound_speed == pytest.approx(sound_speed, rel=8e-4, abs=0)
+    assert air.gamma == pytest.approx(gamma, rel=2.1e-3, abs=0)
+    assert air.viscosity == pytest.approx(viscosity, rel=7e-3, abs=0)
+    # Lemmon and Jacobsen (2004) give a larger conductivity than the fit in the annex of the standard
+    assert 1.019 < air.thermal_diffusivity / thermal_diffusivity < 1.021
+
+
+def test_the_air_of_the_calibration_standard_changes_an_array_by_less_than_a_tenth_of_a_decibel():
+    state = (23.0, 0.5, 101325.0)
+    density, _, gamma, viscosity, thermal_diffusivity = _IEC[state]
+    capacity = gamma / (gamma - 1) * state[2] / (density * (state[0] + 273.15))
+    standard = Medium(density, viscosity, thermal_diffusivity * density * capacity, capacity, gamma, state[2])
+    design, frequency = geometry.prototype("array-2x6"), np.arange(1.0, 101.0)
+    parameters, topology = ArrayParameters.from_design(design), Topology.of(design)
+    own, other = (
+        batch_transfer_function(parameters, topology, frequency, air)[0] for air in (Medium.at(*state), standard)
+    )
+    # 0.063 dB and 0.22 degrees
+    assert np.abs(20 * np.log10(np.abs(other / own))).max() == pytest.approx(0.063, abs=2e-3)
+    assert np.abs(np.degrees(np.angle(other / own))).max() == pytest.approx(0.22, abs=0.01)
 
 
 @pytest.mark.parametrize(("celsius", "pascal"), [(0.01, 611.66), (20, 2339.3), (37, 6282), (60, 19946)])

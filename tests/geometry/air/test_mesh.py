@@ -1,5 +1,7 @@
 """Curved meshes of cells: volumes, named faces and the traps of meshing."""
 
+import tempfile
+
 import cadquery as cq
 import numpy as np
 import pytest
@@ -12,6 +14,7 @@ from geometry.ground.refusal import Kind
 from geometry.schema.ports import CellPort
 
 SIZES = MeshSizes(mouth_edge=0.4, tube=0.8, growth=0.7, largest=1.0)
+resource = pytest.importorskip("resource")
 STRAIGHT = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)
 CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44), CellPort(120.0, 0.44)), 0.5, 0.3)
 
@@ -27,6 +30,19 @@ def test_curved_elements_hold_the_cad_volume_where_straight_ones_lose_it(cell):
     mesh = mesh_of(air_volume(cell))
     assert mesh.mesh_volume == pytest.approx(mesh.volume, rel=2e-4)
     assert straight_volume(mesh) < mesh.volume * 0.995
+
+
+def test_without_room_for_temporary_files_no_half_of_a_solid_is_meshed(tmp_path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    air = air_volume(STRAIGHT)
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, hard))
+    try:
+        with pytest.raises(OSError, match="set TMPDIR") as caught:
+            mesh_of(air)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert caught.value.filename == str(tmp_path)
 
 
 def mesh_of(air):

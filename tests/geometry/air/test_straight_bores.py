@@ -78,3 +78,15 @@ def test_a_bore_beside_which_another_wall_lies_close_stays():
     bores = cq.Workplane("YZ").pushPoints([(0, 0), (0, 0.51)]).circle(RADIUS).extrude(4.0)
     solid, ports = with_bore(bores)
     assert shortened(solid, ports, ["a"]).bores[0].length == 0.0
+
+
+@pytest.mark.parametrize("half", [True, False])
+def test_a_tube_that_ends_at_a_wall_keeps_two_radii_before_it_and_its_mirror(half):
+    tube, port = cq.Workplane("XY").circle(0.5).extrude(20).val(), {"a": (0.0, 0.0, 0.0)}
+    found = mirror_half(tube, port)
+    points = {**found.ports, "mirror": found.mirror} if half else port
+    short = shortened(found.solid if half else tube, points, ["a"])
+    assert short.bores[0].length == pytest.approx(20 - KEPT_RADII * 0.5)
+    assert short.solid.Volume() == pytest.approx(np.pi * 0.25 * KEPT_RADII * 0.5 * (0.5 if half else 1), rel=1e-6)
+    for name, point in short.points.items():
+        assert face_at(short.solid.Solids()[0], name, point).geomType() == "PLANE"

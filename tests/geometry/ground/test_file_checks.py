@@ -11,9 +11,17 @@ from pathlib import Path
 import pytest
 from refusals import check_messages, refused
 
-from geometry.ground.file_checks import library_reads, ordinary_file, read_bytes
+from geometry.ground.file_checks import (
+    check_local,
+    check_own_file,
+    library_reads,
+    open_to_append,
+    ordinary_file,
+    read_bytes,
+)
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
+from geometry.ground.whole_files import made_folder, whole_file, whole_lines, write_text
 
 
 def folder(path: Path) -> None:
@@ -117,3 +125,69 @@ def test_a_refusal_and_a_wish_to_stop_pass_the_library() -> None:
         raise Refusal("as it was", kind=Kind.OUT_OF_RANGE)
     with pytest.raises(KeyboardInterrupt), library_reads("f.mat", "a MAT file", Refusal):
         raise KeyboardInterrupt
+
+
+@pytest.mark.parametrize(
+    "address", ["s3://bucket/a.nc", "https://host/a", "file:///tmp/a", "memory://a", "zip::s3://b/a"]
+)
+def test_an_address_is_no_file_to_read_or_write(address: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for path in (address, Path(address)):
+        for call in (
+            lambda path=path: ordinary_file(path, "a test", Refusal),
+            lambda path=path: write_text(path, "content"),
+            lambda path=path: made_folder(path),
+            lambda path=path: whole_lines(path).__enter__(),
+        ):
+            with refused(Kind.OUT_OF_RANGE, file=str(path)):
+                call()
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("name", ["a:b", "C:/a.nc", "s3", "s3:", "10:20/x", "./a+b/c"])
+def test_a_name_with_a_colon_is_a_path(name: str) -> None:
+    check_local(name)
+
+
+def link(path: Path) -> None:
+    path.with_name("another's").write_text("mine")
+    path.symlink_to(path.with_name("another's"))
+
+
+def link_to_nothing(path: Path) -> None:
+    path.symlink_to(path.with_name("nothing"))
+
+
+@pytest.mark.parametrize("write", [check_own_file, open_to_append])
+@pytest.mark.parametrize("make", [folder, pipe, listening, device, circle, link, link_to_nothing])
+def test_what_is_no_file_of_ours_is_not_written_on(
+    write: Callable[..., object], make: Callable[[Path], None], tmp_path: Path
+) -> None:
+    make(tmp_path / "given")
+    before = sorted(tmp_path.iterdir())
+    with refused(Kind.EXISTS, file=tmp_path / "given"):
+        write(tmp_path / "given", "a log", Refusal)
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_a_log_is_written_on(tmp_path: Path) -> None:
+    for line in ("one", "two"):
+        with open_to_append(tmp_path / "log", "a log", Refusal) as log:
+            log.write(f"{line}\n")
+    assert (tmp_path / "log").read_text() == "one\ntwo\n"
+
+
+@pytest.mark.parametrize("make", [pipe, link, link_to_nothing, listening])
+def test_what_lies_beside_a_file_that_is_written_is_neither_opened_nor_followed(
+    make: Callable[[Path], None], tmp_path: Path
+) -> None:
+    with whole_file(tmp_path / "file.txt") as beside:
+        pass_by = beside
+        make(beside)
+        beside.unlink()
+        beside.write_text("first")
+    make(pass_by)
+    write_text(tmp_path / "file.txt", "second")
+    assert (tmp_path / "file.txt").read_text() == "second"
+    others = tmp_path / "another's"
+    assert not others.exists() or others.read_text() == "mine"

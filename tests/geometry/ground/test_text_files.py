@@ -17,8 +17,8 @@ from geometry.ground.text_files import parse_json, parse_toml, read_toml
 from geometry.schema.print_processes import find_process
 from localize.recordings.touch_manifest import TouchManifestError, read_touch_manifest
 from studies.optimization.problem import load_optimization
-from studies.study.file import load_study
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import load_study
 
 ROOT = Path(__file__).parents[3]
 
@@ -98,3 +98,61 @@ def test_every_kind_of_file_has_one_reader(library: str, module: str) -> None:
         cwd=ROOT, capture_output=True, text=True, check=True,
     )  # fmt: skip
     assert found.stdout.split() == [module]
+
+
+LONG = ".".join(["a"] * 90_000)
+BOMBS = {
+    "a key": f"{LONG} = 1",
+    "a table": f"[{LONG}]",
+    "tables in a list": f"[[{LONG}]]",
+    "a table in a line": f"x = {{ {LONG} = 1 }}",
+    "blanks at the dots": " . ".join(["a"] * 90_000) + " = 1",
+    "parts in quotes": ".".join(['"="'] * 90_000) + " = 1",
+    "parts in quotes with a line separator": ".".join(['"\u2028"'] * 90_000) + " = 1",
+    "parts in single quotes": ".".join(["'#'"] * 90_000) + " = 1",
+    "after a text of several lines": f'x = """\n"" \\"""\n"""\n{LONG} = 1',
+    "after a text with a backslash": f"x = '\\'\n{LONG} = 1",
+}
+
+
+@pytest.mark.parametrize("bomb", BOMBS)
+def test_a_key_of_very_many_parts_is_refused_before_it_takes_memory(bomb: str) -> None:
+    """The parser takes gigabytes for each of these: the test would not end."""
+    with refused(Kind.UNREADABLE, file="a.toml"):
+        parse_toml(BOMBS[bomb], "a.toml", Refusal)
+
+
+def test_dots_that_are_of_no_key_are_read() -> None:
+    many = "." * 100
+    text = f'# {many}\na = "{many}"\nb = \'{many}\'\nc = [{", ".join(["1.5"] * 100)}]\nd = """\n{many}\n"""\n'
+    read = parse_toml(text, "a.toml", Refusal)
+    assert (read["a"], read["b"], read["c"], read["d"]) == (many, many, [1.5] * 100, f"{many}\n")
+
+
+HIDDEN = {
+    "a control": ('a = "x\\u001b[2J"', "a", "x\x1b[2J"),
+    "a bell in a list": ('[b]\na = ["x", "\\u0007"]', "b.a.1", "\x07"),
+    "a control of the second set": ('a = "\\u009b8m"', "a", "\x9b8m"),
+    "a mark that turns the line": ('a = "\u202egpj.exe"', "a", "\u202egpj.exe"),
+    "a mark that isolates": ('a = "\\u2066x"', "a", "\u2066x"),
+    "a delete": ('a = "\\u007f"', "a", "\x7f"),
+    "a name": ('[b]\n"\\u001b[8m" = 1', "b", "\x1b[8m"),
+}
+
+
+@pytest.mark.parametrize("what", HIDDEN)
+def test_control_characters_are_refused_with_their_field(what: str) -> None:
+    text, field, value = HIDDEN[what]
+    with refused(Kind.UNREADABLE, field, value, file="a.toml"):
+        parse_toml(text, "a.toml", Refusal)
+
+
+@pytest.mark.parametrize("text", ['{"a": "\\u001b"}', '{"a": "\\ud800"}', '{"\\u202e": 1}', '["\\u0000"]', '"\\u0085"'])
+def test_control_characters_in_json_are_refused(text: str) -> None:
+    with refused(Kind.UNREADABLE, file="a.json"):
+        parse_json(text, "a.json", Refusal)
+
+
+def test_texts_of_several_lines_and_of_all_scripts_are_read() -> None:
+    text = 'a = """one\ttwo\n\\r\\nשלום \u200f नमस्ते\u200d 👩\u200d🔬"""'
+    assert parse_toml(text, "a.toml", Refusal)["a"].endswith("🔬")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -10,8 +11,8 @@ from pathlib import Path
 import pytest
 from refusals import refused
 
-from geometry.ground.refusal import Kind
-from geometry.ground.whole_files import replace_section, whole_file, whole_lines, writing
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.whole_files import replace_section, temporary_folder, whole_file, whole_lines, writing
 
 resource = pytest.importorskip("resource")
 
@@ -58,6 +59,47 @@ def test_a_full_disk_is_told_whatever_a_library_says_of_it(tmp_path: Path, said:
     assert (caught.value.errno, caught.value.filename) == (errno.EFBIG, str(path))
     assert path.read_text() == "old"
     assert [entry.name for entry in tmp_path.iterdir()] == ["a.nc"]
+
+
+@pytest.mark.parametrize("said", [RuntimeError("no shape was read"), OSError(errno.ENOSPC, "No space"), None])
+def test_a_full_folder_for_temporary_files_is_named_whatever_a_library_says_of_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: Exception | None
+) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+
+    def half() -> None:
+        with temporary_folder() as folder:
+            if said is not None:
+                raise said
+            (folder / "a").write_bytes(bytes(10_000))
+
+    with no_room_beyond(5000), pytest.raises(OSError, match="set TMPDIR") as caught:
+        half()
+    assert caught.value.errno in (errno.EFBIG, errno.ENOSPC)
+    assert caught.value.filename == str(tmp_path)
+    assert [*tmp_path.iterdir()] == []
+
+
+def test_a_folder_for_temporary_files_with_room_changes_no_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    for error in (RuntimeError("a mistake"), Refusal("is no design", kind=Kind.UNSUITABLE)):
+        with pytest.raises(type(error)) as caught, temporary_folder():
+            raise error
+        assert caught.value is error
+    assert [*tmp_path.iterdir()] == []
+
+
+def test_without_any_folder_for_temporary_files_one_line_says_what_to_set(monkeypatch: pytest.MonkeyPatch) -> None:
+    def none() -> str:
+        raise FileNotFoundError(errno.ENOENT, "No usable temporary directory found in ['/tmp']")
+
+    monkeypatch.setattr(tempfile, "gettempdir", none)
+    monkeypatch.setenv("TMPDIR", "/full")
+    with pytest.raises(OSError, match="set TMPDIR") as caught, temporary_folder():
+        pass
+    assert (caught.value.errno, caught.value.filename) == (errno.ENOSPC, "/full")
 
 
 def test_what_the_system_says_of_a_full_disk_gets_the_name_that_it_lacks(tmp_path: Path) -> None:

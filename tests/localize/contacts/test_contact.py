@@ -61,12 +61,12 @@ def test_the_rule_is_good_to_1e_9():
         ({"path": [[0.0, 0.0]]}, Kind.WRONG_TYPE),
         ({"force": [0.0, -1.0]}, Kind.OUT_OF_RANGE),
         ({"force": [0.0, np.nan]}, Kind.UNSUITABLE),
-        ({"radius": 0.0}, Kind.OUT_OF_RANGE),
+        ({"contact_radius_mm": 0.0}, Kind.OUT_OF_RANGE),
         ({"roughness": 3.0}, Kind.OUT_OF_RANGE),
     ],
 )
 def test_contacts_that_cannot_be_are_refused(change, kind):
-    values = {"time": [0.0, 1.0], "path": [[0.0, 0.0], [1.0, 0.0]], "force": [1.0, 1.0], "radius": 1.0}
+    values = {"time": [0.0, 1.0], "path": [[0.0, 0.0], [1.0, 0.0]], "force": [1.0, 1.0], "contact_radius_mm": 1.0}
     with refused(kind, f"contact.{next(iter(change))}"):
         Contact(**{**values, **change})
 

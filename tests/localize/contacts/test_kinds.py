@@ -29,7 +29,7 @@ def test_every_contact_is_the_same_again_and_unlike_its_neighbours(name):
     assert np.array_equal(one.force, again.force)
     assert np.array_equal(one.path, again.path)
     assert one.time[0] == 0
-    assert (one.radius, one.roughness, one.label) == (again.radius, again.roughness, again.label)
+    assert (one.contact_radius_mm, one.roughness, one.label) == (again.contact_radius_mm, again.roughness, again.label)
     for other in (
         KINDS[name](seed=2, sample=8),
         KINDS[name](seed=3, sample=7),

@@ -165,7 +165,7 @@ def test_noise_that_is_louder_than_told_is_no_misfit_once_it_is_measured(
     elsewhere = sensor_fit(decoder, heard(response_of(other), loud), [loud, loud])
     assert elsewhere is not None
     assert elsewhere.misfit > 2 * measured.misfit
-    with refused(Kind.WRONG_TYPE, "noise"):
+    with refused(Kind.WRONG_TYPE, "microphone_noise"):
         sensor_fit(decoder, frames, [loud, loud, loud])
 
 

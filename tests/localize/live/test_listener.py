@@ -259,6 +259,83 @@ def test_devices_are_chosen_by_number_or_part_of_a_name() -> None:
         DeviceSource(names, None, sounddevice=FakeAudio([], channels=0))
 
 
+@pytest.mark.parametrize(
+    ("device", "host"),
+    [
+        ("USB array, Windows WASAPI", "Windows WASAPI"),
+        ("usb array, windows wdm-ks", "Windows WDM-KS"),
+        ("USB, WASAPI", "Windows WASAPI"),
+        ("array,mme", "MME"),
+        (1, "MME"),
+        (None, "MME"),
+    ],
+)
+def test_a_card_under_several_audio_systems_is_chosen_with_its_system(device: int | str | None, host: str) -> None:
+    audio = FakeAudio([], hosts=("MME", "Windows WASAPI", "Windows WDM-KS"))
+    assert DeviceSource(("A",), device, sounddevice=audio).name == f"USB array ({host}, 48000 Hz)"
+
+
+@pytest.mark.parametrize("device", ["USB array", "usb", "", "USB, Windows", "array, w"])
+def test_a_name_that_fits_several_audio_systems_is_refused_with_what_to_give(device: str) -> None:
+    audio = FakeAudio([], hosts=("MME", "Windows WASAPI", "Windows WDM-KS"))
+    with refused(Kind.UNKNOWN, "device", device, error=SourceError) as found:
+        DeviceSource(("A",), device, sounddevice=audio)
+    assert "2 'USB array, Windows WASAPI', 3 'USB array, Windows WDM-KS'" in str(found.value)
+    for each in ("USB array, CoreAudio", "Speaker, MME", "mic, MME"):
+        with refused(Kind.UNKNOWN, "device", each, error=SourceError):
+            DeviceSource(("A",), each, sounddevice=audio)
+
+
+def test_a_device_records_at_the_rate_that_was_asked_for() -> None:
+    samples = np.zeros((1000, 2), np.float32)
+    audio = FakeAudio([Run(samples)])
+    source = DeviceSource(("A", "B"), None, sounddevice=audio, rate=44_100)
+    source.open()
+    source.close()
+    assert (source.rate, source.name) == (44_100.0, "USB array (ALSA, 44100 Hz)")
+    assert audio.opened[0]["samplerate"] == 44_100
+    # a rate that the device states is not used, and may be nonsense
+    assert DeviceSource(("A",), None, sounddevice=FakeAudio([], rate=50.0), rate=48_000).rate == 48_000.0
+
+
+@pytest.mark.parametrize(
+    ("rate", "kind"),
+    [
+        (12_345, Kind.UNSUITABLE),
+        (192_000, Kind.UNSUITABLE),
+        (0, Kind.OUT_OF_RANGE),
+        (100, Kind.OUT_OF_RANGE),
+        (2_000_000, Kind.OUT_OF_RANGE),
+        (44_100.5, Kind.OUT_OF_RANGE),
+    ],
+)
+def test_a_rate_that_a_device_does_not_take_is_refused(rate: int, kind: Kind) -> None:
+    with refused(kind, "rate", rate, error=SourceError) as found:
+        DeviceSource(("A",), None, sounddevice=FakeAudio([]), rate=rate)
+    assert kind is Kind.OUT_OF_RANGE or "USB array, ALSA: Invalid sample rate; its own rate is 48000 Hz" in str(
+        found.value
+    )
+
+
+@pytest.mark.parametrize(
+    ("failure", "words"),
+    [
+        (
+            ("Unanticipated host error", -9999, (0, -16, "Device or resource busy")),
+            "Device or resource busy (error -16",
+        ),
+        (("Unanticipated host error", -9999, (0, -1005, "")), "error -1005 of the audio system"),
+        (("Device unavailable", -9985), "USB array: Device unavailable"),
+    ],
+)
+def test_the_error_of_the_audio_system_is_shown(failure: tuple[object, ...], words: str) -> None:
+    audio = FakeAudio([Run(np.zeros((10, 2), np.float32))], failures=[failure], opened=[{}])
+    source = DeviceSource(("A",), None, sounddevice=audio)
+    with refused(Kind.STOPPED, file="USB array", error=SourceError) as found:
+        source.open()
+    assert words in str(found.value)
+
+
 def test_putting_never_waits_and_a_bounded_queue_holds_what_it_can() -> None:
     queue = BlockQueue(1.0, 1000.0)
     for first in range(0, 100_000, 100):

@@ -80,21 +80,21 @@ def test_a_library_is_read_once_by_every_verb(folder: Path, monkeypatch: pytest.
     library, touch = folder / "library.nc", folder / "touch.wav"
     decoding = studies.Decoding(air=LocalAir(altitude=1000.0), ambient=60.0)
     studies.locate_recording(library, touch, full_scale=20.0, decoding=decoding)
-    studies.listen(library, studies.LiveInput(replay=touch, full_scale=20.0), decoding=decoding, radius=4.0)
+    studies.listen(library, studies.LiveInput(replay=touch, full_scale=20.0), decoding=decoding, contact_radius_mm=4.0)
     studies.track_recording(library, touch, full_scale=20.0)
     assert read == [library] * 3
 
 
 def test_what_is_in_memory_answers_as_its_file_does(folder: Path) -> None:
     library, touch = folder / "library.nc", folder / "touch.wav"
-    decoding = studies.Decoding(noise=NOISE)
+    decoding = studies.Decoding(microphone_noise=NOISE)
     by_path = studies.locate_recording(library, touch, full_scale=20.0, decoding=decoding)
     assert by_path.touches
     loaded = acoustic_fem.load(library)
     for found in (
         studies.locate_recording(loaded, touch, full_scale=20.0, decoding=decoding),
-        studies.locate_recording(localize.open_model(loaded, noise=NOISE), touch, full_scale=20.0),
-        localize.open_model(library, noise=NOISE).locate_file(touch, 20.0),
+        studies.locate_recording(localize.open_model(loaded, microphone_noise=NOISE), touch, full_scale=20.0),
+        localize.open_model(library, microphone_noise=NOISE).locate_file(touch, 20.0),
     ):
         assert found.events == by_path.events
         assert found.touches == by_path.touches
@@ -119,7 +119,9 @@ def test_tracks_pulses_and_exports_take_what_is_in_memory(folder: Path, tmp_path
     texts = [(tmp_path / f"{number}" / "touch_tables.c").read_bytes() for number in range(3)]
     assert texts[0] == texts[1] == texts[2]
     assert localize.open_model(tmp_path / "2.onnx").locator.design == library.design.name
-    judged = studies.evaluate_localizer(localize.BayesDecoder(library, NOISE), library, touches=5, noise=NOISE)
+    judged = studies.evaluate_localizer(
+        localize.BayesDecoder(library, NOISE), library, touches=5, microphone_noise=NOISE
+    )
     assert judged["model-based decoder"].top1 == judged["Bayes decoder"].top1
 
 
@@ -128,17 +130,19 @@ def test_a_model_that_holds_its_library_is_evaluated_with_it(folder: Path, monke
     load = acoustic_fem.load
     monkeypatch.setattr(acoustic_fem, "load", lambda path: read.append(path) or load(path))
     path = folder / "library.nc"
-    alone = studies.evaluate_localizer(path, touches=5, noise=NOISE)
-    beside = studies.evaluate_localizer(path, str(path), touches=5, noise=NOISE)
+    alone = studies.evaluate_localizer(path, touches=5, microphone_noise=NOISE)
+    beside = studies.evaluate_localizer(path, str(path), touches=5, microphone_noise=NOISE)
     assert len(read) == 2
-    opened = studies.evaluate_localizer(localize.open_model(calibrated(), noise=NOISE), touches=5, noise=NOISE)
+    opened = studies.evaluate_localizer(
+        localize.open_model(calibrated(), microphone_noise=NOISE), touches=5, microphone_noise=NOISE
+    )
     assert len({each["Bayes decoder"].top1 for each in (alone, beside, opened)}) == 1
     with refused(Kind.MISSING, "library"):
         studies.evaluate_localizer(folder / "decoder.onnx", touches=5)
     with refused(Kind.WRONG_TYPE, "model", 3):
         studies.evaluate_localizer(3)
-    with refused(Kind.OUT_OF_RANGE, "noise", -1):
-        studies.evaluate_localizer(path, touches=5, noise=-1)
+    with refused(Kind.OUT_OF_RANGE, "microphone_noise", -1):
+        studies.evaluate_localizer(path, touches=5, microphone_noise=-1)
 
 
 @pytest.mark.parametrize(
@@ -152,7 +156,7 @@ def test_a_library_of_three_microphones_goes_on_without_one_that_is_dead(name: s
 
 
 def test_a_drift_is_followed_about_a_calibrated_library_alone(folder: Path, tmp_path: Path) -> None:
-    model = localize.open_model(calibrated(), noise=NOISE, follow_drift=True)
+    model = localize.open_model(calibrated(), microphone_noise=NOISE, follow_drift=True)
     assert isinstance(model.locator, localize.DriftDecoder)
     assert model.stream().push(7e-4 * np.random.default_rng(0).standard_normal((2, 300)))
     acoustic_fem.save(solved("array-2x6", GRID), tmp_path / "computed.nc")
@@ -165,7 +169,7 @@ def test_a_drift_is_followed_about_a_calibrated_library_alone(folder: Path, tmp_
 @pytest.mark.slow
 def test_a_drift_is_followed_on_where_a_microphone_dies_and_the_model_keeps_nothing() -> None:
     library = calibrated("glove")
-    model = localize.open_model(library, noise=NOISE, follow_drift=True)
+    model = localize.open_model(library, microphone_noise=NOISE, follow_drift=True)
     touch = (
         localize.TouchGenerator(response_of(library), 1, "training", NOISE).samples(3, 1).signals[0].double().numpy()
     )
@@ -178,12 +182,12 @@ def test_a_drift_is_followed_on_where_a_microphone_dies_and_the_model_keeps_noth
 
 def test_a_library_is_decoded_with_the_tolerances_until_its_sensor_is_measured() -> None:
     library = solved("array-2x6", np.arange(1.0, 101.0))
-    assert type(localize.open_model(library, noise=NOISE).locator) is localize.TolerantDecoder
+    assert type(localize.open_model(library, microphone_noise=NOISE).locator) is localize.TolerantDecoder
     measured = replace(library, fidelity=MEASURED)
     for model in (
-        localize.open_model(measured, noise=NOISE),
-        localize.open_model(library, noise=NOISE, tolerances=False),
-        opened_as_designed(localize.open_model(library, noise=NOISE)),
+        localize.open_model(measured, microphone_noise=NOISE),
+        localize.open_model(library, microphone_noise=NOISE, tolerances=False),
+        opened_as_designed(localize.open_model(library, microphone_noise=NOISE)),
     ):
         assert type(model.locator) is localize.BayesDecoder
         assert model.locator.microphone_noise == NOISE
@@ -209,8 +213,8 @@ def test_assumptions_and_warnings_are_those_of_the_model(folder: Path) -> None:
 
 def test_what_is_for_a_library_alone_is_refused_of_others(folder: Path) -> None:
     graph = folder / "decoder.onnx"
-    with refused(Kind.CONFLICT, "noise", NOISE):
-        localize.open_model(graph, noise=NOISE)
+    with refused(Kind.CONFLICT, "microphone_noise", NOISE):
+        localize.open_model(graph, microphone_noise=NOISE)
     with refused(Kind.CONFLICT, "altitude", 500.0):
         localize.open_model(graph, air=LocalAir(altitude=500.0))
     for field, value in (("ambient", 60.0), ("waveform", True), ("rejected_fraction", 1e-3)):
@@ -257,19 +261,19 @@ def test_sound_and_noise_that_cannot_be_assumed_are_refused_by_the_name_of_their
     for simulate in simulations:
         with refused(Kind.OUT_OF_RANGE, "ambient", 500.0):
             simulate()
-    assert localize.open_model(library, noise=NOISE, ambient=140, tolerances=False).decoding.ambient == 140
+    assert localize.open_model(library, microphone_noise=NOISE, ambient=140, tolerances=False).decoding.ambient == 140
     for noise in (-1, "x", None):
         kind = Kind.OUT_OF_RANGE if noise == -1 else Kind.WRONG_TYPE
-        with refused(kind, "noise", noise):
-            localize.open_model(library, noise=noise)
+        with refused(kind, "microphone_noise", noise):
+            localize.open_model(library, microphone_noise=noise)
         with refused(kind, "microphone_noise", noise):
             response_of(library).noise(noise)
-    with refused(Kind.OUT_OF_RANGE, "noise", 0):
-        localize.open_model(library, noise=0)
-    with refused(Kind.WRONG_TYPE, "noise"):
-        localize.open_model(library, noise=np.ones(3))
-    with refused(Kind.OUT_OF_RANGE, "noise"):
-        localize.open_model(library, noise=float("nan"))
+    with refused(Kind.OUT_OF_RANGE, "microphone_noise", 0):
+        localize.open_model(library, microphone_noise=0)
+    with refused(Kind.WRONG_TYPE, "microphone_noise"):
+        localize.open_model(library, microphone_noise=np.ones(3))
+    with refused(Kind.OUT_OF_RANGE, "microphone_noise"):
+        localize.open_model(library, microphone_noise=float("nan"))
 
 
 @pytest.mark.parametrize("given", [None, 3, geometry.prototype("line-2")])
@@ -291,24 +295,24 @@ def test_what_is_no_model_no_library_and_no_design_is_refused(given: Any) -> Non
 @pytest.mark.parametrize("signals", ["x", None, {"A": 1}, [[1.0, 2.0], [1.0]], np.ones((2, 250), complex)])
 def test_signals_that_are_no_numbers_are_refused(signals: Any) -> None:
     with refused(Kind.WRONG_TYPE, "signals"):
-        localize.open_model(calibrated(), noise=NOISE).locate(signals)
+        localize.open_model(calibrated(), microphone_noise=NOISE).locate(signals)
 
 
 @pytest.mark.parametrize("radius", [float("nan"), 0.0, "x"])
 def test_a_radius_that_no_contact_has_is_refused(radius: Any) -> None:
     library = solved("array-2x6", GRID)
     kind = Kind.WRONG_TYPE if radius == "x" else Kind.OUT_OF_RANGE
-    with refused(kind, "radius"):
+    with refused(kind, "contact_radius_mm"):
         localize.tracking.PathTracker(library, radius)
-    with refused(kind, "radius"):
+    with refused(kind, "contact_radius_mm"):
         localize.open_model(library).tracker(radius)
 
 
 def test_an_open_model_names_the_argument_that_comes_too_late() -> None:
     library = calibrated()
-    model = localize.open_model(library, noise=NOISE)
-    assert localize.open_model(model, noise=NOISE) is model
-    for name, value in (("noise", 2e-3), ("ambient", 60.0), ("waveform", True), ("tolerances", False)):
+    model = localize.open_model(library, microphone_noise=NOISE)
+    assert localize.open_model(model, microphone_noise=NOISE) is model
+    for name, value in (("microphone_noise", 2e-3), ("ambient", 60.0), ("waveform", True), ("tolerances", False)):
         given: dict[str, Any] = {name: value}
         with refused(Kind.CONFLICT, name, value):
             localize.open_model(model, **given)

@@ -44,7 +44,7 @@ def test_the_messages_of_decoders_streams_and_models(tmp_path: Path) -> None:
         "folder": lambda: localize.open_model(tmp_path),
         "nothing": lambda: localize.open_model(tmp_path / "nothing"),
         "nowhere": lambda: localize.open_model(tmp_path / "nowhere"),
-        "graph with noise": lambda: localize.open_model(graph, noise=1e-3),
+        "graph with noise": lambda: localize.open_model(graph, microphone_noise=1e-3),
         "graph with a drift": lambda: localize.open_model(graph, follow_drift=True),
         "graph alone": lambda: localize.open_model(graph, ambient=60.0),
         "computed with a drift": lambda: localize.open_model(library, follow_drift=True),

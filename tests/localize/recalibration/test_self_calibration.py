@@ -132,7 +132,7 @@ def test_louder_touches_in_as_much_louder_noise_say_the_same(louder: float) -> N
     model = UpdatedModel(nominal())
     u = calibrated().posterior.parameters
     h, jacobian = calibrated().posterior.transfer_function, model.jacobian(u)
-    likelihoods = [MarginalLikelihood(GRID, k * heard(), k * calibrated().noise) for k in (1.0, louder)]
+    likelihoods = [MarginalLikelihood(GRID, k * heard(), k * calibrated().microphone_noise) for k in (1.0, louder)]
     one, other = (each.information(h, jacobian) for each in likelihoods)
     assert np.allclose(other, one, rtol=0.01, atol=0.01 * np.abs(one).max())
     one, other = (Posterior.of(model, u, each).deviation for each in (one, other))

@@ -156,3 +156,48 @@ def test_recordings_that_cannot_be_used_are_refused_by_file_and_reason(tmp_path,
 def test_a_scale_of_a_recording_that_is_no_scale_is_refused(wav, scale):
     with refused(Kind.OUT_OF_RANGE, "full_scale"):
         RecordedStimulus(wav, scale)
+
+
+def test_presses_rise_anywhere_in_the_second_are_held_and_end_before_the_next():
+    pressed = pressure(fingers.presses, 400).numpy()
+    peak = pressed.max(1)
+    assert (peak.min() > 0.09, peak.max() < 12.0) == (True, True)  # trembling adds to a peak of at most 10 Pa
+    high = pressed > peak[:, None] / 2
+    length = high.sum(1)
+    # From half of a rise to half of a fall: hold and half of both, 0.15 to 1.0 s.
+    assert (length.min() > 130, length.max() < 1010) == (True, True)
+    begin = np.argmax(high, 1)
+    assert (begin.min() < 150, begin.max() > 800) == (True, True)
+    assert np.abs(pressed[:, 2200:]).max() < 0.02 * peak.max()
+
+
+def test_slides_come_and_go_within_the_second_and_are_rough():
+    passed = pressure(fingers.slides, 400).numpy()
+    peak = passed.max(1)
+    assert (peak.min() > 0.09, peak.max() < 25.0) == (True, True)
+    assert np.abs(passed[:, 1100:]).max() < 0.02 * peak.max()
+    length = (passed > peak[:, None] / 2).sum(1)
+    assert (length.min() < 40, length.max() > 300) == (True, True)
+    # A finger that passes in at least 0.3 s rises slowly; what is above 20 Hz then is roughness.
+    slow = length > 150
+    spectrum = np.abs(np.fft.rfft(passed[slow], axis=1)) ** 2
+    frequency = np.fft.rfftfreq(passed.shape[1], 1e-3)
+    share = spectrum[:, frequency > 20].sum(1) / spectrum[:, frequency > 0].sum(1)
+    assert np.median(share) > 1e-3
+
+
+def test_a_mixture_draws_its_sources_by_their_shares():
+    mixture = Mixture((fingers.taps, stimulus.multi_sines), (9.0, 1.0))
+    drawn = np.array(mixture.which(0, "training", 0, 4000))
+    assert (drawn == 1).mean() == pytest.approx(0.1, abs=0.02)
+    assert mixture.which(0, "training", 100, 3) == drawn[100:103].tolist()
+    even = Mixture((fingers.taps, stimulus.multi_sines))
+    assert np.mean(even.which(0, "training", 0, 4000)) == pytest.approx(0.5, abs=0.03)
+
+
+@pytest.mark.parametrize("shares", [(1.0,), (1.0, 0.0), (1.0, -1.0), (1.0, float("nan")), (1.0, float("inf"))])
+def test_a_mixture_refuses_shares_that_are_none(shares):
+    with refused(Kind.OUT_OF_RANGE, "shares", shares):
+        Mixture((fingers.taps, stimulus.multi_sines), shares)
+    with refused(Kind.UNSUITABLE, "sources"):
+        Mixture(())

@@ -118,7 +118,7 @@ def test_frames_are_kept_only_where_they_are_asked_for() -> None:
     assert plain == kept
 
 
-@pytest.mark.parametrize("option", [{"radius": 0.0}, {"ambient": 200.0}])
+@pytest.mark.parametrize("option", [{"contact_radius_mm": 0.0}, {"ambient": 200.0}])
 def test_options_out_of_range_are_refused(option: dict[str, float]) -> None:
     with refused(Kind.OUT_OF_RANGE):
         PathTracker(array(), **option)

@@ -29,7 +29,7 @@ def array() -> ArrayResponse:
 
 @pytest.fixture(scope="module")
 def decoder(array: ArrayResponse) -> localize.PositionDecoder:
-    return localize.PositionDecoder(array, radius=3.5)
+    return localize.PositionDecoder(array, contact_radius_mm=3.5)
 
 
 def tapped(array: ArrayResponse, places: np.ndarray, radius: float) -> np.ndarray:
@@ -118,5 +118,5 @@ def test_bare_transfer_functions_have_no_places(array: ArrayResponse) -> None:
     bare = replace(array, position=None, membrane_radius=None, cavity_response=None, name="bare")
     with refused(Kind.MISMATCH):
         localize.PositionDecoder(bare)
-    with refused(Kind.OUT_OF_RANGE, "radius", 0.0):
-        localize.PositionDecoder(array, radius=0.0)
+    with refused(Kind.OUT_OF_RANGE, "contact_radius_mm", 0.0):
+        localize.PositionDecoder(array, contact_radius_mm=0.0)

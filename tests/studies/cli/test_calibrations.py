@@ -43,22 +43,29 @@ def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path:
     assert "left out" in result.output
     assert "cut short" in result.output
     assert "1 of 4 points measured, 3 fitted" in result.output
-    assert "fit: agrees with the measurement, chi-squared" in result.output
-    assert re.search(
-        r"expected: \d+\.\d % of touches classified correctly, \d+\.\d % in the worst of 20", result.output
-    )
+    assert re.search(r"chi-squared +\d+ +for \d+ residuals: a sensor within the tolerances fits", result.output)
+    mean, worst = (float(value) for value in re.findall(r"expected accuracy +(\d+\.\d) %", result.output))
+    assert 0 < worst <= mean <= 100
     assert (tmp_path / "made.png").stat().st_size > 10_000
     assert acoustic_fem.load(out).fidelity == MEASURED
 
 
-def test_a_fit_that_is_not_used_is_said_not_to_agree(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_fit_that_is_not_used_is_shown_with_its_figures_and_a_warning(capsys: pytest.CaptureFixture[str]) -> None:
     fit = SimpleNamespace(
         eigenvalues=np.array([2.0, 0.5]), chi_squared=900.0, residuals=768, parameters=(0, 0), objection="it is not",
-        worst_point=1,
+        worst_point=1, delay=1.0,
     )  # fmt: skip
-    calibrations._print_fit(SimpleNamespace(fit=fit, calibration=SimpleNamespace(missing=(2,))))
-    told = capsys.readouterr().out
-    assert told.startswith("fit: does not agree with the measurement, chi-squared 900 for 768 residuals; 1 of 2 ")
+    manifest = SimpleNamespace(design=SimpleNamespace(point_count=2))
+    calibration = SimpleNamespace(missing=(2,), estimates={1: None}, findings=(), manifest=manifest)
+    found = SimpleNamespace(fit=fit, calibration=calibration, expected=None, out="made.nc", measure_next=None)
+    calibrations._show_calibration(found)
+    shown = capsys.readouterr().out
+    assert shown.startswith("made.nc: 1 of 2 points measured, 1 of the design\n")
+    assert re.search(r"chi-squared +900 +for 768 residuals: no sensor within the tolerances fits", shown)
+    assert re.search(r"determined +1 +of 2 combinations", shown)
+    assert "delay" not in shown
+    assert "it is not" in shown
+    assert re.search(r"warning: .*point 2 too, .*point 1\.", shown)
 
 
 @pytest.mark.parametrize(

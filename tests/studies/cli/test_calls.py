@@ -38,6 +38,7 @@ CALLS = {
     "solve": "studies.solve_library",
     "parts": "studies.export_parts",
     "run": "studies.run_design",
+    "verify": "studies.verify_run",
     "rig": "studies.record_rig",
     "calibrate": "studies.calibrate_sensor",
     "recalibrate": "studies.recalibrate",
@@ -53,6 +54,7 @@ CALLS = {
     "live": "studies.inference.live.listen",
     "bend": "studies.bending_study",
     "sweep": "studies.run_sweep",
+    "dataset": "studies.export_dataset",
     "tolerance": "studies.tolerance_study",
     "optimize": "studies.optimize",
     "report": "studies.sweep_report",
@@ -68,6 +70,7 @@ WORDS = {
     "solve": "row.toml --out x.nc",
     "parts": "row.toml --out x",
     "run": "row.toml --out x",
+    "verify": "x",
     "rig": "row.toml --out x",
     "calibrate": "folder --out x.nc",
     "recalibrate": "a.nc b.wav --out x.nc",
@@ -101,9 +104,9 @@ BY_DEFAULT = {
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 metrics = ["distance_smallest", "volume"]
-[parameters]
+[vary]
 "tube.inner_diameter" = { from = 0.3, to = 0.5, count = 3 }
 """
 
@@ -308,10 +311,10 @@ def test_a_sweep_in_python_is_that_of_the_verbs(command: Callable[..., str], pla
         summary = studies.run_sweep(
             studies.load_study("study.toml"), "call.zarr", workers=1, display=display,
             progress=lambda now: told.append(now.done),
-        )  # fmt: skip
+        ).summary  # fmt: skip
     assert (summary.cases, told[-1]) == (3, 3)
     assert "Sweep" in display.seconds
-    one, other = (studies.open_sweep(name).dataset for name in ("verb.zarr", "call.zarr"))
+    one, other = (studies.open_sweep(name).to_xarray() for name in ("verb.zarr", "call.zarr"))
     assert one["distance_smallest"].identical(other["distance_smallest"])
 
     out = command("best", "verb.zarr", "--by", "volume", "--count", 2)

@@ -30,7 +30,7 @@ def test_the_picture_lights_the_point_and_tells_what_went_wrong(array) -> None:
     latencies.add(0.0042)
     recent = np.sin(np.linspace(0, 20, 1000)) * np.array([[1.0], [0.5]])
     picture = LivePicture("USB array", array, lambda: recent, latencies)
-    assert "nothing heard yet" in drawn(picture)
+    assert "nothing detected yet" in drawn(picture)
     probability = np.array([0.0, 0.0, 0.15, 0.8, 0.05, 0.0])
     picture.hear(Heard(Decision(1.25, "touch", 0.5, 4, 0.8, probability)))
     picture.hear(Heard(Fault(0.5, "dead channel", "left")))

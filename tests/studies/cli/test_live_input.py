@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import math
 import os
 import re
 import signal
@@ -15,9 +16,12 @@ import fake_audio
 import numpy as np
 import pytest
 from rc_line import rc_line
+from refusals import refused
 
 import localize
+import studies
 from acoustic_fem.sound.sound_file import read_wav, write_wav
+from geometry import Kind
 
 ROOT = Path(__file__).parents[3]
 NOISE = 1e-2
@@ -290,7 +294,38 @@ def test_sound_cards_are_listed_without_a_model(monkeypatch, capsys):
     assert re.search(r"1\s+USB array\s+ALSA\s+4\s+48000\s+default", capsys.readouterr().out)
 
 
-@pytest.mark.parametrize("arguments", [("--device", "1", "--replay", "a.wav"), ("--channels", "A:1")])
+def test_a_list_without_a_sound_card_says_so(monkeypatch, capsys):
+    from studies.cli import app
+
+    monkeypatch.setitem(sys.modules, "sounddevice", fake_audio.FakeAudio([], channels=0))
+    monkeypatch.setattr(sys, "argv", ["acoustic-fem", "live", "--list-devices"])
+    with pytest.raises(SystemExit) as ended:
+        app.main()
+    assert ended.value.code == 1
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("acoustic-fem: no device that can record is there")
+
+
+@pytest.mark.parametrize(
+    ("given", "kind", "field"),
+    [
+        ({"rate": 48_000, "replay": "a.wav"}, Kind.CONFLICT, "rate"),
+        ({"device": 1, "replay": "a.wav"}, Kind.CONFLICT, "device"),
+        ({"rate": 100}, Kind.OUT_OF_RANGE, "rate"),
+        ({"rate": 48e3}, Kind.OUT_OF_RANGE, "rate"),
+        ({"rate": math.nan}, Kind.OUT_OF_RANGE, "rate"),
+        ({"rate": True}, Kind.OUT_OF_RANGE, "rate"),
+    ],
+)
+def test_an_input_that_cannot_be_is_refused_by_name(given, kind, field):
+    with refused(kind, field):
+        studies.LiveInput(**given)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [("--device", "1", "--replay", "a.wav"), ("--rate", "48000", "--replay", "a.wav"), ("--channels", "A:1")],
+)
 def test_options_that_do_not_go_together_are_a_wrong_command_line(folder, monkeypatch, capsys, arguments):
     from studies.cli import app
 

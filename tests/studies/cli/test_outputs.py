@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
+import subprocess
+import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 from small_run import small_design
 from typer.testing import CliRunner
@@ -17,12 +22,14 @@ from geometry import Kind
 from studies.cli.app import app
 from studies.cli.verbs import VERBS, option_names
 from studies.output.folders import MARK
+from studies.output.sole_writer import sole_writer_of, sole_writer_of_file
+from studies.sweep.store import sole_writer
 
 STUDY = """base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 metrics = ["distance_smallest"]
-[parameters]
+[vary]
 "tube.inner_diameter" = [0.3, 0.4]
 """
 SEARCH = (
@@ -49,6 +56,8 @@ FILES = {
     "best": ("results.zarr 0", ".toml"),
 }
 Refused = Callable[..., geometry.Refusal]
+#: Seconds after which a command that does not end has failed.
+PATIENCE = 300
 FOLDERS = {
     "parts": "row.toml",
     "run": "row.toml",
@@ -58,6 +67,7 @@ FOLDERS = {
     "evaluate": "localizer library.nc",
     "bend": "",
     "sweep": "study.toml",
+    "dataset": "library.nc --touches 12",
     "tolerance": "row.toml",
     "optimize": "search.toml",
 }
@@ -132,6 +142,37 @@ def test_a_file_that_is_read_is_not_written_under_any_name(
     assert refusal(verb, *words.split(), "--out", out).kind in (Kind.CONFLICT, Kind.EXISTS)
 
 
+@pytest.mark.parametrize("address", ["s3://bucket/r", "gs://b/r", "FILE:///tmp/r", "https://host/r", "zip::s3://b/r"])
+def test_an_address_is_no_place_to_write_to(refusal: Refused, address: str) -> None:
+    for verb, (words, suffix) in FILES.items():
+        found = refusal(verb, *words.split(), "--out", f"{address}{suffix}")
+        assert (found.kind, found.field, found.file) == (Kind.OUT_OF_RANGE, "out", str(Path(f"{address}{suffix}"))), (
+            verb
+        )
+    for verb, words in FOLDERS.items():
+        found = refusal(verb, *words.split(), "--out", address)
+        assert (found.kind, found.field, found.file) == (Kind.OUT_OF_RANGE, "out", str(Path(address))), verb
+
+
+@pytest.mark.parametrize("verb", ["solve", *FOLDERS])
+def test_a_command_is_refused_while_another_writes_to_the_same_place(refusal: Refused, place: Path, verb: str) -> None:
+    acoustic_fem.save(acoustic_fem.solve(small_design(), np.arange(1.0, 501.0), fidelity="lumped"), "whole.nc")
+    words = FOLDERS.get(verb, "row.toml --fidelity lumped").replace("localizer library.nc", "whole.nc whole.nc")
+    words = words.replace("library.nc", "whole.nc")
+    if verb == "bend":
+        words = "--angles 0 --fidelity helmholtz --frequencies 50:50:1"
+    out = Path("place.nc" if verb == "solve" else "place")
+    writer = {
+        "solve": lambda: sole_writer_of_file(out, geometry.Refusal),
+        "sweep": lambda: sole_writer(out),
+    }.get(verb, lambda: sole_writer_of(out, "command", geometry.Refusal))
+    with writer():
+        found = refusal(verb, *words.split(), "--out", out)
+        assert (found.kind, found.file) == (Kind.EXISTS, str(out))
+        assert "is writing to it" in str(found)
+    assert not out.exists()
+
+
 def test_a_library_replaces_a_computed_one_and_nothing_else(refusal: Refused, place: Path) -> None:
     library = acoustic_fem.solve(small_design(), [10.0, 20.0], fidelity="lumped")
     acoustic_fem.save(library, "good.nc")
@@ -182,6 +223,22 @@ def test_a_verb_comes_back_to_its_own_folder_and_to_no_other(refusal: Refused, p
     for verb, words in FOLDERS.items():
         if verb != "bend":
             assert refusal(verb, *words.split(), "--out", "bent").file == "bent"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGTERM])
+def test_parts_that_were_killed_are_made_by_the_next_call(place: Path, end: signal.Signals) -> None:
+    words = [sys.executable, "-m", "studies.cli", "parts", "row.toml", "--out", "made", "--format", "stl"]
+    killed = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    while not Path("made", ".files.new").is_dir():
+        assert killed.poll() is None
+        time.sleep(0.02)
+    killed.send_signal(end)
+    assert killed.wait(PATIENCE) != 0
+    again = subprocess.run(words, check=False, capture_output=True, text=True, timeout=PATIENCE)
+    assert again.returncode == 0, again.stderr
+    made = {path.name for path in Path("made").iterdir()}
+    assert made == set(Path("made", "files.txt").read_text(encoding="utf-8").split())
 
 
 def test_a_run_keeps_a_design_that_was_changed_by_hand_and_a_measured_library(

@@ -51,9 +51,9 @@ def test_track_writes_a_table_and_a_picture_and_names_the_gesture(command: Comma
         rows = list(csv.DictReader(file))
     assert list(rows[0]) == list(studies.inference.tracked.COLUMNS)
     assert {row["path"] for row in rows} == {"1"}
-    assert all(bool(row["force_N"]) == (row["heard"] == "1") for row in rows)
+    assert all(bool(row["force_N"]) == (row["detected"] == "1") for row in rows)
     called = studies.track_recording(
-        folder / "library.nc", folder / "slide.wav", full_scale=100.0, decoding=studies.Decoding(noise=1e-3)
+        folder / "library.nc", folder / "slide.wav", full_scale=100.0, decoding=studies.Decoding(microphone_noise=1e-3)
     )
     assert called.force_is_known
     place = np.array([[float(row["x_mm"]), float(row["y_mm"])] for row in rows])

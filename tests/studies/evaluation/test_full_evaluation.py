@@ -15,6 +15,7 @@ import localize
 from localize.signals.array_response import response_of
 from studies.evaluation.evaluation_report import write_evaluation
 from studies.evaluation.full_evaluation import evaluate_fully, rig_sensors, scattered_sensors, sensor_sets
+from studies.output.report_texts import percent
 from studies.test_rig.virtual_rig import Rig
 
 
@@ -87,7 +88,9 @@ def test_the_page_is_one_file_with_all_figures_and_the_json_has_their_numbers(li
         assert f"{100 * each['top1']:.1f} ({100 * each['low']:.1f} to {100 * each['high']:.1f})" in page
     for name in ("first", "second"):
         hardest = min(numbers[name]["conditions"], key=lambda each: each["top1"])
-        assert f"for the {name} {hardest['group']}, {hardest['name']} ({100 * hardest['top1']:.1f} %)" in page
-    taps = next(each["top1"] for each in first["conditions"] if each["name"] == "taps")
-    assert f"of taps on the nominal sensor {100 * taps:.1f} % and" in page
+        assert f"{percent(hardest['top1'])} ({hardest['group']}: {hardest['name']})</td>" in page
+    taps = [next(each["top1"] for each in numbers[name]["conditions"] if each["name"] == "taps") for name in locators]
+    cells = "".join(f'<td class="figure">{percent(each)}</td>' for each in taps)
+    assert f'<td class="label">taps on the nominal sensor</td>{cells}' in page
+    assert f"The first assigns {percent(first['top1'])} of held-out multi-sine touches" in page
     assert 'name = "row-3"' in numbers["provenance"]["design"]

@@ -57,7 +57,7 @@ def test_kinds_are_told_in_the_noise_and_air_of_the_place(tmp_path: Path, monkey
 
     monkeypatch.setattr("localize.load_recognizer", lambda _: own)
     monkeypatch.setattr("localize.recognition.filter_bank.FilterBank", FakeFilters)
-    there = studies.Decoding(noise=2e-3, ambient=60.0, air=LocalAir(pressure=8e4))
+    there = studies.Decoding(microphone_noise=2e-3, ambient=60.0, air=LocalAir(pressure=8e4))
     for decoding in (there, None):
         studies.recognize_recording("model", tmp_path / "library.nc", tmp_path / "take.wav", decoding=decoding)
     assert [noise for _, _, noise in ears] == [2e-3, None]

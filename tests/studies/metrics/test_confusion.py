@@ -184,15 +184,17 @@ def test_noise_may_differ_from_design_to_design() -> None:
         ("transfer_function", line(3)[:, :, :1], Kind.UNSUITABLE),
         ("transfer_function", line(3) * np.nan, Kind.UNSUITABLE),
         ("frequency", np.linspace(2, 100, 40), Kind.UNSUITABLE),
-        ("noise", 0.0, Kind.OUT_OF_RANGE),
-        ("noise", -1.0, Kind.OUT_OF_RANGE),
-        ("noise", np.ones((2, 500)), Kind.WRONG_TYPE),
+        ("microphone_noise", 0.0, Kind.OUT_OF_RANGE),
+        ("microphone_noise", -1.0, Kind.OUT_OF_RANGE),
+        ("microphone_noise", np.ones((2, 500)), Kind.WRONG_TYPE),
         ("listener", "ear", Kind.OUT_OF_RANGE),
         ("assumed", line(4), Kind.WRONG_TYPE),
         ("touches", 0, Kind.OUT_OF_RANGE),
     ],
 )
 def test_bad_input_is_refused_by_name(name: str, value: object, kind: Kind) -> None:
-    given: dict = {"transfer_function": line(3), "frequency": GRID, "noise": 0.01, name: value}
+    given: dict = {"transfer_function": line(3), "frequency": GRID, "microphone_noise": 0.01, name: value}
     with refused(kind, name):
-        predict_confusion(given.pop("transfer_function"), given.pop("frequency"), given.pop("noise"), **given)
+        predict_confusion(
+            given.pop("transfer_function"), given.pop("frequency"), given.pop("microphone_noise"), **given
+        )

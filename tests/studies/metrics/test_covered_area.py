@@ -51,7 +51,7 @@ def test_kinds_of_one_width_and_single_points_are_covered_as_they_are():
 
 
 def test_a_radius_below_zero_is_refused():
-    with refused(Kind.OUT_OF_RANGE, "radius", -1.0):
+    with refused(Kind.OUT_OF_RANGE, "contact_radius_mm", -1.0):
         coverage(geometry.prototype("array-2x6"), -1.0)
 
 

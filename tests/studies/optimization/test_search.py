@@ -25,7 +25,7 @@ from geometry.design.design_file import load_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from studies.findings.search_files import read_search, save_search
-from studies.optimization.journal import JOURNAL, seal
+from studies.optimization.journal import JOURNAL, opened, read_only, seal
 from studies.optimization.printable import Demand, PrintDemand, measures
 from studies.optimization.problem import Limit, Optimization, read_optimization
 from studies.optimization.search import (
@@ -38,17 +38,17 @@ from studies.optimization.search import (
     search_designs,
 )
 from studies.study.metric_registry import metrics_named
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
 
 STUDY = """
 name = "small"
 base = "fingertip-3x4"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 seed = 3
 metrics = ["distance_mean"]
 
-[parameters]
+[vary]
 "tube.length" = { from = 2.4, to = 5.0 }
 "tube.inner_diameter" = { from = 0.05, to = 0.3 }
 "resonator.cavity_height" = { from = 1.1, to = 2.2 }
@@ -253,10 +253,10 @@ WRONG = (
     ("least = 1.5", "", Kind.MISSING, "optimize.limits.0"),
     ("least = 1.5", "least = 1.5\nmost = 1.0", Kind.CONFLICT, "optimize.limits.0.least"),
     ("trials = 96", "trials = 0", Kind.OUT_OF_RANGE, "optimize.trials"),
-    ("to = 0.3 }", "to = 0.1 }", Kind.OUT_OF_RANGE, "parameters.tube.inner_diameter"),
+    ("to = 0.3 }", "to = 0.1 }", Kind.OUT_OF_RANGE, "vary.tube.inner_diameter"),
     ("trials = 96", "trials = 96\nrefine = 30", Kind.UNKNOWN, "optimize.refine"),
-    ("1:100:12", "5:50:10", Kind.UNSUITABLE, "frequencies"),
-    ("1:100:12", "1:100:2", Kind.UNSUITABLE, "frequencies"),
+    ("1:100:12", "5:50:10", Kind.UNSUITABLE, "frequency"),
+    ("1:100:12", "1:100:2", Kind.UNSUITABLE, "frequency"),
 )
 
 
@@ -309,10 +309,10 @@ def test_a_search_takes_only_sizes_that_can_be_bought() -> None:
 DESCENT = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 metrics = ["sensitivity_force"]
 
-[parameters]
+[vary]
 "tube.inner_diameter" = { from = 0.3, to = 0.7 }
 "resonator.cavity_height" = { from = 2.0, to = 5.0 }
 
@@ -347,8 +347,8 @@ def test_a_search_along_slopes_goes_down_and_ends_as_one_that_was_not_cut_short(
 #: What is changed in the file of a search along slopes -> field of the refusal.
 NOT_FREE = (
     ('"scatter_detection"', '"distance_smallest"', "optimize.method"),
-    ("{ from = 0.3, to = 0.7 }", "[0.3, 0.4]", "parameters.tube.inner_diameter"),
-    ("to = 0.7 }", "to = 0.7, step = 0.1 }", "parameters.tube.inner_diameter"),
+    ("{ from = 0.3, to = 0.7 }", "[0.3, 0.4]", "vary.tube.inner_diameter"),
+    ("to = 0.7 }", "to = 0.7, step = 0.1 }", "vary.tube.inner_diameter"),
 )
 
 
@@ -364,3 +364,61 @@ def test_the_messages_of_searches() -> None:
     texts = {name.replace("\n", " "): text.replace(old, new) for name, (text, old, new) in calls.items()}
     messages = {name: partial(read_optimization, text, "study.toml") for name, text in texts.items()}
     check_messages(Path(__file__).parent / "messages.txt", messages)
+
+
+BEGUN = '{"op_code": 0, "worker_id": "a", "study_name": "acoustic-fem", "directions": [1]}\n'
+TRIAL = '{"op_code": 4, "worker_id": "a", "study_id": 0, "datetime_start": "2026-01-01T00:00:00"}\n'
+SET = (
+    '{"op_code": 5, "worker_id": "a", "trial_id": 0, "param_name": "x", "param_value_internal": 1, '
+    '"distribution": "%s"}\n'
+)
+LINES = {
+    "an operation that there is not": '{"op_code": 99}\n',
+    "an operation below 0": '{"op_code": -1}\n',
+    "deep": "[" * 100_000 + "\n",
+    "deep in a text": BEGUN + TRIAL + SET % ("[" * 100_000),
+    "a number of 5000 digits": f'{{"op_code": {"9" * 5000}}}\n',
+    "a number": "1\n",
+    "a list": "[]\n",
+    "no time": BEGUN + TRIAL.replace("2026-01-01T00:00:00", "soon"),
+    "a range the wrong way round": BEGUN
+    + TRIAL
+    + SET % r"{\"name\": \"FloatDistribution\", \"attributes\": {\"low\": 2, \"high\": 1}}",
+    "a direction that there is not": BEGUN.replace("[1]", "[7]"),
+    "no text": "\udcff\udcfe\n",
+}
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_a_line_of_no_journal_is_refused_by_the_file(line: str, tmp_path: Path) -> None:
+    (tmp_path / JOURNAL).write_bytes(LINES[line].encode(errors="surrogateescape"))
+    with refused(Kind.UNREADABLE, file=tmp_path / JOURNAL, error=StudyError):
+        opened(tmp_path, ["minimize"], {}, "")
+    with refused(Kind.UNREADABLE, error=StudyError), read_only(tmp_path, ["minimize"], {}):
+        pass
+
+
+@pytest.mark.parametrize("name", [JOURNAL, "trials.seal"])
+@pytest.mark.parametrize("kind", ["pipe", "device", "circle", "folder", "link"])
+def test_a_journal_that_is_no_file_is_refused_before_it_is_opened(kind: str, name: str, tmp_path: Path) -> None:
+    opened(tmp_path, ["minimize"], {}, "")
+    path = tmp_path / name
+    path.unlink()
+    match kind:
+        case "pipe":
+            os.mkfifo(path)
+        case "folder":
+            path.mkdir()
+        case _:
+            path.symlink_to({"device": "/dev/zero", "circle": path, "link": tmp_path / "nothing"}[kind])
+    with pytest.raises(StudyError) as found:
+        opened(tmp_path, ["minimize"], {}, "")
+    assert found.value.file == str(path)
+    assert found.value.kind in (Kind.EXISTS, Kind.UNREADABLE, Kind.MISSING)
+
+
+@pytest.mark.parametrize("target", ["trials.journal", "nothing"])
+def test_the_lock_of_a_search_that_was_killed_keeps_nobody_waiting(target: str, tmp_path: Path) -> None:
+    opened(tmp_path, ["minimize"], {}, "")
+    (tmp_path / f"{JOURNAL}.lock").symlink_to(target)
+    assert len(opened(tmp_path, ["minimize"], {}, "").trials) == 0

@@ -20,6 +20,8 @@ from studies.output.folders import (
     check_new_file,
     check_new_library,
     claim_folder,
+    claimed_file,
+    claimed_folder,
     replaced_files,
     replaced_folder,
 )
@@ -78,7 +80,7 @@ def test_no_state_of_a_folder_mixes_two_designs(tmp_path: Path, monkeypatch: pyt
             assert of_design == "one" or not results_left
         else:
             break
-    assert killed_at == 7  # every step was tried
+    assert killed_at == 8  # every step was tried
 
 
 def test_a_folder_is_replaced_only_when_all_went_well(tmp_path: Path) -> None:
@@ -180,6 +182,82 @@ def test_the_messages_of_outputs(tmp_path: Path) -> None:
         "a folder that holds what is read": lambda: check_folder(folder, reads=(folder / "thesis.txt",)),
         "a folder of others": lambda: check_folder(folder, "run", MARK),
         "a design changed by hand": lambda: claim_folder(run, "two"),
+        "an address": lambda: check_folder(Path("s3://bucket/a")),
         "a list that names others": lambda: replaced_files(listed).__enter__(),
     }
     check_messages(Path(__file__).parent / "messages.txt", calls, {f"{tmp_path}{os.sep}": ""})
+
+
+#: Folders that a killed command leaves: what lies in it, and the marks by which the command knows its own.
+KILLED = {
+    "parts, while they are drawn": ((".files.new/half.stl",), (FILES,)),
+    "parts, while the list is written": ((".files.new/a.stl", ".files.4711.txt"), (FILES,)),
+    "a decoder, before its header is there": ((".decoder-files.new/a.c",), ("decoder-files.txt", "touch_decoder.h")),
+    "a run, while it marks its folder": ((f".{MARK}.4711",), (MARK,)),
+    "a training, while it writes its checkpoint": ((".checkpoint.12.safetensors",), ("checkpoint.safetensors",)),
+    "a study, while it writes its summary": ((".tolerance.12.json",), ("tolerance.json",)),
+}
+
+
+@pytest.mark.parametrize("killed", KILLED)
+def test_a_folder_that_a_killed_command_left_is_taken_up_and_cleared(tmp_path: Path, killed: str) -> None:
+    left, marks = KILLED[killed]
+    for name in left:
+        (tmp_path / "out" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "out" / name).write_text("half")
+    check_folder(tmp_path / "out", "maker", *marks)
+    with claimed_folder(tmp_path / "out", "maker", *marks):
+        assert names(tmp_path / "out") == set()
+
+
+@pytest.mark.parametrize(
+    "name", ["notes.txt", ".files.new.txt", ".checkpoint.old.safetensors", ".files.txt", "files.new"]
+)
+def test_what_no_killed_command_left_is_somebodys(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text("mine")
+    (tmp_path / ".files.new").mkdir()
+    with refused(Kind.EXISTS, "out", file=tmp_path), claimed_folder(tmp_path, "parts", FILES, "checkpoint.safetensors"):
+        raise AssertionError
+    assert names(tmp_path) == {name, ".files.new"}
+
+
+def test_a_folder_that_was_made_for_nothing_is_gone_and_one_that_was_there_stays(tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    for name in ("mine", "new"):
+        with claimed_folder(tmp_path / name, "bend", "bending.json"):
+            assert (tmp_path / name).is_dir()
+            with refused(Kind.EXISTS, file=tmp_path / name), claimed_folder(tmp_path / name, "bend", "bending.json"):
+                raise AssertionError
+    assert names(tmp_path) == {"mine"}
+
+
+@pytest.mark.parametrize("name", ["library.nc", "x" * 250 + ".nc", "\N{GREEK SMALL LETTER ALPHA}" * 120 + ".nc"])
+def test_a_file_is_written_by_one_at_a_time_and_its_lock_goes_with_the_writer(tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    with claimed_file(path, lambda: None):
+        with refused(Kind.EXISTS), claimed_file(path, lambda: None):
+            raise AssertionError
+        with claimed_file(tmp_path / "another.nc", lambda: None):
+            pass
+    assert names(tmp_path) == set()
+    with claimed_file(path, lambda: None):  # the lock of a process that was killed is taken over
+        (lock,) = tmp_path.iterdir()
+    lock.write_text("")
+    with claimed_file(path, lambda: None):
+        pass
+    assert names(tmp_path) == set()
+
+
+def test_what_another_process_wrote_in_the_meantime_is_kept(tmp_path: Path) -> None:
+    path, calls = tmp_path / "measured.nc", []
+
+    def check() -> None:
+        check_new_file(path, kept="a measured library")
+        if not calls:  # another process ends between the check and the lock
+            path.write_text("measured")
+        calls.append(path)
+
+    with refused(Kind.EXISTS, "out", file=path), claimed_file(path, check):
+        raise AssertionError
+    assert path.read_text() == "measured"
+    assert names(tmp_path) == {"measured.nc"}

@@ -109,4 +109,4 @@ def test_a_slide_has_a_length(end: list[float], length: float) -> None:
 
 def test_sound_cards_are_those_that_can_record(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sound_device, "load_sounddevice", lambda: FakeAudio([]))
-    assert sound_cards() == [{"number": 1, "name": "USB array (ALSA)", "channels": 4, "default": True}]
+    assert sound_cards() == [{"number": 1, "name": "USB array, ALSA", "channels": 4, "default": True}]

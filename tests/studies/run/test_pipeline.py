@@ -23,7 +23,7 @@ from geometry import Kind
 from localize import load_localizer
 from studies.metrics.separation import separability
 from studies.output.display import Display
-from studies.output.folders import MARK, claim_folder
+from studies.output.folders import MANIFEST, MARK, claim_folder
 from studies.run import pipeline as run_module
 from studies.run.findings import membrane_compliances
 from studies.run.library_files import cell_lines
@@ -41,7 +41,7 @@ def test_the_folder_of_a_run_is_complete() -> None:
     folder = small_run().folder
     names = {path.name for path in folder.iterdir()}
     assert names == {
-        MARK, "design.toml", "library.nc", "parts", "localizer", "figures", "results.json", "report.html"
+        MARK, "design.toml", "library.nc", "parts", "localizer", "figures", "results.json", "report.html", MANIFEST
     }  # fmt: skip
     stems = {path.stem for path in (folder / "parts").iterdir()}
     assert stems == set(small_run().part_counts)

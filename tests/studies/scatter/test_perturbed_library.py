@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
 
@@ -58,6 +59,14 @@ def test_it_opens_with_xarray_and_carries_what_made_it(store: PerturbedLibrary) 
     assert dataset.attrs["seed"] == 5
     assert (dataset.attrs["fidelity"], dataset.attrs["atlas"]) == ("atlas", cell_atlas().digest)
     assert store.design.point_count == 3
+
+
+def test_it_can_be_written_as_netcdf(store: PerturbedLibrary, tmp_path: Path) -> None:
+    dataset = xr.open_zarr(store.path)
+    dataset.to_netcdf(tmp_path / "made.nc", engine="h5netcdf")
+    again = xr.open_dataset(tmp_path / "made.nc", engine="h5netcdf")
+    assert again.attrs == dataset.attrs
+    assert json.loads(again.attrs["microphones"]) == list(store.microphones)
     assert store.microphones == ("A", "B")
 
 

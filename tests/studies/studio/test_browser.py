@@ -178,7 +178,7 @@ def test_a_studio_that_was_killed_loses_no_design_and_says_what_happened(browser
     with studio(port=first.port) as second:
         until(page, "document.getElementById('lost').textContent.includes('Open the address')")
         other = context.new_page()
-        other.goto(second.address)
+        other.goto(second.take_address())
         until(page, f"document.getElementById('lost').hidden && {PAINTED}")
         assert length(page) == "15"
         assert page.locator("#unsaved").is_visible()

@@ -127,7 +127,7 @@ def test_a_studio_that_was_started_again_shows_all_panels_of_the_design_and_the_
     with studio(port=first.port) as second:
         until(page, "document.getElementById('lost').textContent.includes('Open the address')")
         other = context.new_page()
-        other.goto(second.address)
+        other.goto(second.take_address())
         until(page, f"document.getElementById('lost').hidden && {PAINTED} && {KEPT}.membrane.thickness === 0.6")
         for stage in ("points", "surface"):
             until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision")
@@ -144,7 +144,7 @@ def test_the_link_of_a_page_that_sleeps_is_not_taken_for_lost(browser: Any, runn
     context = browser.new_context()
     page = context.new_page()
     page.clock.install()
-    page.goto(running.address)
+    page.goto(running.take_address())
     until(page, f"{ROOT}.painted !== undefined")
     page.evaluate("""() => {
       window.losses = 0;

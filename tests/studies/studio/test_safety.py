@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
 from typing import Any
 
 import pytest
@@ -11,8 +13,8 @@ from starlette.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect
 
 from geometry import prototype
-from studies.studio import session
-from studies.studio.guard import Guard
+from studies.studio import server, session
+from studies.studio.guard import SECRET_HEADER, Guard
 from studies.studio.messages import written
 from studies.studio.server import MOST_RECOGNIZER, MOST_RECORDING, MOST_UPLOAD, studio_app
 from studies.studio.stage import MISTAKE
@@ -60,9 +62,17 @@ def stranger(guard: Guard, workplace: Workplace) -> TestClient:
 
 @pytest.fixture
 def page(stranger: TestClient, guard: Guard) -> TestClient:
-    """A client that opened the address with the token."""
-    assert stranger.get("/", params={"token": guard.token}).status_code == 200
+    """A client that opened the address with the code, and keeps its secret."""
+    answer = stranger.get("/", params={"code": guard.code})
+    assert answer.status_code == 200
+    stranger.headers[SECRET_HEADER] = secret_in(answer.text)
     return stranger
+
+
+def secret_in(text: str) -> str:
+    """The secret that comes with the page."""
+    (found,) = re.findall('<meta name="secret" content="([^"]*)">', text)
+    return str(found)
 
 
 def refused(client: TestClient, **headers: str) -> bool:
@@ -74,9 +84,10 @@ def refused(client: TestClient, **headers: str) -> bool:
         return closed.code == 1008
 
 
-def hello(socket: Any, **more: Any) -> dict[str, Any]:
+def hello(page: TestClient, socket: Any, **more: Any) -> dict[str, Any]:
     """The design that a page is told when it begins."""
-    socket.send_text(json.dumps({"do": "hello", "session": None, "values": None, **more}))
+    secret = page.headers[SECRET_HEADER]
+    socket.send_text(json.dumps({"do": "hello", "session": None, "values": None, "secret": secret, **more}))
     while True:
         told = next_text(socket)
         if told["type"] in ("design", "refused-design"):
@@ -92,27 +103,93 @@ def next_text(socket: Any) -> dict[str, Any]:
 
 
 # -- keys, names and origins ---------------------------------------------------------------------------
-def test_the_token_gives_a_cookie_that_scripts_and_other_sites_do_not_get(stranger: TestClient, guard: Guard) -> None:
-    answer = stranger.get("/", params={"token": guard.token})
-    assert answer.headers["set-cookie"].startswith("acoustic-fem-studio-8765=")
-    assert answer.headers["set-cookie"].endswith("; Path=/; HttpOnly; SameSite=Strict")
-    assert guard.token not in answer.headers["set-cookie"]
-    assert stranger.get("/").status_code == 200
-    assert "set-cookie" not in stranger.get("/").headers
+def test_the_code_gives_a_cookie_that_scripts_and_other_sites_do_not_get(stranger: TestClient, guard: Guard) -> None:
+    code = guard.code
+    answer = stranger.get("/", params={"code": code})
+    cookie, secret = answer.headers["set-cookie"], secret_in(answer.text)
+    assert cookie.startswith("acoustic-fem-studio-8765=")
+    assert cookie.endswith("; Path=/; HttpOnly; SameSite=Strict")
+    assert code not in cookie
+    assert secret not in cookie
+    assert code not in answer.text
+    again = stranger.get("/")
+    assert again.status_code == 200
+    assert "set-cookie" not in again.headers
+    assert secret not in again.text
+
+
+def test_a_code_works_once_and_another_one_is_announced(workplace: Workplace) -> None:
+    renewed: list[str] = []
+    guard = Guard("127.0.0.1", 8765, lambda: renewed.append(guard.code))
+    app = studio_app(prototype("array-2x6"), guard, workplace)
+    first = guard.code
+    browsers = [TestClient(app, base_url=ORIGIN) for _ in range(3)]
+    assert [each.get("/", params={"code": first}).status_code for each in browsers] == [200, 403, 403]
+    assert renewed == [guard.code] != [first]
+    assert browsers[1].get("/", params={"code": guard.code}).status_code == 200
+    assert [each.get("/").status_code for each in browsers] == [200, 200, 403]
 
 
 @pytest.mark.parametrize("path", ["/", "/studio.js", "/studio.css", "/models/0.glb", "/files/a/b"])
-@pytest.mark.parametrize("query", ["", "?token=", "?token=wrong", "?token=%F0%9F"])
-def test_without_the_token_or_the_cookie_there_is_nothing(stranger: TestClient, path: str, query: str) -> None:
+@pytest.mark.parametrize("query", ["", "?code=", "?code=wrong", "?code=%F0%9F"])
+def test_without_the_code_or_the_cookie_there_is_nothing(stranger: TestClient, path: str, query: str) -> None:
     answer = stranger.get(path + query)
     assert answer.status_code == 403
     assert "set-cookie" not in answer.headers
     assert "holds the key" in answer.text
 
 
-def test_the_token_opens_the_page_alone(stranger: TestClient, guard: Guard) -> None:
-    assert stranger.get("/studio.js", params={"token": guard.token}).status_code == 403
-    assert stranger.post("/designs", params={"token": guard.token}, headers={"origin": ORIGIN}).status_code == 403
+def test_the_code_opens_the_page_alone(stranger: TestClient, guard: Guard) -> None:
+    asked = {"params": {"code": guard.code}, "headers": {"origin": ORIGIN}}
+    assert stranger.get("/studio.js", params={"code": guard.code}).status_code == 403
+    assert stranger.post("/designs", **asked).status_code == 403
+    assert stranger.head("/", params={"code": guard.code}).status_code == 403
+    assert stranger.get("/", params={"code": guard.code}).status_code == 200
+
+
+@pytest.mark.parametrize("secret", [None, "", "guess", "another browser's"])
+def test_a_cookie_without_its_secret_gets_nothing_but_the_files_of_the_page(
+    page: TestClient, guard: Guard, secret: str | None
+) -> None:
+    """All programs at 127.0.0.1 get the cookies of a browser, whatever their ports."""
+    del page.headers[SECRET_HEADER]
+    if secret == "another browser's":
+        key = dict(page.cookies)
+        secret = secret_in(page.get("/", params={"code": guard.code}).text)
+        page.cookies.clear()
+        page.cookies.update(key)
+    headers = {"origin": ORIGIN} | ({} if secret is None else {SECRET_HEADER: secret})
+    assert page.get("/", headers=headers).status_code == 200
+    assert "secret" not in page.get("/", headers=headers).text
+    assert page.get("/models/0.glb", headers=headers).status_code == 403
+    for path in ("/designs", "/recordings", "/recognizers"):
+        assert page.post(path, headers=headers).status_code == 403
+    for first in ({"do": "hello", "session": None, "secret": secret}, {"do": "ping"}, [], "no table"):
+        with page.websocket_connect("ws://127.0.0.1:8765/session", headers=headers) as socket:
+            socket.send_text(json.dumps(first))
+            assert socket.receive() == {
+                "type": "websocket.close", "code": 1008, "reason": "the first message must hold the secret of the page",
+            }  # fmt: skip
+
+
+def test_a_websocket_over_which_no_secret_comes_is_closed(page: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(server, "PROOF_WITHIN", 0.2)
+    with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
+        assert socket.receive()["code"] == 1008
+
+
+def test_of_websockets_over_which_no_secret_comes_the_oldest_make_room(
+    page: TestClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(server, "PROOF_WITHIN", 600.0)
+    monkeypatch.setattr(server, "MOST_UNPROVEN", 3)
+    with page, ExitStack() as stack:
+        silent = [
+            stack.enter_context(page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}))
+            for _ in range(4)
+        ]
+        assert silent[0].receive()["code"] == 1008
+        assert hello(page, silent[3])["type"] == "design"
 
 
 @pytest.mark.parametrize("host", ["evil.example", "127.0.0.1", "127.0.0.1:80", "evil.example:8765", ""])
@@ -151,7 +228,7 @@ def test_cookies_that_other_programs_set_are_passed_over(page: TestClient, other
 def test_the_usual_port_of_browsers_stands_in_no_address(workplace: Workplace) -> None:
     guard = Guard("127.0.0.1", 80)
     client = TestClient(studio_app(prototype("array-2x6"), guard, workplace), base_url="http://127.0.0.1")
-    assert client.get("/", params={"token": guard.token}).status_code == 200
+    assert client.get("/", params={"code": guard.code}).status_code == 200
     assert client.get("/", headers={"host": "evil.example"}).status_code == 403
 
 
@@ -211,7 +288,7 @@ def test_a_recording_that_is_none_is_refused_in_one_line(
     page: TestClient, session: str, full_scale: str, size: int, status: int, message: str
 ) -> None:
     with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
-        own = hello(socket)["session"]
+        own = hello(page, socket)["session"]
         asked = {"session": own if session == "own" else session, "full_scale": full_scale, "name": "a.wav"}
         answer = page.post("/recordings", params=asked, content=b"x" * size, headers={"origin": ORIGIN})
     assert (answer.status_code, answer.json()["message"]) == (status, message)
@@ -232,7 +309,7 @@ def test_a_recognizer_that_is_none_is_refused_in_one_line(
     page: TestClient, session: str, content: bytes, status: int, message: str
 ) -> None:
     with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
-        own = hello(socket)["session"]
+        own = hello(page, socket)["session"]
         asked = {"session": own if session == "own" else session}
         answer = page.post("/recognizers", params=asked, content=content, headers={"origin": ORIGIN})
     assert answer.status_code == status
@@ -271,7 +348,7 @@ def test_a_recognizer_that_is_none_is_refused_in_one_line(
 )
 def test_a_message_that_is_none_is_refused_and_the_page_goes_on(page: TestClient, text: str) -> None:
     with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
-        hello(socket)
+        hello(page, socket)
         socket.send_text(text)
         while (told := next_text(socket))["type"] != "error":
             pass
@@ -287,7 +364,7 @@ def test_a_mistake_of_ours_ends_no_link(page: TestClient, monkeypatch: pytest.Mo
 
     monkeypatch.setitem(session._ACTIONS, "toml", stumble)
     with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
-        hello(socket)
+        hello(page, socket)
         socket.send_text('{"do": "toml"}')
         while (told := next_text(socket))["type"] != "error":
             pass
@@ -323,7 +400,7 @@ def test_what_is_no_number_is_told_as_null() -> None:
 
 def test_what_a_page_kept_is_a_design_or_is_refused(page: TestClient) -> None:
     with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
-        told = hello(socket, values={"name": TEXT})
+        told = hello(page, socket, values={"name": TEXT})
         assert told["type"] == "refused-design"
         assert told["message"].startswith("the design that the page kept: name = ")
         assert next_text(socket)["design_name"] == "array-2x6"
@@ -332,7 +409,7 @@ def test_what_a_page_kept_is_a_design_or_is_refused(page: TestClient) -> None:
 def test_script_in_any_text_of_a_design_is_refused_or_told_as_it_is(page: TestClient) -> None:
     """The page sets texts as text, which a test in a browser sees; here nothing is lost or changed on the way."""
     with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
-        form = hello(socket)["form"]
+        form = hello(page, socket)["form"]
         texts = [entry["name"] for entry in form if entry["kind"] == "text"]
         assert {"name", "description", "microphone.model", "microphone.source", "membrane.material"} <= {*texts}
         for name in texts:
@@ -363,7 +440,7 @@ def test_a_study_that_is_none_is_refused_in_one_line(
     page: TestClient, asked: dict[str, Any], message: str, run: bool
 ) -> None:
     with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
-        hello(socket)
+        hello(page, socket)
         socket.send_text(json.dumps({"do": "study", "run": run, **asked}))
         while (told := next_text(socket))["type"] != "failed":
             pass

@@ -5,6 +5,7 @@ from __future__ import annotations
 import http.client
 import json
 import os
+import re
 import resource
 import signal
 from collections.abc import Callable, Iterator
@@ -13,10 +14,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import TOKEN, Studio, studio
+from browser import Studio, studio
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
+from studies.studio.guard import SECRET_HEADER
 from studies.studio.server import MOST_MESSAGE, MOST_UPLOAD
 
 pytestmark = [pytest.mark.slow, pytest.mark.end_to_end]
@@ -44,17 +46,21 @@ def asked(running: Studio, method: str, path: str, body: Any = None, **headers: 
     return found
 
 
-def cookie(running: Studio) -> str:
-    return asked(running, "GET", f"/?token={TOKEN}")[2]
+def keys(running: Studio) -> dict[str, str]:
+    """Headers of a page of a browser that has used a code."""
+    status, text, cookie = asked(running, "GET", "/?" + running.take_address().partition("?")[2])
+    assert status == 200
+    (secret,) = re.findall('<meta name="secret" content="([^"]*)">', text)
+    return {"Cookie": cookie, SECRET_HEADER: secret}
 
 
 @contextmanager
 def joined(running: Studio) -> Iterator[tuple[ClientConnection, dict[str, Any]]]:
     """A page's link, and the design that it was told."""
     here = f"http://127.0.0.1:{running.port}"
-    own = {"Cookie": cookie(running)}
+    own = keys(running)
     with connect(f"ws://{here[7:]}/session", origin=here, additional_headers=own, max_size=None) as link:
-        tell(link, do="hello", session=None, values=None)
+        tell(link, do="hello", session=None, values=None, secret=own[SECRET_HEADER])
         yield link, until(link, lambda told: told["type"] == "design")
 
 
@@ -80,12 +86,12 @@ ROUTES = [
 @pytest.mark.parametrize("wrong", ["no cookie", "cookie", "host", "origin"])
 def test_no_address_answers_a_stranger(running: Studio, method: str, path: str, wrong: str) -> None:
     here = f"http://127.0.0.1:{running.port}"
-    key = cookie(running)
+    own = keys(running)
     headers = {
-        "no cookie": {"Origin": here},
-        "cookie": {"Origin": here, "Cookie": f"{key.split('=')[0]}=guess"},
-        "host": {"Origin": here, "Cookie": key, "Host": f"evil.example:{running.port}"},
-        "origin": {"Origin": "http://evil.example", "Cookie": key},
+        "no cookie": {"Origin": here, SECRET_HEADER: own[SECRET_HEADER]},
+        "cookie": {"Origin": here, **own, "Cookie": f"{own['Cookie'].split('=')[0]}=guess"},
+        "host": {"Origin": here, **own, "Host": f"evil.example:{running.port}"},
+        "origin": {**own, "Origin": "http://evil.example"},
     }[wrong]
     status, text, given = asked(running, method, path, **headers)
     assert (status, given) == (403, "")
@@ -94,7 +100,7 @@ def test_no_address_answers_a_stranger(running: Studio, method: str, path: str, 
 
 @pytest.mark.parametrize("wrong", ["no cookie", "cookie", "host", "origin", "no origin"])
 def test_no_websocket_is_opened_to_a_stranger(running: Studio, wrong: str) -> None:
-    here, key = f"http://127.0.0.1:{running.port}", cookie(running)
+    here, key = f"http://127.0.0.1:{running.port}", keys(running)["Cookie"]
     headers = {"Cookie": {"no cookie": "", "cookie": f"{key.split('=')[0]}=guess"}.get(wrong, key)}
     origin: Any = {"origin": "http://evil.example", "no origin": None}.get(wrong, here)
     host = "evil.example" if wrong == "host" else "127.0.0.1"
@@ -131,7 +137,7 @@ def test_too_long_a_message_ends_its_link_alone(running: Studio) -> None:
 def test_an_upload_without_an_end_is_refused_once_it_is_too_long(running: Studio) -> None:
     here, chunk = f"http://127.0.0.1:{running.port}", b"x" * 16384
     chunks = (chunk for _ in range(MOST_UPLOAD // len(chunk) + 2))  # chunked: no length is told before
-    status, text, _ = asked(running, "POST", "/designs", chunks, Origin=here, Cookie=cookie(running))
+    status, text, _ = asked(running, "POST", "/designs", chunks, Origin=here, **keys(running))
     assert (status, json.loads(text)["message"]) == (413, "the file must be at most 256 kB")
 
 
@@ -165,7 +171,7 @@ def test_a_malformed_recording_is_refused_in_one_line(running: Studio, content: 
     here = f"http://127.0.0.1:{running.port}"
     with joined(running) as (_, design):
         path = f"/recordings?session={design['session']}&name=a.wav&full_scale=1"
-        status, text, _ = asked(running, "POST", path, iter([content]), Origin=here, Cookie=cookie(running))
+        status, text, _ = asked(running, "POST", path, iter([content]), Origin=here, **keys(running))
     assert status == 400, text[:200]
     assert "\n" not in json.loads(text)["message"]
 
@@ -187,7 +193,7 @@ def test_a_full_disk_is_told_and_the_design_is_saved_once_there_is_room(running:
             resource.prlimit(running.process.pid, resource.RLIMIT_FSIZE, before)
         tell(link, do="export", name="design.toml", fidelity="lumped")
         address = until(link, lambda told: told["type"] == "file")["file"]
-        status, text, _ = asked(running, "GET", address, Cookie=cookie(running))
+        status, text, _ = asked(running, "GET", address, **keys(running))
         assert status == 200
         assert "length = 15" in text
 
@@ -219,5 +225,5 @@ def test_a_cad_process_that_is_killed_is_told_and_started_again(running: Studio)
         assert told["message"].endswith("ended without a result; it is started again, and the design is kept")
         tell(link, do="set", name="tube.length", value=17)
         found = until(link, lambda told: told["type"] == "figures" and told["stage"] == "model")
-        status, _, _ = asked(running, "HEAD", found["found"]["file"], Cookie=cookie(running))
+        status, _, _ = asked(running, "HEAD", found["found"]["file"], **keys(running))
         assert status == 200

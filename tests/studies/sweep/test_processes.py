@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import multiprocessing
 import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -21,12 +23,13 @@ from stores import assert_same_store
 from geometry import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from studies.study.cases import Cases
-from studies.study.file import load_study, read_study
-from studies.study.study import Study, StudyError
-from studies.sweep import survey
+from studies.study.parameter import StudyError
+from studies.study.study import Study, load_study, read_study
+from studies.sweep import processes, survey
+from studies.sweep.cluster import WorkersLost
+from studies.sweep.results import open_sweep
 from studies.sweep.retries import ENDED_WORKERS
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 from studies.sweep.workers import open_workers
 
 STUDY = """
@@ -36,8 +39,8 @@ metrics = ["distance_smallest", "predicted_top1_white_noise"]
 sampling = "latin-hypercube"
 cases = 160
 seed = 5
-transfer_functions = true
-[parameters]
+keep = "responses"
+[vary]
 "tube.inner_diameter" = {from = 0.3, to = 0.76}
 "tube.length" = {from = 8, to = 30}
 "resonator.cavity_height" = {from = 1.8, to = 5}
@@ -53,7 +56,7 @@ def uninterrupted(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]
     """The study file, and its store made in one go by one process."""
     folder = tmp_path_factory.mktemp("uninterrupted")
     (folder / "study.toml").write_text(STUDY)
-    summary = run_sweep(load_study(folder / "study.toml"), folder / "results.zarr", workers=1)
+    summary = run_sweep(load_study(folder / "study.toml"), folder / "results.zarr", workers=1).summary
     assert 0 < sum(len(numbers) for numbers in summary.failures.values()) < 80
     return folder / "study.toml", folder / "results.zarr"
 
@@ -93,7 +96,7 @@ def start_and_kill(arguments: tuple[str, ...], out: Path, moment: int) -> None:
     run.send_signal(signal.SIGKILL)
     run.wait()
     assert len(helpers) >= 2
-    assert (open_sweep(out).dataset["state"].values == 0).any(), "the sweep was done before it was killed"
+    assert (open_sweep(out).values["state"] == 0).any(), "the sweep was done before it was killed"
     wait_for(lambda: not any(alive(helper) for helper in helpers))
 
 
@@ -198,13 +201,13 @@ def test_of_two_sweeps_that_begin_at_once_one_computes_and_the_other_is_refused(
 
 
 class DeadlyCases(Cases):
-    """Cases of which one ends the process that computes it."""
+    """Cases of which one ends the worker that computes it; workers are started with ``-c``."""
 
     def part(self, first: int, stop: int) -> Cases:
         return DeadlyCases(self.base, self.names, tuple(column[first:stop] for column in self.columns))
 
     def design(self, number: int) -> ArrayDesign:
-        if multiprocessing.parent_process() is not None and self.case(number)["tube.length"] == 13.0:
+        if sys.argv[0] == "-c" and self.case(number)["tube.length"] == 13.0:
             os.kill(os.getpid(), signal.SIGKILL)
         return super().design(number)
 
@@ -215,8 +218,7 @@ def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
 ) -> None:
     grid = ", ".join(f"{10 + 0.25 * k}" for k in range(32))
     study = read_study(
-        'base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["distance_smallest"]\n'
-        f'[parameters]\n"tube.length" = [{grid}]\n'
+        f'base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["distance_smallest"]\n[vary]\n"tube.length" = [{grid}]\n'
     )
     run_sweep(study, tmp_path / "whole.zarr", workers=1)
 
@@ -224,12 +226,12 @@ def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
         return DeadlyCases(drawn.base, drawn.names, drawn.columns)
 
     monkeypatch.setattr(survey, "kept_cases", deadly)
-    summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=2).summary
     assert summary.failures == {ENDED_WORKERS: [12]}
-    whole, result = (open_sweep(tmp_path / f"{name}.zarr").dataset for name in ("whole", "r"))
+    whole, result = (open_sweep(tmp_path / f"{name}.zarr").to_xarray() for name in ("whole", "r"))
     others = np.arange(32) != 12
     np.testing.assert_allclose(result["distance_smallest"][others], whole["distance_smallest"][others], rtol=1e-12)
-    assert run_sweep(study, tmp_path / "r.zarr", workers=2).computed == 0
+    assert run_sweep(study, tmp_path / "r.zarr", workers=2).summary.computed == 0
 
 
 def alive(process: psutil.Process) -> bool:
@@ -256,3 +258,117 @@ def test_what_a_worker_refuses_is_told_without_its_traceback(capfd: pytest.Captu
     with open_workers(2, None) as team, pytest.raises(Refusal, match=r"^gmsh cannot be had here$"):
         list(team.run(refuse, [("gmsh",)]))
     assert "Traceback" not in capfd.readouterr().err
+
+
+def number_of_process(hold: str) -> int:
+    """Number of the process that runs this, once no file holds it."""
+    Path(f"{hold}-{os.getpid()}").touch()
+    while Path(hold).exists():
+        time.sleep(0.02)
+    return os.getpid()
+
+
+def test_a_worker_that_stays_stopped_is_replaced_and_every_task_has_one_result(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(processes, "SILENCE", 1.0)
+    hold = tmp_path / "hold"
+    hold.touch()
+    with open_workers(2, None) as team:
+        results = team.run(number_of_process, ((str(hold),) for _ in range(6)))
+        found: list[tuple[int, int]] = []
+        reader = threading.Thread(target=lambda: found.extend(results))
+        reader.start()
+        wait_for(lambda: len(list(tmp_path.glob("hold-*"))) == 2)
+        stopped = int(next(tmp_path.glob("hold-*")).name.partition("-")[2])
+        os.kill(stopped, signal.SIGSTOP)
+        wait_for(lambda: team.notes)
+        hold.unlink()
+        reader.join(60)
+        assert list(team.notes) == [f"worker process {stopped} was stopped for 1 s: another took over its work"]
+    assert sorted(number for number, _ in found) == list(range(6))
+    assert stopped not in [process for _, process in found]
+
+
+def end_first(folder: str, number: int) -> int:
+    """The number; the first process that is asked ends."""
+    with contextlib.suppress(FileExistsError):
+        Path(folder, "ended").touch(exist_ok=False)
+        os.kill(os.getpid(), signal.SIGKILL)
+    return number
+
+
+def test_a_task_whose_worker_ends_is_given_to_another(tmp_path: Path) -> None:
+    with open_workers(2, None) as team:
+        found = dict(team.run(end_first, ((str(tmp_path), number) for number in range(20))))
+    assert found == {number: number for number in range(20)}
+
+
+def end_always(number: int) -> int:
+    """The number; 3 ends its process."""
+    if number == 3:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return number
+
+
+def test_a_task_that_ends_two_workers_is_given_up() -> None:
+    with open_workers(2, None) as team:
+        found = dict(team.run(end_always, ((number,) for number in range(6)), lost=lambda number: -number))
+        assert found == {0: 0, 1: 1, 2: 2, 3: -3, 4: 4, 5: 5}
+        with pytest.raises(WorkersLost) as error:
+            list(team.run(end_always, ((number,) for number in range(6))))
+        assert error.value.kind is Kind.STOPPED
+
+
+def slow(number: int) -> int:
+    """The number, after a while unless it is 0."""
+    time.sleep(60 * (number > 0))
+    return number
+
+
+def test_a_run_that_is_left_early_keeps_no_worker_busy() -> None:
+    begin = time.monotonic()
+    with open_workers(2, None) as team:
+        for _ in team.run(slow, ((number,) for number in range(5))):
+            break
+        assert list(team.run(slow, [(0,)])) == [(0, 0)]
+    assert time.monotonic() - begin < 50
+
+
+def cannot_start() -> None:
+    raise SystemExit(3)
+
+
+def test_workers_that_cannot_start_end_the_run_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(processes, "_give_way", cannot_start)
+    with (
+        open_workers(2, None) as team,
+        pytest.raises(WorkersLost, match=r"^3 workers in a row ended while they started"),
+    ):
+        list(team.run(slow, [(0,)]))
+
+
+SCRIPT = """
+import os, sys
+import studies
+from studies.sweep import open_workers
+
+def own(number):
+    return number, os.getpid()
+
+with open_workers(2, None) as team:
+    assert all(result[0] == number and result[1] != os.getpid() for number, result in team.run(own, [(0,), (1,)]))
+summary = studies.run_sweep(studies.load_study(sys.argv[1]), sys.argv[2], workers=2).summary
+print("computed", summary.computed)
+"""
+
+
+def test_a_script_without_a_main_guard_may_use_workers(tmp_path: Path) -> None:
+    (tmp_path / "study.toml").write_text(
+        'base = "array-2x6"\nfidelity = "lumped"\nfrequency = "1:100:12"\nmetrics = ["distance_smallest"]\n'
+        '[vary]\n"tube.length" = [12, 13]\n'
+    )
+    (tmp_path / "script.py").write_text(SCRIPT)
+    line = [sys.executable, "script.py", "study.toml", "r.zarr"]
+    done = subprocess.run(line, cwd=tmp_path, env=ENVIRONMENT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "computed 2\n", "")

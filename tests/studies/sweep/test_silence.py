@@ -35,9 +35,11 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
 
 def manned(clock: Clock) -> Cluster:
     """A cluster with one worker that was heard of just now."""
-    found = Cluster(Client(), "scheduler", own=True)
+    found = Cluster(Client(), "scheduler")
     told(found, clock, 1.0)
     found._look()
+    (worker,) = found._crew.values()
+    worker.same = True
     return found
 
 

@@ -48,7 +48,7 @@ def test_a_force_is_heard_through_the_cavity_as_designed_and_the_sensor_as_made(
 
 def test_membranes_under_one_contact_are_heard_together(rig, nominal, tmp_path):
     middle = nominal.position[:2].mean(0)
-    wide = replace(humming(middle), radius=float(np.ptp(nominal.position[:2], axis=0).max()))
+    wide = replace(humming(middle), contact_radius_mm=float(np.ptp(nominal.position[:2], axis=0).max()))
     truth = record_contact(rig, wide, tmp_path / "both.wav", QUIET)
     share = covered_force(wide, nominal).max(0) / 2
     made = (rig.transfer_function(np.array([20.0]))[:, :, 0] * (share * nominal.cavity_response[:, 2])[:, None]).sum(0)

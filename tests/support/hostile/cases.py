@@ -9,7 +9,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Literal
 
-from hostile import data_files, models, texts, uses
+from hostile import data_files, kinds, models, texts, uses
 from hostile.damage import (
     Change,
     bit_flips,
@@ -23,8 +23,9 @@ from hostile.damage import (
 )
 
 #: How a command may end: ``refused``; ``exact``: refused, or with what it says of the undamaged files, or with a note
-#: that names the damaged one; ``sane``: refused, or done, for the change may be one that a user could have meant.
-Ending = Literal["refused", "exact", "sane"]
+#: that names the damaged one; ``sane``: refused, or done, for the change may be one that a user could have meant;
+#: ``noted``: refused, or done with a note that has one of some words; ``done``: done.
+Ending = Literal["refused", "exact", "sane", "noted", "done"]
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,10 @@ class Case:
     """Words of which a refusal must hold one."""
     output: str = ""
     """The file or folder that the command may write."""
+    environment: tuple[tuple[str, str], ...] = ()
+    """Variables that are set for it."""
+    limits: tuple[tuple[str, int], ...] = ()
+    """Limits of the system for it: ends of names of ``resource.RLIMIT_...``, and their values."""
 
 
 #: What a library holds, told by the arrays that a user would use.
@@ -65,7 +70,7 @@ def sweep_told(name: str) -> tuple[str, ...]:
     """Python that opens a sweep and tells what it holds."""
     return (
         "-c",
-        f"from studies import open_sweep\nd = open_sweep({name!r}).dataset.load()\n"
+        f"from studies import open_sweep\nd = open_sweep({name!r}).to_xarray().load()\n"
         "held = repr([(k, d[k].values.tolist()) for k in sorted(d.variables)])\n"
         "import hashlib; print(hashlib.sha256(held.encode()).hexdigest())",
     )
@@ -152,7 +157,9 @@ def all_cases() -> list[Case]:
         *_options(),
         *_mismatched(),
         *_overwriting(),
+        *_addresses(),
         *_solids(),
+        *_kinds(),
     ]
 
 
@@ -347,9 +354,31 @@ def _overwriting() -> Iterator[Case]:
         yield Case("outputs over inputs", " ".join(words), words, "refused", change)
 
 
+def _addresses() -> Iterator[Case]:
+    """Addresses of stores and sites in place of every output, and of every input that is a file."""
+    for address in ("s3://bucket/a", "gs://bucket/a", "https://host/a", "file:///tmp/a", "zip::s3://bucket/a"):
+        for words in (SOLVE, SEARCH, CALIBRATE, TRAIN, PARTS, TOLERANCE, ("sweep", "study.toml", "--out", "r.zarr")):
+            out = words.index("--out") + 1
+            place = f"{address}{Path(words[out]).suffix}"
+            changed = (*words[:out], place, *words[out + 1 :])
+            yield Case("addresses", f"{words[0]} --out {place}", changed, "refused", uses.untouched, ("--out",))
+            source = f"{address}{Path(words[1]).suffix}"
+            changed = (words[0], source, *words[2:])
+            yield Case(
+                "addresses", f"{words[0]} {source}", changed, "refused", uses.untouched, (address.split(":")[0],)
+            )
+
+
 def _solids() -> Iterator[Case]:
     for what, code in uses.SOLIDS:
         yield Case("solids", what, ("-c", code), "refused", uses.untouched)
+
+
+def _kinds() -> Iterator[Case]:
+    """What users' files, habits and neighbours brought."""
+    for group, variants in kinds.FAMILIES.items():
+        for variant in variants():
+            yield Case(group, **variant._asdict())
 
 
 def sample(cases: list[Case], count: int) -> list[Case]:

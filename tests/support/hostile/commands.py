@@ -18,10 +18,11 @@ import sys
 import tempfile
 import time
 import traceback
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+ROOT = Path(__file__).parents[3]
 #: Addresses that a command may take, bytes: beyond it the system refuses memory.
 ADDRESSES = 24 * 2**30
 #: What is loaded before the first command: whatever a verb may import.
@@ -62,11 +63,31 @@ class Commands:
             [sys.executable, __file__], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8"
         )
 
-    def run(self, words: list[str], folder: Path, limit: float = 60.0) -> Ended:
-        """How ``acoustic-fem`` with these words, or ``-c`` and Python, ended in a folder; killed after ``limit`` s."""
+    def run(
+        self,
+        words: list[str],
+        folder: Path,
+        limit: float = 60.0,
+        environment: Mapping[str, str] = {},
+        limits: Mapping[str, int] = {},
+    ) -> Ended:
+        """How ``acoustic-fem`` with these words, or ``-c`` and Python, ended in a folder; killed after ``limit`` s.
+
+        Args:
+            words: the command.
+            folder: where it runs.
+            limit: s.
+            environment: variables that are set for it; it then begins as a program of its own, as some are read only
+                when a library is imported.
+            limits: of the system, by the ends of their names in ``resource``.
+        """
         assert self._process.stdin is not None
         assert self._process.stdout is not None
-        print(json.dumps([words, str(folder), limit]), file=self._process.stdin, flush=True)
+        print(
+            json.dumps([words, str(folder), limit, dict(environment), dict(limits)]),
+            file=self._process.stdin,
+            flush=True,
+        )
         return Ended(**json.loads(self._process.stdout.readline()))
 
     def close(self) -> None:
@@ -96,16 +117,15 @@ def serve() -> None:
     gc.collect()
     gc.freeze()  # what children share they need not copy
     for line in sys.stdin:
-        words, folder, limit = json.loads(line)
-        print(json.dumps(asdict(_ended(words, folder, limit))), file=answers, flush=True)
+        print(json.dumps(asdict(_ended(*json.loads(line)))), file=answers, flush=True)
 
 
-def _ended(words: list[str], folder: str, limit: float) -> Ended:
+def _ended(words: list[str], folder: str, limit: float, environment: dict[str, str], limits: dict[str, int]) -> Ended:
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         began = time.monotonic()
         child = os.fork()
         if child == 0:
-            _become(words, folder, out.fileno(), err.fileno())
+            _become(words, folder, out.fileno(), err.fileno(), environment, limits)
         in_time, status, used = _waited(child, began + limit)
         seconds = time.monotonic() - began
         texts = []
@@ -127,7 +147,9 @@ def _waited(child: int, until: float) -> tuple[bool, int, int]:
     return False, status, used.ru_maxrss
 
 
-def _become(words: list[str], folder: str, out: int, err: int) -> None:
+def _become(
+    words: list[str], folder: str, out: int, err: int, environment: dict[str, str], limits: dict[str, int]
+) -> None:
     """Be the command and end as it does."""
     code = 70
     try:
@@ -141,6 +163,12 @@ def _become(words: list[str], folder: str, out: int, err: int) -> None:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_AS, (ADDRESSES, ADDRESSES))
         os.chdir(folder)
+        for name, value in limits.items():
+            resource.setrlimit(getattr(resource, f"RLIMIT_{name}"), (value, value))
+        if environment:
+            command = ["-c", words[1]] if words[0] == "-c" else ["-m", "studies.cli", *words]
+            own = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")])}
+            os.execve(sys.executable, [sys.executable, *command], {**own, **environment})
         code = _call(words)
     except SystemExit as ended:
         code = int(ended.code or 0)

@@ -16,6 +16,7 @@ from hostile.commands import Commands
 from localize import TouchGenerator
 from localize.signals.array_response import response_of
 from studies import Rig
+from studies.run.file_list import write_file_list
 from studies.test_rig import Recorder
 from studies.test_rig.rig_touches import TouchSession, record_touches
 
@@ -23,14 +24,14 @@ STUDY = """
 name = "bores"
 base = "design.toml"
 fidelity = "lumped"
-frequencies = "1:100:8"
+frequency = "1:100:8"
 metrics = ["distance_smallest", "sensitivity_force"]
 sampling = "random"
 cases = 12
 seed = 1
-transfer_functions = true
+keep = "responses"
 
-[parameters]
+[vary]
 "tube.inner_diameter" = { from = 0.3, to = 0.8 }
 "tube.length" = { from = 8, to = 30 }
 """
@@ -39,8 +40,8 @@ SEARCH = (
     .replace("cases", "#")
     .replace("transfer", "#")
     .replace(
-        "[parameters]",
-        '[optimize]\ntrials = 8\nbatch = 4\n[[optimize.objectives]]\nmetric = "distance_smallest"\n\n[parameters]',
+        "[vary]",
+        '[optimize]\ntrials = 8\nbatch = 4\n[[optimize.objectives]]\nmetric = "distance_smallest"\n\n[vary]',
     )
 )
 PROCESS = """
@@ -93,6 +94,7 @@ def make(folder: Path, commands: Commands) -> None:
     rig.record(folder / "calibration", [1, 2, 3], Recorder(seconds=20))
     record_touches(rig, folder / "session", range(1, 4), TouchSession(takes=2, seconds=4.0, parts=("taps",)))
     _write_solids(folder)
+    _write_run(folder / "ran")
 
 
 def _write_touches(folder: Path) -> None:
@@ -109,6 +111,14 @@ def _write_touches(folder: Path) -> None:
     np.savetxt(folder / "touches.csv", table, delimiter=",", header=head, comments="")
     np.savez(folder / "touches.npz", signals=signals, sample_rate=1000.0)
     scipy.io.savemat(folder / "touches.mat", {"signals": signals, "sample_rate": 1000.0})
+
+
+def _write_run(folder: Path) -> None:
+    """Two files of a run with their list."""
+    (folder / "parts").mkdir(parents=True)
+    (folder / "design.toml").write_text('name = "row"\n')
+    (folder / "parts" / "lid.stl").write_bytes(b"solid")
+    write_file_list(folder, ("design.toml", "parts"))
 
 
 def _write_solids(folder: Path) -> None:

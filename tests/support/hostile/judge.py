@@ -38,7 +38,7 @@ class Verdict:
     """The case."""
     fault: str
     """What is wrong with that: empty, or ``traceback``, ``hang``, ``memory``, ``accepted``, ``not named``, ``long``,
-    ``changed an input``.
+    ``changed an input``, ``not done``.
     """
     told: str
     """The last that the command said."""
@@ -87,7 +87,9 @@ def _run(case: Case, good: Path, work: Path, commands: Commands, damaged: bool, 
     if damaged:
         case.change(folder, random.Random(seed))
     before = _state(folder)
-    ended = commands.run(list(case.words), folder, limit=LONGEST)
+    environment = dict(case.environment) if damaged else {}
+    limits = dict(case.limits) if damaged else {}
+    ended = commands.run(list(case.words), folder, LONGEST, environment, limits)
     after = _state(folder)
     output = case.output.split("/")[0]
     changed = [name for name, state in before.items() if after.get(name) != state and name.split("/")[0] != output]
@@ -169,6 +171,8 @@ def _fault(case: Case, ended: Ended, changed: list[str], undamaged: str) -> str:
         return "traceback"
     if changed:
         return "changed an input"
+    if case.ending == "done" and ended.code != 0:
+        return "not done"
     if ended.code == 0:
         return _fault_of_acceptance(case, ended, undamaged)
     return _fault_of_refusal(case, ended)
@@ -177,7 +181,7 @@ def _fault(case: Case, ended: Ended, changed: list[str], undamaged: str) -> str:
 def _fault_of_acceptance(case: Case, ended: Ended, undamaged: str) -> str:
     if case.ending == "refused" or (case.ending == "exact" and ended.out != undamaged and not _said(case, ended)):
         return "accepted"
-    return ""
+    return "accepted" if case.ending == "noted" and not _said(case, ended) else ""
 
 
 def _said(case: Case, ended: Ended) -> bool:

@@ -1,0 +1,64 @@
+"""Splits by design: a case is of the training, the validation or the test set, never of two of them.
+
+The split of a case depends on the seed and its number alone: it stays the same when cases are added, and whatever was
+drawn before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from geometry.ground.argument_checks import check_choice
+from geometry.ground.refusal import Kind, Refusal
+from localize.signals.random_streams import Purpose
+
+Split = Literal["train", "validation", "test"]
+SPLITS: tuple[Split, ...] = get_args(Split)
+"""Names of the splits, in the order of their shares."""
+DEFAULT_SHARES: Mapping[Split, float] = {"train": 0.8, "validation": 0.1, "test": 0.1}
+"""Share of the cases that each split has where a caller gives none."""
+#: Touches of two splits never share a random number, not even those on the same array.
+PURPOSE_OF: Mapping[Split, Purpose] = {"train": "training", "validation": "held-out", "test": "evaluation"}
+
+
+def split_of(cases: ArrayLike, seed: int = 0, shares: Mapping[Split, float] = DEFAULT_SHARES) -> NDArray[np.str_]:
+    """Split of each case, by its number and the seed alone.
+
+    Args:
+        cases: (n,) numbers of cases, whole, zero or above.
+        seed: any non-negative integer.
+        shares: fraction of the cases in each split, one in all.
+
+    Returns:
+        (n,) text, each one of :data:`SPLITS`.
+
+    Raises:
+        Refusal: shares that are below zero, do not make one, or name no split.
+    """
+    check_shares(shares)
+    part = np.array([shares.get(name, 0.0) for name in SPLITS], np.float64)
+    drawn = [np.random.SeedSequence(seed, spawn_key=(int(case),)).generate_state(1)[0] for case in np.ravel(cases)]
+    place = np.searchsorted(np.cumsum(part[:-1]), np.array(drawn, np.float64) / 2.0**32, "right")
+    return np.array(SPLITS)[place]
+
+
+def check_shares(shares: Mapping[Split, float]) -> None:
+    """Refuse shares of splits that are below zero, do not make one, or name no split.
+
+    Raises:
+        Refusal: they do.
+    """
+    for name in shares:
+        check_choice("shares", name, SPLITS)
+    part = np.array(list(shares.values()), np.float64)
+    if not (np.isfinite(part).all() and (part >= 0).all() and abs(part.sum() - 1) < 1e-9):
+        raise Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="shares",
+            value=dict(shares),
+            allowed=f"fractions of {', '.join(SPLITS)}, zero or above, one in all",
+        )

@@ -1,0 +1,139 @@
+"""Verb that writes data sets for training: dataset."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, cast
+
+import typer
+
+import studies
+from geometry.ground.refusal import Kind, Refusal, counted
+from studies.cli.options import Noise, display_on_stderr, noise_choice
+from studies.cli.terminal_tables import say, tell
+from studies.output.call_defaults import DATASET_FORMAT, SAMPLES_PER_SHARD, SEED, TOUCHES
+
+if TYPE_CHECKING:
+    from localize.datasets.splits import Split
+    from localize.learned.features import FeatureChoice
+    from studies.datasets.columns import FileFormat
+
+
+def dataset(
+    source: Annotated[
+        str,
+        typer.Argument(
+            metavar="SOURCE",
+            help="Library, sweep that keeps libraries, or, with --as-built, a design file or prototype.",
+            show_default=False,
+        ),
+    ],
+    out: Annotated[
+        Path, typer.Option(help="New folder, or that of the same data set, which is finished.", show_default=False)
+    ],
+    file_format: Annotated[
+        str, typer.Option("--format", help="Files of the shards: npz, parquet, webdataset or zarr.")
+    ] = DATASET_FORMAT,
+    as_built_sensors: Annotated[
+        int | None,
+        typer.Option(
+            "--as-built",
+            help="Number of sensors to draw about a design by manufacturing tolerances.",
+            show_default=False,
+        ),
+    ] = None,
+    touches: Annotated[int, typer.Option(help="Samples of every design.")] = TOUCHES,
+    mix: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND=SHARE,...",
+            help="Kinds of touches and their shares: taps, presses, slides, multi-sines, friction, pulse-wave. "
+            "Default: mostly those of fingers.",
+            show_default=False,
+        ),
+    ] = None,
+    shares: Annotated[
+        str | None,
+        typer.Option(
+            "--split",
+            metavar="NAME=SHARE,...",
+            help="Fraction of the designs in train, validation and test. Default: train=0.8,validation=0.1,test=0.1.",
+            show_default=False,
+        ),
+    ] = None,
+    samples_per_shard: Annotated[int, typer.Option(help="Samples of a shard.")] = SAMPLES_PER_SHARD,
+    features: Annotated[
+        str | None,
+        typer.Option(help="Maps in place of signals: phasors, paper or rooms. Default: signals.", show_default=False),
+    ] = None,
+    noise: Noise = None,
+    ambient: Annotated[
+        str | None,
+        typer.Option(
+            "--sound",
+            metavar="LOW:HIGH",
+            help="Levels of the sound outside, dB SPL. Default: silence.",
+            show_default=False,
+        ),
+    ] = None,
+    licence: Annotated[
+        str | None, typer.Option(help="Licence of the data, for the data card.", show_default=False)
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Seed of designs, touches, order and splits.")] = SEED,
+) -> None:
+    """Write a data set of touches to train networks of your own, readable without this program.
+
+    Writes shards of training, validation and test samples, README.md (what was drawn and how to read it) and
+    SHA256SUMS. No design is in two splits. If writing is stopped, start it again: it goes on from the last whole
+    shard and ends with the same bytes.
+
+    Example: [bold]acoustic-fem dataset array-2x6 --as-built 500 --touches 1000 --format parquet --out touches[/bold]
+    """
+    given: dict[str, object] = {}
+    if mix is not None:
+        given["mix"] = _shares("mix", mix)
+    if shares is not None:
+        given["shares"] = cast("dict[Split, float]", _shares("shares", shares))
+    with display_on_stderr() as display:
+        made = studies.export_dataset(
+            source,
+            out,
+            as_built_sensors=as_built_sensors,
+            file_format=cast("FileFormat", file_format),
+            touches=touches,
+            samples_per_shard=samples_per_shard,
+            features=cast("FeatureChoice | None", features),
+            microphone_noise=noise_choice(noise),
+            ambient=None if ambient is None else _levels(ambient),
+            licence=licence or "",
+            seed=seed,
+            display=display,
+            **given,  # type: ignore[arg-type]
+        )
+    samples = ", ".join(f"{count:,} {split}" for split, count in made.samples.items())
+    kept = f", {made.continued} of them from before" if made.continued else ""
+    tell(f"{samples} samples in {counted(made.shards, 'shard')}{kept}; {made.size / 1e6:,.0f} MB")
+    say(made.folder / "README.md")
+
+
+def _shares(field: str, text: str) -> dict[str, float]:
+    """Shares by name, from ``NAME=SHARE,...``."""
+    try:
+        pairs = [each.split("=") for each in text.split(",")]
+        found = {name.strip(): float(share) for name, share in pairs}
+    except ValueError:
+        found = {}
+    if not found or len(found) < len(text.split(",")):
+        raise Refusal(
+            kind=Kind.WRONG_TYPE, field=field, value=text, allowed="NAME=SHARE,NAME=SHARE,..., each name once"
+        )
+    return found
+
+
+def _levels(text: str) -> tuple[float, float]:
+    """Lowest and highest level, from ``LOW:HIGH``."""
+    try:
+        low, high = map(float, text.split(":"))
+    except ValueError:
+        raise Refusal(kind=Kind.WRONG_TYPE, field="ambient", value=text, allowed="LOW:HIGH, dB SPL") from None
+    return low, high
