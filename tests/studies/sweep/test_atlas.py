@@ -57,7 +57,7 @@ def test_cases_outside_fail_by_name(sweep):
 
 
 def test_frequencies_above_those_of_touches_are_noted_once(tmp_path):
-    text = STUDY.replace("1:100:5", "1:{}:9").replace("[2.0, 3.0, 7.2]", "[2.0, 3.0]")
+    text = STUDY.replace("1:100:5", "1:{}:25").replace("[2.0, 3.0, 7.2]", "[2.0, 3.0]")
     for last, notes in ((500, 0), (550, 1)):
         summary = run_sweep(read_study(text.format(last)), tmp_path / f"to-{last}.zarr", workers=1).summary
         assert sum("its errors were found up to 200 Hz" in note for note in summary.notes) == notes
