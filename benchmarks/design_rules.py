@@ -20,10 +20,10 @@ import acoustic_fem
 import geometry
 from geometry import ArrayDesign
 from geometry.ground.whole_files import replace_section, whole_file
-from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
+from studies.study.study import read_study
+from studies.sweep.results import open_sweep
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 
 FOLDER = Path(__file__).parents[1] / "docs" / "studies" / "design_rules"
 BEGIN, END = "<!-- {name}: made by benchmarks/design_rules.py -->", "<!-- end {name} -->"
@@ -94,13 +94,13 @@ def sweep(rule: Rule, base: ArrayDesign) -> Curve:
     text = (FOLDER / f"{rule.name}.toml").read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "results.zarr"
-        summary = run_sweep(read_study(text, f"{rule.name}.toml", base=base), out, workers=1)
+        summary = run_sweep(read_study(text, f"{rule.name}.toml", base=base), out, workers=1).summary
         if summary.failures:
             raise RuntimeError(f"{rule.name}: {summary.failures}")
         found = open_sweep(out)
-        values = np.asarray(found.dataset[rule.parameter].values, np.float64)
+        values = np.asarray(found.values[rule.parameter], np.float64)
         order = np.argsort(values)
-        return Curve(values[order], {name: found.dataset[name].values[order] for name in found.metrics})
+        return Curve(values[order], {name: found.values[name][order] for name in found.metrics})
 
 
 def table(rule: Rule, curves: dict[str, Curve]) -> list[str]:

@@ -55,12 +55,12 @@ STUDY = """
 name = "speed"
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:64"
+frequency = "1:100:64"
 sampling = "sobol"
 cases = 64
 seed = 1
 metrics = ["sensitivity_force"]
-[parameters]
+[vary]
 "tube.inner_diameter" = { from = 0.3, to = 0.6 }
 """
 

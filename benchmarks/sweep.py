@@ -30,14 +30,13 @@ import acoustic_fem
 from geometry import ArrayDesign
 from geometry.ground.whole_files import replace_section
 from studies.study.cases import Cases, cases_of
-from studies.study.file import read_study
 from studies.study.metric_registry import METRICS, metrics_named
-from studies.study.study import Study
+from studies.study.study import Study, read_study
 from studies.sweep import run
 from studies.sweep.block import Job, solve_block
 from studies.sweep.processes import Processes
+from studies.sweep.results import open_sweep
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 from studies.sweep.workers import Workers, cores, open_workers
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "sweeps.md"
@@ -54,7 +53,7 @@ def study_of(cases: int, metrics: Sequence[str] = METRICS_OF_STUDY) -> Study:
     names = ", ".join(f'"{name}"' for name in metrics)
     return read_study(
         f'base = "array-2x6"\nfidelity = "lumped"\nsampling = "sobol"\ncases = {cases}\nmetrics = [{names}]\n'
-        '[parameters]\n"tube.inner_diameter" = {from = 0.3, to = 0.5}\n"tube.length" = {from = 9, to = 30}\n'
+        '[vary]\n"tube.inner_diameter" = {from = 0.3, to = 0.5}\n"tube.length" = {from = 9, to = 30}\n'
         '"resonator.cavity_height" = {from = 1.5, to = 5}\n'
     )
 
@@ -159,7 +158,7 @@ def against_others(cases: int) -> list[str]:
     get_reusable_executor().shutdown()
 
     def same(out: Path) -> None:
-        result = open_sweep(out).dataset
+        result = open_sweep(out).to_xarray()
         values = np.stack([result[name].values for name in METRICS_OF_STUDY], axis=1)
         worst = float(np.abs(values / expected - 1).max())
         print(f"largest relative difference to the loop: {worst:.1e}")

@@ -93,10 +93,10 @@ def read_rooms(root: Path = ROOT) -> tuple[Room, ...]:
         found = {}
         for face in sorted((root / package).glob("*/__init__.py")):
             text = ast.get_docstring(ast.parse(face.read_text(encoding="utf-8"))) or ""
-            stated = re.search(r"^Stands on: ([\w, ]+)\.$", text, re.MULTILINE)
+            stated = re.search(r"^Stands on: ([\w,\s]+)\.$", text, re.MULTILINE)
             if stated is None:
                 raise ValueError(f"{face}: does not say which rooms it stands on: 'Stands on: stated, design.'")
-            names = () if stated.group(1) == "nothing" else tuple(stated.group(1).split(", "))
+            names = () if stated.group(1) == "nothing" else tuple(re.split(r",\s+", stated.group(1)))
             purpose = " ".join(text[: stated.start()].split())
             modules = tuple(
                 (path.stem, _first_sentence(path)) for path in sorted(face.parent.glob("*.py")) if path != face

@@ -60,11 +60,11 @@ from .run.starting import copy_prototype as copy_prototype, new_design as new_de
 from .run.wiring import wiring_table as wiring_table
 from .scatter.tolerance_run import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
 from .studio.serving import serve_studio as serve_studio
-from .study.file import load_study as load_study
-from .study.study import Study as Study
+from .study.study import Study as Study, load_study as load_study
 from .sweep.plan import Plan as Plan, plan_sweep as plan_sweep
-from .sweep.run import Summary as Summary, run_sweep as run_sweep
-from .sweep.store import Sweep as Sweep, open_sweep as open_sweep
+from .sweep.results import Sweep as Sweep, open_sweep as open_sweep
+from .sweep.run import run_sweep as run_sweep
+from .sweep.summary import Summary as Summary
 from .test_rig.calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
 from .test_rig.recalibrating import Recalibration as Recalibration, recalibrate as recalibrate
 from .test_rig.rig_session import RigSession as RigSession, record_rig as record_rig

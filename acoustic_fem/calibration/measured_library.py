@@ -233,8 +233,8 @@ def _without_drift(
             for row in rows:
                 corrected[row] = at_nominal_times(signals[row], drift)
             notes += (
-                f"the clock of {', '.join(own)} is {abs(drift):.1f} ppm {'faster' if drift > 0 else 'slower'} than that of "
-                "the reference; this was corrected, or give it as clock_ppm",
+                f"the clock of {', '.join(own)} is {abs(drift):.1f} ppm {'faster' if drift > 0 else 'slower'} than "
+                "that of the reference; this was corrected, or give it as clock_ppm",
             )
     shortest = min(len(row) for row in corrected)
     return np.stack([row[:shortest] for row in corrected]), notes

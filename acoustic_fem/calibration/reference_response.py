@@ -80,5 +80,7 @@ def read_response(path: Path) -> ReferenceResponse:
         if not np.isfinite(values).all():
             raise ResponseError("holds a value that is not finite", kind=Kind.OUT_OF_RANGE, file=path, field=name)
     if frequency[0] <= 0 or (np.diff(frequency) <= 0).any():
-        raise ResponseError("must rise from row to row, from above 0 Hz", kind=Kind.UNSUITABLE, file=path, field=COLUMNS[0])
+        raise ResponseError(
+            "must rise from row to row, from above 0 Hz", kind=Kind.UNSUITABLE, file=path, field=COLUMNS[0]
+        )
     return ReferenceResponse(path, frequency, level, np.unwrap(np.radians(degrees)))

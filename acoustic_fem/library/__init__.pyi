@@ -1,5 +1,6 @@
 from .exchange import FORMATS as FORMATS, export as export, load as load
 from .netcdf_file import LibraryError as LibraryError
+from .network_responses import cell_summaries as cell_summaries
 from .noise_floor import (
     detectable_density as detectable_density,
     detection_limits as detection_limits,
@@ -12,6 +13,7 @@ from .provenance import versions as versions
 from .solving import solve as solve
 from .transfer_functions import (
     MEASURED as MEASURED,
+    VARIABLES as VARIABLES,
     Library as Library,
     described as described,
     library_from_arrays as library_from_arrays,

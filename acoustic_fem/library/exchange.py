@@ -72,8 +72,13 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
     write_netcdf(library, path)
 
 
-def export(library: Library, path: str | os.PathLike[str]) -> None:
+def export(library: Library, path: str | os.PathLike[str], *, folders: bool = False) -> None:
     """Write a library in the format of the name's suffix; the file is whole or not there.
+
+    Args:
+        library: the library.
+        path: the file.
+        folders: make the folders of the file that are missing.
 
     Raises:
         LibraryError: another suffix than ``.nc``, ``.sofa``, ``.npz`` and ``.csv``, a file that cannot be written, or
@@ -82,6 +87,12 @@ def export(library: Library, path: str | os.PathLike[str]) -> None:
     path = Path(path)
     _suffix(path)
     check_replaceable(path)
+    if folders:
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            problem = f"cannot be made: {error.strerror or error}"
+            raise LibraryError(problem, kind=Kind.UNREADABLE, file=path.parent) from None
     write_library(library, path)
 
 

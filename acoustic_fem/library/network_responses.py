@@ -77,9 +77,11 @@ def joined_cells(
     response = acoustic_fem.network.solve_network(
         design, layout, catalogue, admittances(catalogue.distinct), frequency, medium, discs
     )
+    transfer_function = response.source_response / response.point_impedance[:, None, :]
     return {
-        "transfer_function": response.source_response / response.point_impedance[:, None, :],
-        "source_response": response.source_response,
+        "transfer_function": transfer_function,
+        # the product, which may differ in the last bit: so that two of the three are all that a store needs
+        "source_response": transfer_function * response.point_impedance[:, None, :],
         "point_impedance": response.point_impedance,
         "microphone_impedance": response.microphone_impedance,
     }
@@ -107,9 +109,11 @@ def _cell_admittances(
 ) -> tuple[dict[Cell, ComplexArray], list[dict[str, Any]]]:
     """Nodal admittances of the cells, and how each was obtained."""
     if fidelity in CLOSED_FORMS:
-        about: dict[str, Any] = {"method": "closed form"} if fidelity == "lumped" else _about_atlas(cells, frequency)
+        if fidelity == "atlas":
+            cell_atlas().warn_above(frequency)
+            cell_atlas().warn_below(least_angle(cells))
         found = {cell: closed_form(fidelity, cell, frequency, medium) for cell in cells}
-        return found, [{"cell": cell.label, **about} for cell in cells]
+        return found, _summaries(cells, fidelity)
     solutions = acoustic_fem.cell.solve_cells(
         cells, frequency, medium, fidelity, progress=lambda label, fraction: report(label, 0.95 * fraction)
     )
@@ -118,14 +122,24 @@ def _cell_admittances(
     return admittances, solved
 
 
-def _about_atlas(cells: tuple[Cell, ...], frequency: Array) -> dict[str, Any]:
-    """Provenance of cells in the atlas; warns where its errors are not known."""
-    atlas = cell_atlas()
-    atlas.warn_above(frequency)
-    atlas.warn_below(least_angle(cells))
-    return {
-        "method": f"atlas of cells, table {atlas.digest}",
-        "errors": dict(atlas.errors),
-        "errors_up_to_hz": atlas.known_up_to,
-        "errors_from_degrees": atlas.known_from,
-    }
+def cell_summaries(design: ArrayDesign, fidelity: str) -> list[dict[str, Any]]:
+    """How each distinct cell of a design is computed in closed form, as JSON can hold it.
+
+    Args:
+        design: the array.
+        fidelity: "lumped" or "atlas".
+    """
+    return _summaries(cell_catalogue(design, place_housings(design)).distinct, fidelity)
+
+
+def _summaries(cells: tuple[Cell, ...], fidelity: str) -> list[dict[str, Any]]:
+    about: dict[str, Any] = {"method": "closed form"}
+    if fidelity == "atlas":
+        atlas = cell_atlas()
+        about = {
+            "method": f"atlas of cells, table {atlas.digest}",
+            "errors": dict(atlas.errors),
+            "errors_up_to_hz": atlas.known_up_to,
+            "errors_from_degrees": atlas.known_from,
+        }
+    return [{"cell": cell.label, **about} for cell in cells]

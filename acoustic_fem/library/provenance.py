@@ -36,7 +36,12 @@ def library_provenance(frequency: Array, libraries: Sequence[str]) -> dict[str, 
         frequency: (n_freq,) Hz.
         libraries: distributions whose versions matter.
     """
-    return {**versions(None, libraries), "frequency_sha256": hashlib.sha256(frequency.tobytes()).hexdigest()}
+    return {**versions(None, libraries), "frequency_sha256": frequency_hash(frequency)}
+
+
+def frequency_hash(frequency: Array) -> str:
+    """SHA-256 of a grid of frequencies, (n_freq,) float64, Hz; hexadecimal."""
+    return hashlib.sha256(frequency.tobytes()).hexdigest()
 
 
 @cache  # read from the installation's files: a third of a lumped solve

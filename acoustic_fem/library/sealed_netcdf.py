@@ -58,7 +58,8 @@ def _trial(path: str) -> bytes:
     with h5netcdf.File(path, "r") as file:
         size = sum(math.prod(one.shape) * getattr(one.dtype, "itemsize", 64) for one in file.variables.values())
         if size > _LARGEST:
-            raise ValueError(f"its arrays would take {size} bytes, and must take at most {_LARGEST}")
+            problem = f"its arrays would take {size} bytes, and must take at most {_LARGEST}"
+            raise Refusal(problem, kind=Kind.OUT_OF_RANGE)
         for one in (file, *file.variables.values()):
             dict(one.attrs)
         for one in file.variables.values():

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence, Sized
 from dataclasses import asdict, astuple, dataclass
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -13,13 +14,19 @@ from numpy.typing import NDArray
 
 from acoustic_fem.library.other_air import air_ratio
 from acoustic_fem.library.provenance import library_provenance
+from acoustic_fem.library.response_plot import Quantity, plot_responses
 from acoustic_fem.library.touch_pressure import touch_flow, touch_response
 from acoustic_fem.quantities.local_air import AirLike, LocalAir, checked_air, design_air, medium_of
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.late import function_above
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.shown import Shown
 from geometry.ground.typed import Array, ComplexArray
 from geometry.layout.placement import point_places
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 #: Fidelity of a library made from recordings (:mod:`acoustic_fem.calibration`).
 MEASURED = "measured"
@@ -65,8 +72,8 @@ DEVIATION = (
 OPTIONAL = frozenset({"microphone_impedance"})
 
 
-@dataclass(frozen=True, eq=False)
-class Library:
+@dataclass(frozen=True, eq=False, repr=False)
+class Library(Shown):
     """Responses of one array at a grid of frequencies, with everything needed to make them again.
 
     The volume velocity is injected in parallel with the membrane's own compliance, which stays part of
@@ -145,6 +152,46 @@ class Library:
         return touch_response(
             self.design, self.source_response, self.point_impedance, touch, contact_radius=contact_radius
         )
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        points, microphones, count = self.transfer_function.transpose("point", "microphone", "frequency").shape
+        measured = self.transfer_function_deviation is not None
+        return f"Library of {self.design.name}", {
+            "transfer functions": f"{points} points, {microphones} microphones, {count} frequencies, Pa/Pa",
+            "frequency": f"{self.frequency[0]:g} to {self.frequency[-1]:g} Hz",
+            "fidelity": self.fidelity,
+            "air": f"{self.medium.pressure:g} Pa, density {self.medium.density:.4g} kg/m^3",
+            "standard deviation": "of each transfer function" if measured else "",
+            "membranes": self.provenance.get("membranes", ""),
+            "made by": f"acoustic-fem {self.provenance.get('code_version', '')}",
+        }
+
+    def plot(self, quantity: Quantity = "level", microphones: Sequence[str] | None = None) -> Figure:
+        """Figure with a panel for each microphone, or each pair of them, and a curve for each point.
+
+        Args:
+            quantity: "level" or "phase" of the transfer functions, or "ild" or "ipd", their level or phase difference
+                between two microphones.
+            microphones: names of those that are shown; by default all.
+
+        Raises:
+            Refusal: an unknown quantity or microphone, or a difference of one microphone.
+            MissingExtra: matplotlib is not installed.
+        """
+        return plot_responses(self.transfer_function, quantity, microphones)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the library in the format of the name's suffix; missing folders are made.
+
+        Args:
+            path: a name that ends with ``.nc``, ``.sofa``, ``.npz`` or ``.csv``.
+
+        Raises:
+            LibraryError: another suffix, a file that cannot be written, or one that is there and is not a library, or
+                a measured one.
+        """
+        function_above("acoustic_fem.library.exchange", "export")(self, path, folders=True)
 
     def in_air(
         self,

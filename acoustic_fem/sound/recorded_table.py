@@ -70,7 +70,8 @@ class _Reader:
             raise self._fault("is empty or not a CSV file")
         if len(names) == 1 and len(names[0].split()) > 1:
             raise self._fault("is separated by blanks; it must be by commas, semicolons or tabs")
-        values, lines = array("d"), []
+        values = array("d")
+        lines: list[int] = []
         for line, row in rows:
             lines = [*lines, line][:2]
             values.extend(self._numbers(line, row, names))
@@ -119,7 +120,7 @@ class _Reader:
         try:
             return next(csv.reader([line], delimiter=self._separator, strict=True))
         except csv.Error as error:
-            raise self._fault(f"is no row of a table: {error}", field=f"line {number}") from None
+            raise self._fault(f"cannot be read as a row of a table: {error}", field=f"line {number}") from None
 
     def _numbers(self, line: int, row: list[str], names: list[str]) -> list[float]:
         """Values of a row; not a number where a column without a name is empty."""

@@ -1,4 +1,4 @@
-"""Recordings as files: WAV, FLAC, AIFF, CSV, NPZ and MAT to named channels at the rate of the file; what is broken is refused."""
+"""Recordings as files: sound, tables and arrays to named channels at the rate of the file; bad ones are refused."""
 
 from __future__ import annotations
 
@@ -76,8 +76,8 @@ def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) 
     - WAV: 8 to 32 bit integers as fractions of full scale, or floating-point numbers; channels are numbered from 1.
       Headers of recorders that died or write to a pipe are understood, see :mod:`acoustic_fem.sound.wav_layout`.
     - FLAC, AIFF: as WAV, by the package soundfile.
-    - CSV, TSV, TXT: a head line of channel names; ``time`` in s among them gives the rate; separators and decimals as of
-      :mod:`acoustic_fem.sound.recorded_table`.
+    - CSV, TSV, TXT: a head line of channel names; ``time`` in s among them gives the rate. Separators and decimals are
+      those of :mod:`acoustic_fem.sound.recorded_table`.
     - NPZ, MAT: ``sample_rate`` in Hz, and an array of numbers per channel, all equally long, or one matrix
       ``signals`` (channel, sample), whose channels are numbered from 1; what else there is beside it is not read.
 

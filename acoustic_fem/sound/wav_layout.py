@@ -23,8 +23,8 @@ _UNKNOWN = 0x7FFF0000
 _COUNTED_IN = 9
 #: Names of chunks of samples, formats and what recorders add, to tell a chunk from samples.
 _NAMES = frozenset(
-    b"fmt |data|fact|LIST|INFO|bext|iXML|JUNK|junk|PAD |FLLR|PEAK|cue |plst|labl|note|smpl|inst|ID3 |id3 |ds64|axml|chna|"
-    b"cart|aXML|umid|minf|elm1|regn|olym|acid|strc|levl|link|Fake|afsp|DISP|_PMX|SAUR|SNDM|TIME|wamd|guan".split(b"|")
+    b"fmt |data|fact|LIST|INFO|bext|iXML|JUNK|junk|PAD |FLLR|PEAK|cue |plst|labl|note|smpl|inst|ID3 |id3 |ds64|axml|"
+    b"chna|cart|aXML|umid|minf|elm1|regn|olym|acid|strc|link|Fake|afsp|DISP|_PMX|SAUR|SNDM|TIME|wamd|guan".split(b"|")
 )
 
 
@@ -39,7 +39,7 @@ class WavLayout:
     pieces: list[tuple[int, int]] = field(default_factory=list)
     """First byte and number of bytes of each piece of the samples."""
     notes: list[str] = field(default_factory=list)
-    """What is not true in the header, each as a clause that follows the name of the file."""
+    """Faults of the header, each as a clause that follows the name of the file."""
     is_regular: bool = True
     """True if a reader that believes the header finds all samples."""
 
@@ -157,8 +157,8 @@ class _Reader:
             return stated  # a title of the old kind, or room that was not used
         self._note(
             found,
-            f"states {stated} bytes of samples and holds {there}; all are read, because recorders that are cut off leave "
-            "such headers",
+            f"states {stated} bytes of samples and holds {there}; all are read, because recorders that are cut off "
+            "leave such headers",
         )
         return there
 
@@ -210,8 +210,8 @@ class _Reader:
 
     def _cut(self, end: int) -> Refusal:
         return self._fault(
-            f"is cut short: it has {self._size} of {end} bytes; the recorder was stopped, the disk was full, or the copy "
-            "is not whole"
+            f"is cut short: it has {self._size} of {end} bytes; the recorder was stopped, the disk was full, or the "
+            "copy is not whole"
         )
 
     def _fault(self, problem: str, **facts: Any) -> Refusal:

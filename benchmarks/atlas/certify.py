@@ -101,9 +101,9 @@ def swept() -> list[dict[str, tuple[float, float]]]:
     parameters = "".join(f'"{name}" = {{ from = {low}, to = {high} }}\n' for name, (low, high) in SWEPT.items())
     text = (
         f'base = "line.toml"\nfidelity = "atlas"\nsampling = "sobol"\ncases = {CASES}\nseed = {SWEEP_SEED}\n'
-        'metrics = ["ild_smallest"]\ntransfer_functions = true\n'
-        'frequencies = "1:200:6"\n'
-        f"[parameters]\n{parameters}"
+        'metrics = ["ild_smallest"]\nkeep = "responses"\n'
+        'frequency = "1:200:6"\n'
+        f"[vary]\n{parameters}"
     )
     random = np.random.default_rng(SWEEP_SEED)
     found = []
@@ -115,8 +115,8 @@ def swept() -> list[dict[str, tuple[float, float]]]:
         studies.run_sweep(study, Path(folder) / "results.zarr", workers=1)
         store = studies.open_sweep(Path(folder) / "results.zarr")
         for case in random.choice(CASES, LOOKED_AT, replace=False):
-            design, row = store.design(int(case)), store.dataset.isel(case=int(case))
-            values = row["transfer_function_real"] + 1j * row["transfer_function_imag"]
+            design, row = store.design(int(case)), store.to_xarray().isel(case=int(case))
+            values = row["transfer_function"]
             exact, lumped = (
                 acoustic_fem.solve(design, study.frequency, name).transfer_function.values
                 for name in ("navier-stokes", "lumped")

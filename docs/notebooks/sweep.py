@@ -11,10 +11,9 @@
 # %% [markdown]
 # # A sweep, read with xarray
 #
-# A study file states a base design, metrics and parameters. Its results are one labelled dataset.
+# A study states a base design, metrics and what varies. Its results are one labelled dataset.
 
 # %%
-from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import matplotlib.pyplot as plt
@@ -22,20 +21,17 @@ import matplotlib.pyplot as plt
 import studies
 
 folder = TemporaryDirectory()
-study = Path(folder.name) / "study.toml"
-study.write_text("""
-base = "array-2x6"
-fidelity = "lumped"
-sampling = "sobol"
-cases = 128
-metrics = ["distance_smallest", "sensitivity_force", "scatter_detection"]
-[parameters]
-"tube.inner_diameter" = {from = 0.3, to = 0.6}
-"resonator.cavity_height" = {from = 1.5, to = 5}
-""")
-summary = studies.run_sweep(studies.load_study(study), f"{folder.name}/results.zarr", workers=1)
-dataset = studies.open_sweep(f"{folder.name}/results.zarr").dataset
-print(summary.cases, "cases;", *dataset.data_vars)
+study = studies.Study(
+    base="array-2x6",
+    vary={"tube.inner_diameter": (0.3, 0.6), "resonator.cavity_height": (1.5, 5.0)},
+    sampling="sobol",
+    cases=128,
+    fidelity="lumped",
+    metrics=["distance_smallest", "sensitivity_force", "scatter_detection"],
+)
+sweep = studies.run_sweep(study, f"{folder.name}/results.zarr", workers=1)
+dataset = sweep.to_xarray()
+print(len(sweep), "cases;", *sweep.metrics)
 
 # %% [markdown]
 # Narrow bores separate the points but attenuate the sound, so a gain in distance costs sensitivity.

@@ -17,7 +17,7 @@ from sphinx.util.docutils import SphinxDirective
 from geometry.design.array_design import ArrayDesign
 from geometry.schema.declared_fields import DesignField, fields_of
 from studies.optimization.problem import OptimizeFields
-from studies.study.file import RangeFields, StudyFields
+from studies.study.fields import RangeFields, StudyFields
 from studies.study.metric_registry import METRICS
 
 #: What has the fields of ``[tube]`` all over again, as the page says.

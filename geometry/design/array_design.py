@@ -10,19 +10,48 @@ fields in :mod:`geometry.design.design_rules`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from pydantic import ValidationError, model_validator
 
 from geometry.design.changes import changed
 from geometry.design.design_rules import check_consistency
+from geometry.ground.late import function_above
+from geometry.ground.shown import Shown
 from geometry.plan.wiring_graph import check_topology
 from geometry.schema.array_fields import StatedArray
 from geometry.schema.field_errors import error_from_validation
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
-class ArrayDesign(StatedArray):
+
+class ArrayDesign(Shown, StatedArray):
     """Everything one array is made of: what a :class:`StatedArray` states, checked as a whole."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        tube, resonator, membrane = self.tube, self.resonator, self.membrane
+        return f"Design {self.name}", {
+            "description": self.description,
+            "points": f"{self.point_count} in {len(self.lines)} line(s), layout {self.layout.kind}",
+            "microphones": f"{', '.join(self.microphones)} ({self.microphone.model})",
+            "cavity": f"{resonator.cavity_diameter:g} x {resonator.cavity_height:g} mm, {resonator.shape}",
+            "membrane": f"{membrane.thickness:g} mm, {membrane.material}",
+            "tube": f"length {tube.length:g} mm, inner diameter {tube.inner_diameter:g} mm, bore {tube.bore}",
+            "air": f"{self.air.temperature:g} degC, humidity {self.air.humidity:g}, {self.air.pressure:g} Pa",
+            "printing": f"{self.printing.process}, {self.printing.material}",
+            "changed copies": 'design.with_values({"tube.length": 14.0})',
+        }
+
+    def draw(self) -> Figure:
+        """Figure of the array in plan, mm: numbered points, tubes and microphones.
+
+        Raises:
+            MissingExtra: matplotlib is not installed.
+        """
+        figure: Figure = function_above("geometry.layout.plan_drawing", "draw_plan")(self)
+        return figure
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:

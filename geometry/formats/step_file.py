@@ -28,7 +28,7 @@ def read_step(path: str | os.PathLike[str]) -> list[cadquery.Shape]:
         path: the file.
 
     Raises:
-        Refusal: no such file, no STEP file, one with a number that is no length, or one that takes more than
+        Refusal: no such file, no STEP file, one with a number that cannot be a length, or one that takes more than
             20 s or 1.5 GB to read.
     """
     import cadquery as cq
@@ -36,7 +36,7 @@ def read_step(path: str | os.PathLike[str]) -> list[cadquery.Shape]:
     checked = ordinary_file(path, "a STEP file", Refusal, LARGEST_DATA)
     for found in _NUMBERS.finditer(read_bytes(checked, "a STEP file", Refusal, LARGEST_DATA)):
         if number := found["no_length"]:
-            problem = f"holds the number {number.decode()}, which is no length"
+            problem = f"holds the number {number.decode()}, which cannot be a length"
             raise Refusal(problem, kind=Kind.UNREADABLE, file=checked)
     content = io.BytesIO(read_apart(_shapes_in, checked, "a STEP file", Refusal, _MEMORY))
     shapes = []
@@ -54,7 +54,7 @@ def _shapes_in(path: str) -> bytes:
     pieces = []
     for shape in cq.importers.importStep(path).vals():
         if not isinstance(shape, cq.Shape):
-            raise ValueError(f"it holds {type(shape).__name__}, not a shape")
+            raise Refusal(f"it holds {type(shape).__name__}, not a shape", kind=Kind.UNREADABLE)
         held = io.BytesIO()
         shape.exportBin(held)
         pieces += [len(held.getvalue()).to_bytes(_LENGTH, "little"), held.getvalue()]

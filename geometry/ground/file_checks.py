@@ -109,7 +109,7 @@ def read_bytes(path: str | os.PathLike[str], what: str, refusal: type[Refusal], 
 
 
 def check_own_file(path: Path, what: str, refusal: type[Refusal]) -> None:
-    """Refuse to write on in what is no ordinary file; a link too, whose file may be another's. A new file is well.
+    """Refuse to write on in anything but an ordinary or new file, also in a link, which may lead to another's.
 
     Args:
         path: the file.
@@ -130,7 +130,7 @@ def check_own_file(path: Path, what: str, refusal: type[Refusal]) -> None:
 
 def open_to_append(path: Path, what: str, refusal: type[Refusal]) -> IO[str]:
     """A text file opened to write on in it, made where there is none; arguments and errors as for
-    :func:`check_own_file`. It is no link or pipe, even if one was put there since.
+    :func:`check_own_file`. A link or a pipe that was put there since is not opened.
     """
     check_own_file(path, what, refusal)
     flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)

@@ -28,7 +28,7 @@ def is_hdf5_mat(path: Path) -> bool:
 
 
 def read_hdf5_mat(path: Path, what: str, refusal: type[Refusal], most_numbers: int) -> dict[str, NDArray[Any]]:
-    """Arrays of numbers by name in the shape that MATLAB shows; texts, structures and cells are passed over.
+    """Arrays of numbers by name, in the shape of what was saved; texts, structures and cells are passed over.
 
     Args:
         path: the file.

@@ -19,5 +19,6 @@ from .placement import (
     TubePlacement as TubePlacement,
     point_places as point_places,
 )
+from .plan_drawing import draw_plan as draw_plan
 from .remedies import fix_for as fix_for, refuse_unbuildable as refuse_unbuildable
 from .size import array_size as array_size

@@ -87,6 +87,35 @@ class Section(BaseModel):
         except ValidationError as error:
             raise error_from_validation(error, type(self), data) from None
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Reject a change of a field in place.
+
+        Raises:
+            DesignError: the name is that of a field.
+        """
+        if name not in type(self).model_fields:
+            super().__setattr__(name, value)
+            return
+        place = "" if "microphones" in type(self).model_fields else f"{type(self).__name__.lower()}."
+        raise DesignError(
+            "cannot be changed in place",
+            kind=Kind.UNSUITABLE,
+            field=f"{place}{name}",
+            value=value,
+            remedy=f'make a changed copy, such as design.with_values({{"{place}{name}": {value!r}}})',
+        )
+
+    def __dir__(self) -> list[str]:
+        """Fields, and what this package adds to them; the machinery of pydantic is left out."""
+        own = {
+            name
+            for each in type(self).__mro__
+            if each.__module__.partition(".")[0] == "geometry"
+            for name in vars(each)
+            if not name.startswith(("_", "model_"))
+        }
+        return sorted(own | set(type(self).model_fields))
+
     # Sections inside a file are then built by pydantic itself, which keeps the full name of a bad field.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 

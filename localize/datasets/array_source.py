@@ -37,8 +37,11 @@ class ArraySource(Protocol):
     def parameter_values(self, case: int) -> NDArray[np.float64]:
         """Parameters of a case, in the order and units of their names; (n_parameter,) float64."""
 
-    def arrays(self, cases: Sequence[int]) -> list[ArrayResponse]:
-        """Arrays of some cases, in their order; several at once take less time than one after the other."""
+    def arrays(self, cases: Sequence[int], sound: bool = False) -> list[ArrayResponse]:
+        """Arrays of some cases, in their order; several at once take less time than one after the other.
+
+        With ``sound`` they have :attr:`localize.ArrayResponse.ambient_response`.
+        """
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +75,7 @@ class OneArray:
         """No values; (0,) float64."""
         return np.zeros(0)
 
-    def arrays(self, cases: Sequence[int]) -> list[ArrayResponse]:
+    def arrays(self, cases: Sequence[int], sound: bool = False) -> list[ArrayResponse]:
         """The array, as often as there are cases."""
         return [self.response] * len(cases)
 
@@ -90,7 +93,7 @@ def source_of(source: ArraySource | Library | ArrayResponse) -> ArraySource:
             kind=Kind.WRONG_TYPE,
             field="source",
             value=type(source).__name__,
-            allowed="a library, a sweep that keeps libraries, or as-built sensors",
+            allowed="a library, a sweep that keeps responses or libraries, or as-built sensors",
         )
     if not len(source.case_numbers):
         raise Refusal("holds no case with an array", kind=Kind.UNSUITABLE, field="source")

@@ -2,9 +2,9 @@
 
 Sample ``index`` of a case depends on the seed, the split, the case and the index alone. The samples of a case are made
 in visits of 256, because what a visit needs of the case is worked out once. The visits of an epoch are drawn in random
-order, sixteen of them are shuffled together, and the batches of these go to one worker: no two workers, on whatever
-machines, make the same batch, and batches hold the same samples however many workers there are. Only the order in which
-batches arrive depends on the number of workers.
+order, those of four neighbouring cases together. Sixteen are shuffled together, and the batches of these go to one
+worker: no two workers, on whatever machines, make the same batch, and batches hold the same samples however many
+workers there are. Only the order in which batches arrive depends on the number of workers.
 """
 
 from __future__ import annotations
@@ -35,6 +35,8 @@ from localize.signals.touch_generator import TouchGenerator
 
 VISIT = 256
 """Samples of a case that are made at a time."""
+NEIGHBOURS = 4
+"""Cases next to each other whose visits stay together."""
 TOGETHER = 16
 """Visits that are shuffled together."""
 DEFAULT_MIX: Mapping[str, float] = {
@@ -188,12 +190,18 @@ class TouchDataset(IterableDataset[TouchBatch]):
 
     # -- order ---------------------------------------------------------------------------------------------
     def _visits(self) -> NDArray[np.int64]:
-        """(n_visit,) int64: visits of the epoch in their order; visit v is of case v // n and starts at 256 (v % n)."""
+        """(n_visit,) int64: visits of the epoch in their order; visit v is of case v // n and starts at 256 (v % n).
+
+        Visits of neighbouring cases stay together, because sources read these together.
+        """
         each = math.ceil(self.touches / VISIT)
-        count = len(self.cases) * each
         if not self.shuffle:
-            return np.arange(count)
-        return np.random.default_rng((self.seed, 1, self.epoch)).permutation(count)
+            return np.arange(len(self.cases) * each)
+        runs = math.ceil(len(self.cases) / NEIGHBOURS)
+        order = np.random.default_rng((self.seed, 1, self.epoch)).permutation(runs * each)
+        case = order[:, None] // each * NEIGHBOURS + np.arange(NEIGHBOURS)
+        visits = case * each + order[:, None] % each
+        return np.asarray(visits[case < len(self.cases)])
 
     def _chunks(self, first: int, step: int) -> Iterator[tuple[int, list[tuple[int, int, int]]]]:
         """Every so many of the groups of visits that are shuffled together: its place, and of each visit the case, the
@@ -259,7 +267,9 @@ class TouchDataset(IterableDataset[TouchBatch]):
         wanted = dict.fromkeys(cases)
         missing = [case for case in wanted if case not in self._ready]
         self._ready = {case: each for case, each in self._ready.items() if case in wanted}
-        for case, array in zip(missing, self.source.arrays(missing) if missing else [], strict=True):
+        for case, array in zip(
+            missing, self.source.arrays(missing, self.ambient is not None) if missing else [], strict=True
+        ):
             self._ready[case] = self._touches_of(case, array)
 
     def _touches_of(self, case: int, array: ArrayResponse) -> tuple[TouchGenerator, dict[str, Tensor]]:

@@ -86,9 +86,9 @@ class LibraryDecoder(Locator):
     @property
     def largest_misfit(self) -> float | None:
         """Largest median misfit of a calibrated sensor; None for a library that was computed."""
-        known = self.provenance
-        if known.get("fidelity") != MEASURED:
+        if self.provenance.get("fidelity") != MEASURED:
             return None
+        known = self.provenance.get("library", {})
         measured = known.get("calibration", {}).get("measured_points")
         fitted = known.get("fit") or "self_calibration" in known or "brought_from_air" in known
         partly = measured is not None and len(measured) < self.point_count

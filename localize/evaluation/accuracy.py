@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy.stats
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
+from geometry.ground.figures import new_figure
 from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.shown import Shown
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.disturbances import steady_sound
 from localize.signals.frames import FRAME
@@ -20,6 +23,10 @@ from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import COMPONENT_INTERVALS, SAMPLE_LENGTH, StimulusSource, multi_sines
 from localize.signals.threads import one_thread
 from localize.signals.touch_generator import TouchGenerator
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 
 MOST_TOUCHES = 1_000_000
 """Most touches of a point that are judged."""
@@ -79,8 +86,8 @@ class Reliability:
         )
 
 
-@dataclass(frozen=True, eq=False)
-class Evaluation:
+@dataclass(frozen=True, eq=False, repr=False)
+class Evaluation(Shown):
     """Results of a localizer over a set of touches; shares run from 0 to 1."""
 
     top1: float
@@ -107,6 +114,35 @@ class Evaluation:
     """"white", or what the noise is that of."""
     samples: int
     """Length of each signal, samples at 1 kHz."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        low, high = self.interval()
+        pair = self.hardest_pair
+        return f"Evaluation on {self.touches} touches", {
+            "top-1 accuracy": f"{self.top1:.1%} (95 % interval {low:.1%} to {high:.1%})",
+            "top-2 accuracy": f"{self.top2:.1%}",
+            "correct point or its neighbour": f"{self.within_one:.1%}",
+            "expected calibration error": f"{self.reliability.expected_error:.3g}",
+            "hardest pair": "" if pair is None else f"points {pair[0]} and {pair[1]}",
+            "noise": self.noise_in_words,
+            "signals": f"{self.samples} samples at 1 kHz, seed {self.seed}",
+        }
+
+    def plot(self) -> Figure:
+        """Figure of the confusion: percent of the touches of each point, a row, that each point was given for.
+
+        Raises:
+            MissingExtra: matplotlib is not installed.
+        """
+        figure = new_figure(6.4, 5.4)
+        axes = figure.subplots()
+        percent = 100 * self.confusion / np.maximum(self.confusion.sum(axis=1, keepdims=True), 1)
+        first, last = 0.5, len(percent) + 0.5
+        picture = axes.imshow(percent, cmap="Blues", vmin=0, vmax=100, extent=(first, last, last, first))
+        figure.colorbar(picture, ax=axes, label="touches of the row's point  (%)")
+        axes.set(xlabel="point that was given", ylabel="touched point", title=f"top-1 accuracy {self.top1:.1%}")
+        return figure
 
     def interval(self, name: str = "top1") -> tuple[float, float]:
         """95 % interval of ``top1``, ``top2`` or ``within_one``, by :func:`wilson_interval`."""

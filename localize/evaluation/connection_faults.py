@@ -55,7 +55,7 @@ class ConnectionFault:
         if self.kind == "exchanged":
             return f"microphones {name} and {self.microphones[1]} are exchanged"
         if self.kind == "reversed":
-            return f"microphone {name}{f' or {other}' if two else ''} is reversed: its signal has the wrong sign"
+            return f"microphone {name}{f' or {other}' if two else ''} is reversed, so its signal has the wrong sign"
         if self.kind == "level":
             louder, quieter = ("louder", "quieter") if self.amount > 0 else ("quieter", "louder")
             either = f", or {other} {quieter}," if two else ""

@@ -59,15 +59,17 @@ class FitOptions:
     """Level from which on a microphone is far off, dB: its own tolerance is 1 dB."""
     latest: int = 100
     """Largest lateness of a channel that is tried, ms, at most :data:`MARGIN`."""
-    late_step: int = 3
+    late_step: int = 2
     """Step of the latenesses that are tried first, ms: half a period of the highest frequency of touches is 5 ms."""
     late_frames: int = 8
     """Number of loud frames that the lateness is looked for with."""
-    late_steps: tuple[float, ...] = (1.5, 0.75, 0.375, 0.1875, 0.09375)
+    late_steps: tuple[float, ...] = (1.0, 0.5, 0.25, 0.125, 0.0625)
     """Steps in which the lateness is looked for then, ms, each around the best so far."""
+    refined: int = 3
+    """Number of the best levels, or latenesses, that are tried first, around each of which finer ones are tried."""
     late: float = 1.5
     """Lateness from which on a channel is late, ms."""
-    falls: float = 2.0
+    falls: float = 1.7
     """Factor by which the residual must fall at least, and to the expected one, when a level or a time is corrected; by
     libraries of other arrays it falls to 6.6 at best (seeds 9100 to 9112)."""
     falls_by_order: float = 1.4
@@ -98,7 +100,7 @@ class SensorFit:
         """Reason to distrust the decisions, in words; None if the sensor fits the library."""
         if self.fault is not None:
             return (
-                f"{self.fault.described(self.microphones)}: the residual of the touches is {self.misfit:.3g} times "
+                f"{self.fault.described(self.microphones)}; the residual of the touches is {self.misfit:.3g} times "
                 f"that of noise, and {self.corrected_misfit:.3g} times when this is corrected"
             )
         if self.misfit <= self.expected:
@@ -112,7 +114,7 @@ class SensorFit:
 
     @property
     def _consequence(self) -> str:
-        """What the misfit means for the points, by its size."""
+        """Consequence of the misfit for the points, by its size."""
         if self.trust > 0.5:
             return "some points may be wrong"
         return "many points are wrong" if self.trust > 0.1 else "the points mean nothing"
@@ -316,7 +318,7 @@ class _FaultSearch:
     def _refined(
         self, name: str, kind: FaultOfConnection, amounts: Sequence[float], steps: Sequence[float], frames: Array
     ) -> ConnectionFault:
-        """Fault of a microphone of the amount at which frames are explained best; 0 if that is none.
+        """Fault of a microphone of the amount at which frames are explained best; 0 if nothing is better.
 
         Args:
             name: of the microphone.
@@ -330,11 +332,12 @@ class _FaultSearch:
             return _typical(self._misfit(ConnectionFault(kind, (name,), amount), frames))
 
         tried = {amount: left(amount) for amount in amounts}
-        for step in steps:
-            best = min(tried, key=lambda each: tried[each])
-            if best == 0:
-                break
-            tried |= {amount: left(amount) for amount in (best - step, best + step)}
+        for begin in sorted(tried, key=lambda each: tried[each])[: self._options.refined]:
+            best = begin
+            for step in steps if begin else ():
+                near = {amount: left(amount) for amount in (best - step, best + step)} | {best: tried[best]}
+                tried |= near
+                best = min(near, key=lambda each: near[each])
         return ConnectionFault(kind, (name,), min(tried, key=lambda each: tried[each]))
 
 

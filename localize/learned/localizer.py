@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import torch
 
+from geometry.ground.shown import Shown
 from geometry.ground.typed import Array
 from localize.graphs.description import LocalizerError, naming
 from localize.learned.classifier import NetworkShape, TouchClassifier
@@ -24,9 +25,18 @@ VERSION = 1
 DESCRIPTION_FILE = "localizer.json"
 
 
-@dataclass(frozen=True, eq=False)
-class Localizer(Locator):
+@dataclass(frozen=True, eq=False, repr=False)
+class Localizer(Shown, Locator):
     """Network trained on the transfer functions of one array, made by :func:`localize.train`."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        return f"Localizer of {self.design}", {
+            "points": self.point_count,
+            "microphones": ", ".join(self.microphones),
+            "network": self.shape,
+            "trained for": f"{self.plan.get('epochs')} epochs, seed {self.plan.get('seed')}",
+        }
 
     classifier: TouchClassifier = field(repr=False)
     """Network with its features and normalisation."""

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, TypeVar
+from typing import Any
 
 from localize.evaluation.connection_faults import ConnectionFault
 from localize.live.events import HOP, Decision, Fault, State, TouchEvent
 from localize.live.touches import Touch
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.stimulus import SAMPLE_RATE
-
-_Named = TypeVar("_Named", Touch, Decision | Fault | TouchEvent)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -70,11 +68,25 @@ class LocatedTouches(RecordingResult):
         return tuple(first.values())
 
 
-def distrusted(event: _Named, trust: float, array: ArrayFacts) -> _Named:
-    """Touch or event whose probabilities are mixed with those of chance; one without a probability stays as it is.
+def distrusted_touch(touch: Touch, trust: float, array: ArrayFacts) -> Touch:
+    """Touch whose probability is mixed with that of chance.
 
     Args:
-        event: a touch, or an event of a stream or a tracker.
+        touch: as the decoder has it.
+        trust: weight of its probability, 0 to 1.
+        array: array whose points are equally likely by chance.
+    """
+    chance = (1.0 - trust) / len(array.line)
+    return touch if trust == 1.0 else replace(touch, probability=trust * touch.probability + chance)
+
+
+def distrusted_event(
+    event: Decision | Fault | TouchEvent, trust: float, array: ArrayFacts
+) -> Decision | Fault | TouchEvent:
+    """Event whose probabilities are mixed with those of chance; one without a probability stays as it is.
+
+    Args:
+        event: of a stream or a tracker.
         trust: weight of its probabilities, 0 to 1.
         array: array whose points are equally likely by chance.
     """
@@ -82,6 +94,6 @@ def distrusted(event: _Named, trust: float, array: ArrayFacts) -> _Named:
         return event
     chance = (1.0 - trust) / len(array.line)
     probability = trust * event.probability + chance
-    if isinstance(event, Decision) and event.distribution is not None:
-        return replace(event, probability=probability, distribution=trust * event.distribution + chance)
-    return replace(event, probability=probability)
+    if isinstance(event, TouchEvent) or event.distribution is None:
+        return replace(event, probability=probability)
+    return replace(event, probability=probability, distribution=trust * event.distribution + chance)

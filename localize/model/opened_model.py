@@ -37,7 +37,7 @@ from localize.live.stream import TouchStream
 from localize.live.stream_options import StreamOptions, TouchOptions
 from localize.live.touches import TouchTracker, touches_of
 from localize.model.file_contents import FileContent, file_content
-from localize.model.located_touches import LocatedTouches, distrusted
+from localize.model.located_touches import LocatedTouches, distrusted_event, distrusted_touch
 from localize.recordings.recording import Recording, read_recording
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.disturbances import check_sound_level
@@ -153,7 +153,16 @@ class Model:
         full_scale: float | None = None,
         channels: Mapping[str, int] | None = None,
     ) -> Recording:
-        """Recording of the microphones of the model; arguments as of :meth:`locate_file`."""
+        """Recording of the microphones of the model.
+
+        Args:
+            path: as of :meth:`locate_file`.
+            full_scale: as of :meth:`locate_file`, Pa.
+            channels: as of :meth:`locate_file`.
+
+        Raises:
+            Refusal: a recording that cannot be read or used.
+        """
         fallback = not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
         return read_recording(path, self.locator.microphones, full_scale, fallback=fallback, channels=channels)
 
@@ -187,8 +196,8 @@ class Model:
             array=array,
             seconds=recording.seconds,
             assumptions=self.assumptions,
-            touches=tuple(distrusted(each, trust, array) for each in touches_of(decided, array, touches)),
-            events=tuple(distrusted(each, trust, array) for each in events),
+            touches=tuple(distrusted_touch(each, trust, array) for each in touches_of(decided, array, touches)),
+            events=tuple(distrusted_event(each, trust, array) for each in events),
             warning=None if fit is None else fit.warning,
             fault=None if fit is None else fit.fault,
             corrected=fault is not None,

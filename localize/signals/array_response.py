@@ -19,9 +19,12 @@ from scipy.interpolate import CubicSpline
 from acoustic_fem import Library
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.network.microphone import vent_ratio
+from acoustic_fem.quantities.medium import Medium
+from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.arrangement import place_housings
+from geometry.layout.placement import point_places
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, check_noise_choice, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
@@ -358,27 +361,53 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
     """
     if isinstance(library, ArrayResponse):
         return library
-    radius = [library.design.of_kind(kind).resonator.cavity_diameter / 2 for kind in library.design.kinds]
-    h = library.transfer_function.transpose("point", "microphone", "frequency")
-    return ArrayResponse(
-        transfer_function=np.asarray(h.values, np.complex128),
-        frequency=np.asarray(h.coords["frequency"].values, np.float64),
-        line=np.asarray(h.coords["line"].values, np.int64),
-        place=np.asarray(h.coords["place"].values, np.int64),
-        microphones=tuple(str(name) for name in h.coords["microphone"].values),
-        name=library.design.name,
-        provenance={
-            "design": write_design(library.design.completed()),
-            "fidelity": library.fidelity,
-            "medium": asdict(library.medium),
-            "frequency": [float(f) for f in h.coords["frequency"].values],
-            "library": dict(library.provenance),
-        },
-        own_noise=microphone_noise(library.design.microphone, library.medium),
+    h = np.asarray(library.transfer_function.transpose("point", "microphone", "frequency").values, np.complex128)
+    provenance = {
+        "design": write_design(library.design.completed()),
+        "fidelity": library.fidelity,
+        "medium": asdict(library.medium),
+        "frequency": [float(f) for f in library.frequency],
+        "library": dict(library.provenance),
+    }
+    return replace(
+        response_of_design(library.design, h, library.frequency, library.medium, provenance),
         ambient_response=np.asarray(library.touch_response("pressure").sum("point").values, np.complex128),
-        sealed=True,
-        vent_ratio=vent_ratio(library.design.microphone, library.frequency, library.medium),
         cavity_response=np.asarray(library.cavity_response.values, np.complex128),
-        position=np.array([placed.position for placed in place_housings(library.design).points]),
-        membrane_radius=np.array(radius)[list(library.design.kind_of_point)],
+    )
+
+
+def response_of_design(
+    design: ArrayDesign,
+    transfer_function: NDArray[np.complex128],
+    frequency: NDArray[np.float64],
+    medium: Medium,
+    provenance: Mapping[str, Any],
+) -> ArrayResponse:
+    """Array of a design from its bare transfer functions, without its responses to forces and to sound outside.
+
+    Args:
+        design: the array.
+        transfer_function: (n_point, n_microphone, n_freq) complex128, Pa/Pa.
+        frequency: (n_freq,) float64, Hz.
+        medium: the air.
+        provenance: what the transfer functions come from, as JSON can hold it.
+
+    Raises:
+        Refusal: as of :class:`ArrayResponse`.
+    """
+    line, place = zip(*point_places(design), strict=True)
+    radius = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]
+    return ArrayResponse(
+        transfer_function=transfer_function,
+        frequency=np.asarray(frequency, np.float64),
+        line=np.array(line, np.int64),
+        place=np.array(place, np.int64),
+        microphones=tuple(design.microphones),
+        name=design.name,
+        provenance=provenance,
+        own_noise=microphone_noise(design.microphone, medium),
+        sealed=True,
+        vent_ratio=vent_ratio(design.microphone, frequency, medium),
+        position=np.array([placed.position for placed in place_housings(design).points]),
+        membrane_radius=np.array(radius)[list(design.kind_of_point)],
     )

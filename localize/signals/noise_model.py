@@ -13,6 +13,7 @@ there.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -92,6 +93,7 @@ def input_density(microphone: Microphone, frequency: FrequencyLike, air: AirLike
     return np.asarray(density / np.abs(network.response(microphone, frequency, air)))
 
 
+@lru_cache(maxsize=16)
 def microphone_noise(microphone: Microphone, air: AirLike) -> NoiseSpectrum:
     """Noise of a design's microphone over 1 to 500 Hz, as a pressure in its chamber.
 

@@ -6,13 +6,17 @@ or is between membranes, is not detected, so a short pause does not end a path.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.ndimage
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
+from geometry.ground.figures import new_figure
+from geometry.ground.shown import Shown
 from geometry.ground.typed import Array
 from localize.live.events import Decision, TrackedPlace
 from localize.live.stream_options import HIGH_PASS, MOVING
@@ -24,10 +28,41 @@ from localize.tracking.moving import STEP, MovingScorer, ScoredHop
 from localize.tracking.smoothing import HOP_TIME, Cells, smoothed
 from localize.tracking.tracking_options import TrackingOptions
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
-@dataclass(frozen=True, eq=False)
-class Track:
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Track(Shown):
     """Path of one contact, a row for every 16 ms."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        seen = self.detected
+        if not seen.any():
+            return "Path", {"contact": "none detected"}
+        length = float(np.hypot(*np.diff(self.place[seen], axis=0).T).sum())
+        return "Path", {
+            "time": f"{self.time[seen][0]:.3g} to {self.time[seen][-1]:.3g} s",
+            "length": f"{length:.3g} mm",
+            "standard deviation of the place": f"{np.median(self.deviation[seen]):.2g} mm, as the median",
+            "speed": f"{np.median(self.speed[seen]):.3g} mm/s, as the median",
+        }
+
+    def plot(self) -> Figure:
+        """Figure of the path in plan, mm, coloured by time, where the contact is detected.
+
+        Raises:
+            MissingExtra: matplotlib is not installed.
+        """
+        figure = new_figure(6.4, 4.4)
+        axes = figure.subplots()
+        axes.plot(*self.place.T, color="#cccccc", linewidth=1)
+        x, y = self.place[self.detected].T
+        dots = axes.scatter(x, y, c=self.time[self.detected], cmap="viridis", s=14, zorder=2)
+        figure.colorbar(dots, ax=axes, label="time  (s)")
+        axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")
+        return figure
 
     time: Array
     """Times, s; (n,) float64."""

@@ -23,7 +23,7 @@ from geometry.ground.extras import what_to_install
 from geometry.ground.refusal import Refusal, in_one_line, said_by
 from geometry.ground.system_libraries import what_is_missing
 from geometry.ground.whole_files import FULL
-from studies.cli.surroundings import check_surroundings
+from studies.cli.environment import check_environment
 from studies.cli.verbs import VERBS, VerbGroup, option_names
 
 __all__ = ["app", "fail", "main"]
@@ -79,7 +79,7 @@ def main() -> NoReturn:
     if signal.getsignal(signal.SIGINT) not in (signal.SIG_IGN, None):  # else nobody wants to be stopped by it
         signal.signal(signal.SIGINT, interrupt)
     try:
-        check_surroundings()
+        check_environment()
         code = app(sys.argv[1:] or ["--help"], prog_name="acoustic-fem", standalone_mode=False)
     except (KeyboardInterrupt, typer.Abort):
         fail("stopped", _INTERRUPTED)

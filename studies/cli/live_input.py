@@ -196,4 +196,4 @@ def _print_summary(summary: LiveSummary) -> None:
         *([] if summary.warning is None else [f"warning: {summary.warning}"]),
         *summary.recordings,
     ):
-        print(in_one_line(line), file=sys.stderr)
+        print(in_one_line(str(line)), file=sys.stderr)

@@ -224,7 +224,7 @@ def locate(
 
 
 def _consequence(found: LocatedTouches) -> str:
-    """What was done about a sensor that does not fit, as a clause after the warning."""
+    """Measures against a sensor that does not fit, as clauses after the warning."""
     corrected = "; this was corrected before the touches were located" if found.corrected else ""
     lowered = "; probabilities were lowered" if found.trust < 1 else ""
     if found.fault is not None and not found.corrected:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import studies
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.ground.refusal import Kind, counted, in_one_line
 from studies.cli.options import Scheduler, check_workers, display_on_stderr
 from studies.cli.terminal_tables import say, show, table_of, tell
@@ -19,7 +18,7 @@ from studies.output.display import duration, number
 if TYPE_CHECKING:
     from studies.findings.reporting import BestDesigns
     from studies.sweep.plan import Plan
-    from studies.sweep.run import Summary
+    from studies.sweep.summary import Summary
 
 #: Kinds of reasons for failures that are listed; all are in the store.
 _LISTED = 10
@@ -66,11 +65,11 @@ def sweep(
         given = studies.load_study(study)
         with display_on_stderr() as display:
             plan = studies.plan_sweep(given, workers, display=display)
-        _print_plan(plan, given.fidelity)
+        _print_plan(plan, given)
         return
     assert out is not None
     with display_on_stderr() as display:
-        summary = studies.run_sweep(study, out, workers=workers, scheduler=scheduler, display=display)
+        summary = studies.run_sweep(study, out, workers=workers, scheduler=scheduler, display=display).summary
     _print_summary(summary, out)
     if summary.objection is not None:
         raise studies.sweep.SweepError(summary.objection, kind=Kind.NO_RESULT, file=out)
@@ -146,7 +145,7 @@ def size(count: float) -> str:
     return f"{number(count / 1e6)} MB" if count < 1e9 else f"{number(count / 1e9)} GB"
 
 
-def _print_plan(plan: Plan, fidelity: str) -> None:
+def _print_plan(plan: Plan, study: studies.Study) -> None:
     left_out = f" ({plan.left_out} more break a constraint)" if plan.left_out else ""
     say(f"cases: {plan.cases}{left_out}")
     if plan.sampled:
@@ -157,8 +156,16 @@ def _print_plan(plan: Plan, fidelity: str) -> None:
     if refused:
         say(f"not valid: {refused}, which will be kept as failed; of each kind the first:")
         _print_reasons(plan.refused)
-    if fidelity not in CLOSED_FORMS:
-        say(f"distinct cells ({fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
+    if outside := sum(plan.outside.values()):
+        fate = (
+            'which will be kept as failed (outside = "navier-stokes" in the study solves them in 3-D)'
+            if study.outside == "fail"
+            else "which will be solved in 3-D"
+        )
+        say(f"outside the atlas: {outside}, {fate}; of each kind the first:")
+        _print_reasons(plan.outside)
+    if plan.cells:
+        say(f"distinct cells ({study.solid_fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
     say(f"expected time: {duration(plan.seconds)} with {counted(plan.workers, 'worker')}")
     say(f"expected memory: {size(plan.memory)}")
     say(f"store: at most {size(plan.storage)}")

@@ -1,6 +1,6 @@
 """Arrays that data sets are drawn from, and data sets as files for programs of others.
 
-Stands on: output.
+Stands on: output, sweep.
 """
 
 import lazy_loader

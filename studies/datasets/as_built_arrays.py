@@ -85,8 +85,8 @@ class AsBuiltArrays:
         draws = self._draws([case])
         return np.concatenate([draws[name][0] for name in self._named])
 
-    def arrays(self, cases: Sequence[int]) -> list[ArrayResponse]:
-        """Arrays with the transfer functions of some sensors.
+    def arrays(self, cases: Sequence[int], sound: bool = True) -> list[ArrayResponse]:
+        """Arrays with the transfer functions of some sensors; the response to sound is that of the nominal array.
 
         Raises:
             Refusal: no such sensor.

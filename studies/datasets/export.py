@@ -42,6 +42,7 @@ from studies.output.call_defaults import DATASET_FORMAT, SAMPLES_PER_SHARD, SEED
 from studies.output.display import Display
 from studies.output.folders import check_folder, claimed_folder, write_json
 from studies.output.frequencies import LIBRARY_FREQUENCIES
+from studies.sweep.results import open_sweep
 
 #: Files of a data set beside its shards.
 DESCRIPTION, SUMS, CARD = "dataset.json", "SHA256SUMS", "README.md"
@@ -87,8 +88,8 @@ def export_dataset(
     the same call goes on from the last whole shard and ends with the same bytes.
 
     Args:
-        source: as of :class:`localize.TouchDataset`; or the path of a library; or, with ``as_built_sensors``, a design,
-            the path of its file or the name of a prototype.
+        source: as of :class:`localize.TouchDataset`; or the path of a library or of the results of a sweep; or, with
+            ``as_built_sensors``, a design, the path of its file or the name of a prototype.
         as_built_sensors: sensors that are drawn about a design by the tolerances of a careful workshop, from the same
             seed, at 1 to 500 Hz.
         out: new folder, or that of the same data set, which is finished.
@@ -167,7 +168,7 @@ def _arrays(
         path = Path(source)
         if path.suffix == ".toml":
             raise _needs_library(str(path))
-        return source_of(acoustic_fem.load(path))
+        return source_of(open_sweep(path) if path.is_dir() else acoustic_fem.load(path))
     return source_of(source)
 
 

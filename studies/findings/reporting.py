@@ -14,7 +14,7 @@ from studies.findings.result_table import Column, ResultTable, table_of_search, 
 from studies.output.call_defaults import BEST_DESIGNS
 from studies.output.display import Display
 from studies.output.folders import check_new_file
-from studies.sweep.store import is_sweep, open_sweep
+from studies.sweep.results import is_sweep, open_sweep
 
 
 @dataclass(frozen=True, eq=False)

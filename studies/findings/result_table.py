@@ -20,7 +20,7 @@ from studies.optimization.problem import Optimization
 from studies.optimization.search import OptimizationResult, pareto_front
 from studies.study.cases import by_kind
 from studies.study.metric_registry import METRICS
-from studies.sweep.store import Sweep, base_of
+from studies.sweep.results import Sweep, base_of
 
 Values = NDArray[np.float64]
 #: Steps of a range in the figures of effects and of pairs.
@@ -249,7 +249,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
         description=about["description"],
         source="sweep",
         fidelity=about["fidelity"],
-        frequency=np.asarray(values["frequency"], np.float64),
+        frequency=sweep.frequency,
         open_base=partial(base_of, sweep.records.path, about["base_design"]),
         number=rows.astype(np.int64),
         parameters=tuple(_parameter(name, values[name][rows], sweep.units(name)) for name in sweep.parameters),

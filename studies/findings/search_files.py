@@ -18,7 +18,7 @@ from studies.optimization.journal import journal_exists
 from studies.optimization.printable import worst_accepted
 from studies.optimization.problem import Optimization, read_optimization
 from studies.optimization.search import Candidate, OptimizationResult, found_so_far, without
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
 
 #: The study, its base and the best design, beside the journal of the trials.
 _STUDY, _BASE, _BEST = "study.toml", "base.toml", "best.toml"

@@ -15,7 +15,7 @@ from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind, said_by
 from geometry.ground.whole_files import temporary_folder
 from studies.study.differences import other_table
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
 
 if TYPE_CHECKING:
     import optuna

@@ -16,9 +16,10 @@ from geometry.ground.text_files import parse_toml, read_text
 from geometry.schema.field_errors import model_of
 from studies.optimization.printable import Demand, PrintDemand
 from studies.study.cases import check_base
-from studies.study.file import FileSection, error_of_file, study_of
+from studies.study.fields import FileSection
 from studies.study.metric_registry import METRICS, Metric, metrics_named
-from studies.study.study import Parameter, Study, StudyError
+from studies.study.parameter import Parameter, StudyError
+from studies.study.study import Study, study_of
 
 Method = Literal["nsga2", "tpe", "random", "gradient"]
 
@@ -142,19 +143,22 @@ def load_optimization(path: str | os.PathLike[str]) -> Optimization:
 def read_optimization(
     text: str, source: str = "study.toml", folder: Path | None = None, base: ArrayDesign | None = None
 ) -> Optimization:
-    """Problem read from the text of such a file; arguments and errors as :func:`studies.study.file.read_study`."""
+    """Problem read from the text of such a file; arguments and errors as :func:`studies.study.study.read_study`."""
     given = parse_toml(text, source, StudyError)
     wanted = given.pop("optimize", None)
     if wanted is None:
         allowed = 'a table that says what is wanted, such as [[optimize.objectives]] with metric = "distance_smallest"'
         raise StudyError(kind=Kind.MISSING, file=source, field="optimize", allowed=allowed)
     # the optimiser proposes the cases
+    if given.get("outside", "fail") != "fail":
+        allowed = "left out in a search: a design outside the atlas fails"
+        raise StudyError(kind=Kind.CONFLICT, file=source, field="outside", value=given["outside"], allowed=allowed)
     study = study_of({**given, "sampling": "random", "cases": 1}, text, source, folder, base)
     file = model_of(OptimizeFields, wanted, source, "study", StudyError, table="optimize")
     try:
         return _checked(file, study, text)
     except Refusal as error:
-        raise error_of_file(error, source) from None
+        raise StudyError.of(error, file=source) from None
 
 
 def _checked(file: OptimizeFields, study: Study, text: str) -> Optimization:
@@ -212,7 +216,7 @@ def searched_range(parameter: Parameter, rules: PrintDemand) -> tuple[float, flo
             f"ends at {high:g} mm; it must reach {least:g} mm, the smallest that the process and optimize.printable = "
             f"{rules.demand!r} allow",
             kind=Kind.OUT_OF_RANGE,
-            field=f"parameters.{parameter.name}",
+            field=f"vary.{parameter.name}",
         )
     return max(low, least), high
 
@@ -233,4 +237,4 @@ def _check_slopes(objectives: Sequence[Objective], study: Study) -> None:
         free = not first.values and not first.whole and not first.step and min(first.low, first.high) > 0
         if len(axis) != 1 or not free:
             allowed = "a range above 0 of its own, without steps, for optimize.method = 'gradient'"
-            raise Refusal(kind=Kind.CONFLICT, field=f"parameters.{first.name}", allowed=allowed)
+            raise Refusal(kind=Kind.CONFLICT, field=f"vary.{first.name}", allowed=allowed)

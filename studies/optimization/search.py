@@ -23,7 +23,7 @@ from studies.optimization.descent import Descent
 from studies.optimization.journal import opened, read_only, read_seal, seal
 from studies.optimization.problem import Optimization, searched_range
 from studies.study.cases import by_kind
-from studies.study.study import Parameter, StudyError
+from studies.study.parameter import Parameter, StudyError
 from studies.sweep.one_design import design_metrics
 from studies.sweep.workers import Workers, open_workers
 

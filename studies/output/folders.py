@@ -164,7 +164,7 @@ def check_drawing() -> None:
     """Refuse to draw where matplotlib does not start or write, because of what is around it.
 
     Raises:
-        Refusal: ``MPLBACKEND`` or ``SOURCE_DATE_EPOCH`` has a wrong value, or a matplotlibrc is no text.
+        Refusal: ``MPLBACKEND`` or ``SOURCE_DATE_EPOCH`` has a wrong value, or a matplotlibrc cannot be read.
     """
     stopped_time()
     for path in ("matplotlibrc", os.environ.get("MATPLOTLIBRC", "")):  # matplotlib would wait for a pipe without end

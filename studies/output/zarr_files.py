@@ -15,10 +15,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numcodecs import blosc
 from numpy.typing import NDArray
 
 from geometry.ground.record import packed, sha256, unpacked
 
+#: Bytes of the checksum behind each chunk.
+_CHECKSUM = 4
 METADATA = "zarr.json"
 """File that says what a group or an array is."""
 
@@ -95,7 +98,7 @@ class ZarrFiles:
 
     def __init__(self, path: Path, layout: Layout) -> None:
         import zarr
-        from zarr.codecs import Crc32cCodec, ZstdCodec
+        from zarr.codecs import BloscCodec, Crc32cCodec, ZstdCodec
         from zarr.storage import MemoryStore
 
         self.path, self.block = path, layout.block
@@ -105,16 +108,23 @@ class ZarrFiles:
         self._growing: dict[str, Any] = {}
         store = MemoryStore(self._memory)
         group = zarr.open_group(store, mode="w", zarr_format=3, attributes=plain_attributes(layout.attributes))
+        below = dict.fromkeys(name.rpartition("/")[0] for name in layout.variables if "/" in name)
+        for name in below:
+            group.create_group(name)
         for name, variable in layout.variables.items():
             values = variable.values
             shape = variable.shape if values is None else values.shape
             more: Any = {"dtype": variable.dtype, "fill_value": variable.fill}
             if values is not None:
                 more = {"dtype": "string" if values.dtype == object else str(values.dtype)}
+            compressor: Any = ZstdCodec(level=0)
+            if len(shape) > 1:  # responses change little along the frequency: the bytes of equal weight lie together
+                size = np.dtype(variable.dtype).itemsize
+                compressor = BloscCodec(typesize=size, cname="lz4", clevel=1, shuffle="shuffle")
             array: Any = group.create_array(
                 name, shape=shape, chunks=shape if values is not None else (min(self.block, shape[0]), *shape[1:]),
                 dimension_names=variable.dimensions, attributes=plain_attributes(variable.attributes),
-                compressors=(ZstdCodec(level=0), Crc32cCodec()), config={"write_empty_chunks": True}, **more,
+                compressors=(compressor, Crc32cCodec()), config={"write_empty_chunks": True}, **more,
             )  # fmt: skip
             if values is None:
                 self._growing[name] = array
@@ -122,25 +132,33 @@ class ZarrFiles:
                 array[...] = values
         with warnings.catch_warnings():  # it says that the third version of the format has not settled how
             warnings.filterwarnings("ignore", "Consolidated metadata is currently not part", UserWarning)
-            zarr.consolidate_metadata(store, zarr_format=3)  # where other programs look first
+            for name in (*below, ""):
+                zarr.consolidate_metadata(store, path=name, zarr_format=3)  # where other programs look first
         self._write()
 
-    def put(self, first: int, values: Mapping[str, NDArray[Any]]) -> None:
-        """Write one block.
+    def put(self, first: int, values: Mapping[str, NDArray[Any]]) -> dict[str, str]:
+        """Write one block of some variables.
 
         Args:
             first: number of its first row.
-            values: of every variable that comes block by block; rows first.
+            values: of variables that come block by block; rows first.
+
+        Returns:
+            SHA-256 of the file of each variable, by its name.
         """
         for name, each in values.items():
             self._growing[name][first : first + len(each)] = each
         self._write()
+        return {name: self.sums[self.chunk(name, first)] for name in values}
+
+    def chunk(self, name: str, first: int) -> str:
+        """Name in the store of the file with the block of a variable that begins with a row."""
+        return chunk_name(name, self._growing[name].ndim, first // self.block)
 
     def drop(self, first: int) -> None:
         """Remove what is there of the block that begins with a row; it reads as fill values from now on."""
-        for name, array in self._growing.items():
-            chunk = self.path.joinpath(name, "c", str(first // self.block), *["0"] * (array.ndim - 1))
-            chunk.unlink(missing_ok=True)
+        for name in self._growing:
+            self.path.joinpath(self.chunk(name, first)).unlink(missing_ok=True)
 
     def _write(self) -> None:
         for name in sorted(self._memory):
@@ -154,3 +172,29 @@ class ZarrFiles:
             beside.unlink(missing_ok=True)  # whatever is there, such as a link, which would be followed
             beside.write_bytes(content)
             os.replace(beside, path)
+
+
+def chunk_name(name: str, dimensions: int, block: int) -> str:
+    """Name in a store of the file of one block of a variable.
+
+    Args:
+        name: of the variable.
+        dimensions: number of its axes.
+        block: number of the block, from 0.
+    """
+    return "/".join([name, "c", str(block), *["0"] * (dimensions - 1)])
+
+
+def read_dense(content: bytes, variable: Variable, block: int) -> NDArray[Any]:
+    """Values of a chunk with more than one axis, from the content of its file, which is the one that was written.
+
+    Args:
+        content: of the file.
+        variable: the variable.
+        block: rows of a chunk.
+
+    Returns:
+        (block, ...) float64 or float32, as the variable is; rows beyond the last of the variable hold its fill value.
+    """
+    values = np.frombuffer(blosc.decompress(content[:-_CHECKSUM]), np.dtype(variable.dtype).newbyteorder("<"))
+    return values.reshape(min(block, variable.shape[0]), *variable.shape[1:])

@@ -31,12 +31,12 @@ from studies.optimization.problem import read_optimization
 from studies.optimization.search import found_so_far
 from studies.output.display import Report
 from studies.panels.cad_panel import CallbackDisplay
-from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import read_study
 from studies.sweep.progress import Progress
+from studies.sweep.results import open_sweep
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 
 #: Figures of merit of one study, as many as a search can weigh against each other.
 MOST_METRICS = 4
@@ -87,9 +87,9 @@ def study_file(
     }
     if not search:
         stated |= {"sampling": "sobol", "cases": designs}
-    stated |= {"metrics": list(metrics), "parameters": tomlkit.table()}
+    stated |= {"metrics": list(metrics), "vary": tomlkit.table()}
     for name, given in ranges.items():
-        stated["parameters"].add(tomlkit.key(name), _range(given))
+        stated["vary"].add(tomlkit.key(name), _range(given))
     if search:
         batch = min(64, max(designs // 4, 1))
         objectives = [{"metric": name} for name in metrics]
@@ -182,7 +182,7 @@ def run_study(design: ArrayDesign, text: str, notify: Callable[[str], None] = la
         def progress(now: Progress) -> None:
             report(f"{now.done} of {now.total} {now.what}{f', {now.failed} failed' * bool(now.failed)}", 0.0)
 
-        objection = run_sweep(study, place / "results.zarr", progress=progress).objection
+        objection = run_sweep(study, place / "results.zarr", progress=progress).summary.objection
         if objection:
             raise Refusal(objection, kind=Kind.NO_RESULT)
     return study_so_far(design, text)

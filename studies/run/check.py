@@ -26,6 +26,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.extras import check_extras, is_installed
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.shown import Shown
 from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps, schematic_notes
@@ -67,8 +68,8 @@ class KindUse:
     """Number of places of all lines that have it."""
 
 
-@dataclass(frozen=True)
-class DesignCheck:
+@dataclass(frozen=True, repr=False)
+class DesignCheck(Shown):
     """Findings on a design before it is solved: everything that ``acoustic-fem check`` says."""
 
     design: ArrayDesign
@@ -104,6 +105,19 @@ class DesignCheck:
     """Fidelity of the attenuation: the atlas, or 3-D and why."""
     quality: DesignQuality | None = None
     """How good it is; None where that was not asked, there is nothing to tell apart, or nothing to judge it with."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        quality = self.quality
+        return f"Check of {self.design.name}", {
+            "size": f"{self.size[0]:.4g} x {self.size[1]:.4g} x {self.size[2]:.4g} mm",
+            "points": self.design.point_count,
+            "coverage": f"{self.coverage:.0%}",
+            "cells": f"{len(self.cells)} distinct",
+            "predicted top-1 accuracy": "" if quality is None else f"{quality.nominal:.1%} on the nominal sensor",
+            "problems": f"{len(self.problems)}, the first: {self.problems[0]}" if self.problems else "none",
+            "fix": self.mend,
+        }
 
     @property
     def covered(self) -> str:

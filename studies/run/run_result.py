@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from acoustic_fem import Library
 from geometry.design.array_design import ArrayDesign
 from geometry.formats.part_files import ExportedFile
+from geometry.ground.shown import Shown
 from geometry.layout.placement import ArrayLayout
 from geometry.printing.printability import PrintReport
 from studies.metrics.pairs import Disagreement
@@ -21,9 +22,23 @@ if TYPE_CHECKING:
     from studies.evaluation.headline import Headline
 
 
-@dataclass(frozen=True, eq=False)
-class RunResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class RunResult(Shown):
     """Result of a run; the report is made from nothing else."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        tolerant = self.tolerant
+        return f"Run of {self.design.name}", {
+            "folder": self.folder,
+            "fidelity": self.library.fidelity,
+            "localizer, top-1 accuracy on multi-sine touches": f"{self.network.top1:.1%}",
+            "model-based decoder": f"{self.bayes.top1:.1%}",
+            "decoder that models manufacturing tolerances": "" if tolerant is None else f"{tolerant.top1:.1%}",
+            "parts": f"{sum(self.part_counts.values())}, in {len(self.files)} files",
+            "warnings": len(self.warnings) or "none",
+            "time": f"{sum(self.seconds.values()):.0f} s",
+        }
 
     design: ArrayDesign
     """Design that was run."""

@@ -5,6 +5,7 @@ from .cases import (
     cases_of as cases_of,
     sobol_note as sobol_note,
 )
-from .file import FileSection as FileSection, load_study as load_study, read_study as read_study, study_of as study_of
+from .fields import FileSection as FileSection
 from .metric_registry import METRICS as METRICS, Metric as Metric, metrics_named as metrics_named
-from .study import Parameter as Parameter, Study as Study, StudyError as StudyError
+from .parameter import Parameter as Parameter, StudyError as StudyError
+from .study import Study as Study, load_study as load_study, read_study as read_study, study_of as study_of

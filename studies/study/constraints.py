@@ -172,7 +172,7 @@ def _number(value: Any) -> float:
     """A value that is to be computed with: Python would also multiply a text, by any number.
 
     Raises:
-        TypeError: it is no number.
+        TypeError: it is not a number.
     """
     if isinstance(value, (int, float)):
         return value

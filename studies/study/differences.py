@@ -15,10 +15,10 @@ def first_difference(stored: Mapping[str, Any], wanted: Mapping[str, Any]) -> st
         if stored.get(name) != wanted[name]:
             if name == "base":
                 return "its base design is not the same"
-            if name == "frequencies":
+            if name == "frequency":
                 ends = [f"{grid[0]:g}:{grid[-1]:g}:{len(grid)}" for grid in (stored[name], wanted[name])]
                 return f"its frequencies are {ends[0]}, not {ends[1]}"
-            if name == "parameters":
+            if name == "vary":
                 return _parameter_difference(stored[name], wanted[name])
             return f"its {name} is {stored.get(name)!r}, not {wanted[name]!r}"
     return ""

@@ -1,117 +1,56 @@
-"""A study: a set of designs over a base design, and what to compute for each."""
+"""A study: a set of designs over a base design, and what to compute for each. Made in Python or read from a file."""
 
 from __future__ import annotations
 
 import hashlib
 import json
-import math
-from dataclasses import dataclass
-from typing import Any, Literal
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
 
 import numpy as np
+import tomlkit
 from numpy.typing import NDArray
 
+from acoustic_fem import atlas
 from acoustic_fem.atlas import cell_atlas
-from acoustic_fem.quantities.fidelity import Fidelity
-from geometry import ArrayDesign
-from geometry.design.design_file import write_design
-from geometry.ground.refusal import Refusal
-from studies.study.constraints import Constraint
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS, Fidelity
+from geometry import ArrayDesign, DesignError, load_design
+from geometry.design.array_design import validated
+from geometry.design.design_file import prototype, prototype_names, write_design
+from geometry.ground.argument_checks import check_type
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.shown import Shown
+from geometry.ground.text_files import parse_toml, read_text
+from geometry.ground.typed import Array, PathLike
+from geometry.ground.whole_files import check_own_kind, write_text
+from geometry.schema.field_errors import model_of, nearest
+from studies.study.axes import axes_of, case_count
+from studies.study.constraints import Constraint, parse_constraint
+from studies.study.fields import Keep, Membranes, Outside, Precision, StudyFields
+from studies.study.metric_registry import metrics_named
+from studies.study.parameter import Parameter, Sampling, StudyError, parameter_content
 
-#: Significant digits of a value within a range: below a micrometre nothing is made.
-_DIGITS = 4
-
-Sampling = Literal["grid", "latin-hypercube", "sobol", "random"]
-
-
-class StudyError(Refusal):
-    """Refusal of a study that is not valid. The message is one line: file, field, value and what is allowed."""
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """Field of the design that a study varies: a list of values, or a range."""
-
-    name: str
-    """Dotted name of the field."""
-    values: tuple[float | int | str, ...] = ()
-    """Values of a list, in the unit of the field; empty for a range."""
-    low: float = 0.0
-    """Beginning of a range, in the unit of the field."""
-    high: float = 0.0
-    """End of a range, in the unit of the field."""
-    count: int = 0
-    """Number of values of the range in a grid; 0 where none is given."""
-    scale: Literal["linear", "log"] = "linear"
-    """Scale of a range: equal steps, or equal ratios."""
-    whole: bool = False
-    """True if the values are whole numbers, to which those of a range are rounded."""
-    step: float = 0.0
-    """Distance of the sizes that can be had, counted from the beginning of a range; 0 where any can."""
-
-    @property
-    def size(self) -> int:
-        """Number of values in a grid."""
-        return len(self.values) or self.count
-
-    def at(self, place: NDArray[np.float64]) -> NDArray[Any]:
-        """Values at places from 0 to 1: for a list each value takes an equal share of them.
-
-        Args:
-            place: (n,) float64, 0 to 1.
-
-        Returns:
-            (n,) float64, int64 where the values are whole, or objects (texts); in the unit of the field.
-        """
-        if self.values:
-            kind = np.float64 if all(isinstance(value, (int, float)) for value in self.values) else object
-            kind = np.int64 if self.whole else kind
-            index = np.minimum((place * len(self.values)).astype(np.int64), len(self.values) - 1)
-            return np.array(self.values, dtype=kind)[index]
-        if self.whole:  # each whole number takes an equal share
-            low, high = round(self.low), round(self.high)
-            return np.minimum(low + (place * (high - low + 1)).astype(np.int64), high)
-        if self.scale == "log":
-            values = self.low * (self.high / self.low) ** place
-        else:
-            values = self.low + (self.high - self.low) * place
-        return self.to_stock_size(np.clip(values, self.low, self.high))
-
-    def to_stock_size(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The values (n,) as the nearest sizes that can be had; (n,) float64, in the unit of the field.
-
-        Without a step these are values of four digits, more where the range is narrow, so that what is computed is what
-        a design file says and what somebody can make.
-        """
-        if not self.step:
-            span = 2 - math.floor(math.log10(self.high - self.low))
-            sizes = [round(value, max(_decimals(value), span)) for value in values.tolist()]
-            return np.clip(np.array(sizes, np.float64), self.low, self.high)
-        last = math.floor((self.high - self.low) / self.step + 1e-9)
-        steps = np.clip(np.round((values - self.low) / self.step), 0, last)
-        return np.round(self.low + steps * self.step, 9)
-
-    def grid(self) -> NDArray[Any]:
-        """Values in a grid, in the order of the file; (n,) float64, int64 where they are whole, or objects (texts)."""
-        if self.values:
-            return self.at((np.arange(len(self.values)) + 0.5) / len(self.values))
-        steps = np.arange(self.count) / max(self.count - 1, 1)
-        if self.whole:
-            return np.unique(np.round(self.low + (self.high - self.low) * steps).astype(np.int64))
-        return self.at(steps)
+#: Sections that every design file has and no study file.
+_OF_A_DESIGN = ("resonator", "membrane", "tube")
+#: Words of older study files, and what is written in their place.
+_RENAMED = {
+    "transfer_functions": 'keep = "responses" to keep transfer functions, or leave it out',
+    "parameters": "[vary]",
+    "frequencies": "frequency",
+}
 
 
-def _decimals(value: float) -> int:
-    """Decimals of a number that is rounded to significant digits."""
-    return _DIGITS - 1 - math.floor(math.log10(abs(value))) if value else 0
+class Study(Shown):
+    """Study: a set of designs and what to compute for each.
 
-
-@dataclass(frozen=True, eq=False)
-class Study:
-    """Study: a set of designs and what to compute for each."""
+    A study file has the same fields. :meth:`load` reads one and :meth:`save` writes one.
+    """
 
     text: str
-    """Text of the study file."""
+    """Text of the study file; of a study made in Python, the file that :meth:`save` writes."""
     name: str
     """Name of the study."""
     description: str
@@ -134,8 +73,176 @@ class Study:
     """Frequencies of the transfer functions; (n_freq,) float64, Hz."""
     metrics: tuple[str, ...]
     """Names of the metrics to compute, of :data:`studies.study.metric_registry.METRICS`."""
-    transfer_functions: bool
-    """True if transfer functions are kept."""
+    keep: Keep
+    """Content of the store for each case: "metrics", also its "responses", or everything that "libraries" need."""
+    precision: Precision
+    """Precision of the responses that are kept, "double" or "single"."""
+    membranes: Membranes
+    """How many membranes of different proportions are computed: "interpolated" between solutions, or each "solved"."""
+    outside: Outside
+    """Fate of a case outside the atlas: "fail", or it is solved with "navier-stokes"."""
+
+    def __init__(
+        self,
+        base: ArrayDesign | PathLike,
+        vary: Mapping[str, Any] | None = None,
+        *,
+        metrics: Sequence[str],
+        together: Iterable[Mapping[str, Any]] = (),
+        sampling: str = "grid",
+        cases: int | None = None,
+        seed: int = 0,
+        constraints: Sequence[str] = (),
+        fidelity: str | None = None,
+        frequency: FrequencyLike = "1:100:64",
+        keep: str = "metrics",
+        precision: str = "double",
+        membranes: str = "interpolated",
+        outside: str = "fail",
+        name: str = "study",
+        description: str = "",
+    ) -> None:
+        """Check the fields, and read the base design if it is the path of a file.
+
+        Args:
+            base: design that is varied: a design, the path of its file, or the name of a prototype.
+            vary: dotted names of fields that vary on their own. Each has a list of values; a pair ``(low, high)`` for a
+                range to sample; or a range as in a file, such as ``{"from": 9, "to": 30, "scale": "log"}``.
+            metrics: names of figures of merit to compute.
+            together: groups of fields that vary together, each as ``vary``.
+            sampling: "grid" for every combination, or "sobol", "latin-hypercube" or "random" for samples.
+            cases: number of samples, a power of 2 for Sobol points; not for a grid.
+            seed: of the samples.
+            constraints: conditions on a case, such as ``"tube.length > 20 * tube.inner_diameter"``.
+            fidelity: what the cells are computed with; by default "atlas" if it covers the base, otherwise
+                "navier-stokes".
+            frequency: (n_freq,) ascending, Hz, or FIRST:LAST:COUNT such as ``"1:500:500"``.
+            keep: what the store holds of each case: "metrics", also its "responses", or everything that "libraries"
+                need.
+            precision: of the responses that are kept, "double" or "single".
+            membranes: "interpolated" if 50 or more of different proportions may be interpolated between solutions, or
+                "solved".
+            outside: what becomes of a case outside the atlas: "fail", or it is solved in 3-D, "navier-stokes".
+            name: of the study, for people.
+            description: what it asks, for people.
+
+        Raises:
+            StudyError: a field is not valid.
+            DesignError: the base design is not valid.
+        """
+        given: dict[str, Any] = {
+            "name": name,
+            "description": description,
+            "base": base,
+            "sampling": sampling,
+            "seed": seed,
+            "constraints": _plain(constraints),
+            "frequency": frequency,
+            "metrics": _plain(metrics),
+            "keep": keep,
+            "precision": precision,
+            "membranes": membranes,
+            "outside": outside,
+            "vary": {each: _values(value) for each, value in (vary or {}).items()},
+            "together": [{each: _values(value) for each, value in group.items()} for group in together],
+        }
+        given |= {key: value for key, value in (("cases", cases), ("fidelity", fidelity)) if value is not None}
+        self._fill(given, "", "", Path())
+
+    def _fill(
+        self, given: dict[str, Any], text: str, source: str, folder: Path, base: ArrayDesign | None = None
+    ) -> None:
+        stated = given.get("base")
+        if base is None and stated is not None:
+            base = _base(stated, folder, source)
+        grid = given.get("frequency", "1:100:64")
+        fields = {**given, "frequency": grid if isinstance(grid, str) else "a list"}
+        if stated is not None:
+            fields["base"] = stated if isinstance(stated, str) else "a design"
+        file = model_of(StudyFields, fields, source, "study", StudyError)
+        assert base is not None  # the model requires a base
+        try:
+            frequency = frequency_grid(grid)
+            axes = axes_of(file, base)
+            self.name, self.description = file.name, file.description
+            self.base, self.axes, self.sampling = base, axes, file.sampling
+            self.constraints = tuple(parse_constraint(each, base) for each in file.constraints)
+            self.fidelity = file.fidelity or atlas.quick_fidelity(base, frequency).name
+            self.cases, self.seed = case_count(file), file.seed
+            self.frequency, self.metrics = frequency, _metrics(file.metrics, frequency)
+            self.keep, self.precision, self.membranes = file.keep, file.precision, file.membranes
+            self.outside = _outside(file.outside, self.fidelity)
+        except Refusal as error:
+            raise StudyError.of(error, file=source or None) from None
+        self._given = file
+        self.text = text or self._written()
+
+    @classmethod
+    def load(cls, path: PathLike) -> Study:
+        """Study read from a file; a ``base`` that is a file is looked for in its folder.
+
+        Raises:
+            StudyError: no such file, not TOML, or not a valid study.
+            DesignError: the base design is not valid.
+        """
+        path = Path(path)
+        return read_study(read_text(path, "a study file", StudyError), str(path), path.parent)
+
+    def save(self, path: PathLike) -> None:
+        """Write the study file. A base that is not a prototype is written into it, so the file stands alone.
+
+        Raises:
+            StudyError: the name does not end with ``.toml``, or the file cannot be written.
+        """
+        check_own_kind(path, ".toml", StudyError)
+        try:
+            write_text(path, self._written())
+        except OSError as error:
+            raise StudyError(f"cannot be written: {error.strerror}", kind=Kind.UNREADABLE, file=path) from None
+
+    def _written(self) -> str:
+        own = self._given.model_dump(mode="json", by_alias=True, exclude_defaults=True)
+        document, tables = tomlkit.document(), {}
+        known = self.base.name in prototype_names() and prototype(self.base.name) == self.base
+        if known:
+            own["base"] = self.base.name
+        else:
+            del own["base"]
+        if self._given.frequency == "a list":
+            own["frequency"] = self.frequency.tolist()
+        for key, value in own.items():
+            if key in ("vary", "together"):
+                tables[key] = value
+            else:
+                document.add(key, tomlkit.item(value))
+        if "vary" in tables:
+            document.add("vary", _table(tables["vary"]))
+        if "together" in tables:
+            groups = tomlkit.aot()
+            for group in tables["together"]:
+                groups.append(_table(group))
+            document.add("together", groups)
+        if not known:
+            document.add("base", tomlkit.item(tomlkit.parse(write_design(self.base)).unwrap()))
+        return tomlkit.dumps(document)
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        varied = {
+            each.name: ", ".join(map(str, each.values)) if each.values else f"{each.low:g} to {each.high:g}"
+            for each in self.parameters
+        }
+        return f"Study {self.name}", {
+            "description": self.description,
+            "base": self.base.name,
+            "varies": "; ".join(f"{name}: {values}" for name, values in varied.items()),
+            "sampling": f"{self.sampling}, {self.cases} cases, seed {self.seed}" if self.cases else self.sampling,
+            "constraints": "; ".join(each.text for each in self.constraints),
+            "fidelity": f"{self.fidelity}, cases outside: {self.outside}" if self.atlas else self.fidelity,
+            "frequency": f"{self.frequency[0]:g} to {self.frequency[-1]:g} Hz, {len(self.frequency)} values",
+            "metrics": ", ".join(self.metrics),
+            "keeps": f"{self.keep}, {self.precision} precision" if self.keep != "metrics" else self.keep,
+        }
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -149,19 +256,27 @@ class Study:
             return ""
         return cell_atlas().digest
 
+    @property
+    def solid_fidelity(self) -> Fidelity:
+        """Fidelity of the 3-D cells: that of the study, or of its cases outside the atlas."""
+        return "navier-stokes" if self.fidelity in CLOSED_FORMS else self.fidelity
+
     def content(self) -> dict[str, Any]:
         """Content that decides the results, as plain values: neither comments nor the order of lines count."""
         return {
             "base": hashlib.sha256(write_design(self.base).encode()).hexdigest(),
-            "parameters": [[_content(parameter) for parameter in axis] for axis in self.axes],
+            "vary": [[parameter_content(parameter) for parameter in axis] for axis in self.axes],
             "sampling": self.sampling,
             "cases": self.cases,
             "seed": self.seed,
             "constraints": [constraint.text for constraint in self.constraints],
             "fidelity": self.fidelity,
-            "frequencies": [float(value) for value in self.frequency],
+            "frequency": [float(value) for value in self.frequency],
             "metrics": list(self.metrics),
-            "transfer_functions": self.transfer_functions,
+            "keep": self.keep,
+            "precision": self.precision,
+            "membranes": self.membranes,
+            "outside": self.outside,
         }  # fmt: skip
 
     def digest(self) -> str:
@@ -169,7 +284,147 @@ class Study:
         return hashlib.sha256(json.dumps(self.content(), sort_keys=True).encode()).hexdigest()
 
 
-def _content(parameter: Parameter) -> dict[str, Any]:
-    """A parameter as plain values; a step that is not stated does not count, so that older results stay known."""
-    content = vars(parameter) | {"values": list(parameter.values)}
-    return {name: value for name, value in content.items() if name != "step" or value}
+# -- reading ------------------------------------------------------------------------------------------------
+def resolve_study(study: Study | PathLike) -> Study:
+    """The study itself, or that of a file; errors as :func:`load_study`."""
+    if isinstance(study, Study):
+        return study
+    check_type("study", study, (str, os.PathLike), "a study, or the path of its file", StudyError)
+    return load_study(study)
+
+
+def load_study(path: PathLike) -> Study:
+    """Study read from a file; ``base`` is looked for in its folder.
+
+    Raises:
+        StudyError: no such file, not TOML, or not a valid study.
+        DesignError: the base design is not valid.
+    """
+    return Study.load(path)
+
+
+def read_study(
+    text: str, source: str = "study.toml", folder: Path | None = None, base: ArrayDesign | None = None
+) -> Study:
+    """Study read from the text of a file.
+
+    Args:
+        text: TOML.
+        source: name of the file, for messages.
+        folder: where design files are looked for; by default the current one.
+        base: the base design, in place of the one the text names.
+
+    Raises:
+        StudyError: not TOML, or not a valid study.
+        DesignError: the base design is not valid.
+    """
+    return study_of(parse_toml(text, source, StudyError), text, source, folder, base)
+
+
+def study_of(
+    given: Mapping[str, Any], text: str, source: str, folder: Path | None = None, base: ArrayDesign | None = None
+) -> Study:
+    """Study of the table of a study file.
+
+    Args:
+        given: as TOML gives it.
+        text: the file it comes from, kept with the study.
+        source: name of the file, for messages.
+        folder: where design files are looked for; by default the current one.
+        base: the base design, in place of the one the table names.
+
+    Raises:
+        StudyError: not a valid study.
+        DesignError: the base design is not valid.
+    """
+    _check_no_design(given, source)
+    for old, new in _RENAMED.items():
+        if old in given:
+            problem = "is a word of older study files"
+            raise StudyError(problem, kind=Kind.UNKNOWN, file=source, field=old, remedy=f"write {new}")
+    study = Study.__new__(Study)
+    study._fill(dict(given), text, source, folder or Path(), base)
+    return study
+
+
+def _check_no_design(given: Mapping[str, Any], source: str) -> None:
+    """Reject a design file by its sections, with a study file that sweeps it.
+
+    Raises:
+        StudyError: it is a design file.
+    """
+    if "base" not in given and all(isinstance(given.get(section), Mapping) for section in _OF_A_DESIGN):
+        example = f'''base = "{source}" / metrics = ["predicted_top1"] / [vary] / "tube.length" = [10.0, 15.0]'''
+        raise StudyError(
+            "is a design file",
+            kind=Kind.WRONG_TYPE,
+            file=source,
+            remedy=f"a study file names it and what varies, such as (a line for each part): {example}",
+        )
+
+
+def _base(stated: Any, folder: Path, source: str) -> ArrayDesign:
+    if isinstance(stated, ArrayDesign):
+        return stated
+    if isinstance(stated, Mapping):
+        try:
+            return validated(stated, source)
+        except DesignError as error:
+            raise DesignError.of(error, field=".".join(filter(None, ("base", error.field)))) from None
+    allowed = "a prototype, the path of a design file, or a design"
+    check_type("base", stated, (str, os.PathLike), allowed, StudyError, file=source)
+    name = os.fspath(stated)
+    if name in prototype_names():
+        return prototype(name)
+    path = folder / name
+    if not os.path.isfile(path):
+        raise StudyError(
+            f"is neither a file in {folder} nor a prototype",
+            kind=Kind.UNKNOWN,
+            file=source,
+            field="base",
+            value=name,
+            remedy=nearest(name, prototype_names()),
+        )
+    return load_design(path)
+
+
+def _outside(stated: Outside, fidelity: str) -> Outside:
+    if stated != "fail" and fidelity != "atlas":
+        allowed = f"left out for fidelity = {fidelity!r}, which has no bounds"
+        raise Refusal(kind=Kind.CONFLICT, field="outside", value=stated, allowed=allowed)
+    return stated
+
+
+def _metrics(names: tuple[str, ...], frequency: Array) -> tuple[str, ...]:
+    for metric in metrics_named(names):
+        metric.check_grid(frequency)
+    return tuple(dict.fromkeys(names))
+
+
+# -- plain values -----------------------------------------------------------------------------------------
+def _plain(value: Any) -> Any:
+    """A value as TOML would give it: a tuple or an array as a list, a number of NumPy as Python's."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    return list(value) if isinstance(value, tuple) else value
+
+
+def _values(value: Any) -> Any:
+    """Values that are given for a field that varies, as TOML gives them: a pair is a range."""
+    if isinstance(value, tuple) and len(value) == 2:
+        return {"from": _plain(value[0]), "to": _plain(value[1])}
+    value = _plain(value)
+    return [_plain(each) for each in value] if isinstance(value, list) else value
+
+
+def _table(values: Mapping[str, Any]) -> tomlkit.items.Table:
+    """A table whose dotted names are keys in quotes, and whose ranges stand in one line."""
+    table = tomlkit.table()
+    for name, value in values.items():
+        if isinstance(value, Mapping):
+            line = tomlkit.inline_table()
+            line.update(value)
+            value = line
+        table.add(tomlkit.key(name), value)
+    return table

@@ -22,16 +22,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Medium
-from acoustic_fem.atlas.cell_table import cell_atlas
+from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.openings import designs_outside
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import kept_cell, solve_cells
-from acoustic_fem.cell.one_cell import CellError, CellRecord
+from acoustic_fem.cell.one_cell import CellError, CellRecord, CellSolution
 from acoustic_fem.library.network_responses import closed_form, joined_cells
-from acoustic_fem.membrane.disc import KnownDiscs, design_rubber
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
+from acoustic_fem.membrane.disc import KnownDiscs, design_rubber, design_shape
+from acoustic_fem.membrane.disc_table import ACCURACY
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS, Fidelity
 from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
@@ -41,8 +42,9 @@ from geometry.layout.arrangement import place_housings
 from studies.metrics.batch_responses import Responses
 from studies.metrics.shared import SharedFigures
 from studies.study.cases import PROGRAM_ERROR, Cases
+from studies.study.fields import Keep, Outside
 from studies.study.metric_registry import Metric, metrics_named
-from studies.sweep.records import DONE, FAILED, BlockResult
+from studies.sweep.records import DONE, FAILED, KEPT, BlockResult
 
 #: A cell in its air.
 CellKey: TypeAlias = tuple[Cell, Medium]
@@ -60,14 +62,16 @@ LACKS = (OSError, MemoryError, NotInstalled)
 class Job:
     """Job that all blocks of a sweep have in common."""
 
-    fidelity: str
+    fidelity: Fidelity
     """Fidelity that the cells are computed with."""
     frequency: NDArray[np.float64]
     """Frequencies of the study; (n_freq,) float64, Hz."""
     metrics: tuple[str, ...]
     """Names of the metrics."""
-    transfer_functions: bool
-    """True if transfer functions are handed back."""
+    keep: Keep = "metrics"
+    """Results of a case that are handed back: "metrics", also "responses", or everything that "libraries" need."""
+    outside: Outside = "fail"
+    """Fate of a case outside the atlas: "fail", or "navier-stokes" with the cells that are given."""
     discs: KnownDiscs | None = None
     """Membranes that are interpolated between solved ones; None: all are solved."""
 
@@ -84,6 +88,8 @@ class SolvedCell:
     """Processor time that its solution took when it was made, s."""
     cached: bool = False
     """True if it came from the cache."""
+    summary: Mapping[str, Any] = field(default_factory=dict)
+    """How it was solved, as JSON can hold it; nothing that differs from run to run."""
     record: CellRecord | None = None
     """Record of the cell, for the cache of another machine."""
     mistake: str = ""
@@ -108,7 +114,13 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
         why, mistake = _reason(error)
         return SolvedCell(None, why, mistake=mistake)
     kept = kept_cell(cell, frequency, medium, fidelity)
-    return SolvedCell(solution.admittance, "", solution.seconds, solution.cached, None if kept is None else kept[1])
+    record = None if kept is None else kept[1]
+    return SolvedCell(solution.admittance, "", solution.seconds, solution.cached, lasting(solution), record)
+
+
+def lasting(solution: CellSolution) -> dict[str, Any]:
+    """How a cell was solved, without what differs from run to run."""
+    return {name: value for name, value in solution.summary().items() if name not in ("seconds", "cached")}
 
 
 def cells_of(design: ArrayDesign) -> tuple[CellKey, ...]:
@@ -124,7 +136,9 @@ class _Block:
     count: int
     values: dict[str, NDArray[np.float64]]
     reason: list[str]
-    transfer_functions: dict[int, Complex] = field(default_factory=dict)
+    responses: dict[int, dict[str, Complex]] = field(default_factory=dict)
+    solid: list[int] = field(default_factory=list)
+    about: dict[int, dict[str, Any]] = field(default_factory=dict)
     mistakes: dict[str, None] = field(default_factory=dict)
 
     def fail(self, numbers: Iterable[int], error: Exception, where: str = "") -> None:
@@ -171,13 +185,13 @@ def solve_block(
                 block.fail([number], error)
         for numbers, responses in _responses(job, designs, cells, block):
             _measure(numbers, responses, metrics, block)
-            if job.transfer_functions:
-                kept = zip(numbers, responses.transfer_function, strict=True)
-                block.transfer_functions |= {first + number: values for number, values in kept}
+            for place, number in enumerate(numbers if KEPT[job.keep] else ()):
+                if not block.reason[number]:
+                    block.responses[number] = {name: getattr(responses, name)[place] for name in KEPT[job.keep]}
     state = np.array([FAILED if why else DONE for why in block.reason], dtype=np.int8)
-    result = BlockResult(
-        first, block.values, state, tuple(block.reason), block.transfer_functions, tuple(block.mistakes)
-    )
+    kept, about = ({first + k: own for k, own in each.items()} for each in (block.responses, block.about))
+    solid = tuple(first + number for number in sorted(block.solid))
+    result = BlockResult(first, block.values, state, tuple(block.reason), kept, solid, about, tuple(block.mistakes))
     ours = (UserWarning, RuntimeWarning)
     return result, tuple(dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, ours)))
 
@@ -205,7 +219,8 @@ def _responses(
     alone: list[int] = []
     for number, design in designs.items():
         stretched = design.membrane.stretch != 1 and not design_rubber(design).elastic
-        if job.fidelity not in CLOSED_FORMS or stretched:
+        # a library is what `acoustic_fem.solve` computes of the design alone, to the last bit
+        if job.fidelity not in CLOSED_FORMS or stretched or job.keep == "libraries":
             alone.append(number)
         else:
             groups.setdefault(Topology.of(design), []).append(number)
@@ -224,7 +239,7 @@ def _responses(
     single: dict[tuple[int, ...], list[tuple[int, Responses]]] = {}
     for number in sorted(alone):
         try:
-            one = _network(job, designs[number], cells)
+            one = _alone(job, designs[number], cells, number, block)
         except Exception as error:
             block.fail([number], error)
         else:
@@ -279,13 +294,42 @@ def _in_order(parts: list[ArrayParameters], designs: Sequence[ArrayDesign], stat
     )
 
 
-def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell]) -> Responses:
+def _alone(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell], number: int, block: _Block) -> Responses:
+    """One design, in 3-D if it is outside the atlas and the study asks for that."""
+    fidelity: Fidelity = job.fidelity
+    try:
+        found = _network(job, design, cells, fidelity)
+    except OutsideAtlas:
+        if job.outside == "fail":
+            raise
+        fidelity = job.outside
+        found = _network(job, design, cells, fidelity)
+        block.solid.append(number)
+    if job.keep == "libraries":
+        block.about[number] = _provenance(job, design, cells, fidelity)
+    return found
+
+
+def _provenance(
+    job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell], fidelity: Fidelity
+) -> dict[str, Any]:
+    """Provenance of a library of the design, beyond what all cases have in common."""
+    about: dict[str, Any] = {}
+    if fidelity not in CLOSED_FORMS:
+        about["cells"] = [{"cell": key[0].label, **cells[key].summary} for key in cells_of(design)]
+    discs = job.discs
+    if discs is not None and any(discs.find(design_shape(design.of_kind(kind))) for kind in design.kinds):
+        about["membranes"] = f"interpolated between solutions, to {ACCURACY:g}"
+    return about
+
+
+def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell], fidelity: Fidelity) -> Responses:
     """One design, its cells given or in closed form."""
     air = design_air(design)
 
     def admittance(cell: Cell) -> Complex:
-        if job.fidelity in CLOSED_FORMS:
-            return closed_form(job.fidelity, cell, job.frequency, air)
+        if fidelity in CLOSED_FORMS:
+            return closed_form(fidelity, cell, job.frequency, air)
         solved = cells[cell, air]
         if solved.admittance is None:
             raise CellError(solved.reason, kind=Kind.NO_RESULT)

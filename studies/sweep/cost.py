@@ -59,7 +59,7 @@ def seconds_of(
     return (
         _seconds_per_case(study, cases, numbers) * len(numbers) / fraction
         + SECONDS_PER_CELL * missing
-        + _SECONDS_PER_DISC * disc_count(discs)
+        + _SECONDS_PER_DISC * (disc_count(discs) if study.membranes == "interpolated" else len(discs))
     )
 
 
@@ -88,7 +88,7 @@ def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> flo
 
 def _timed(study: Study, cases: Cases, chosen: Sequence[int]) -> float:
     alone = study.fidelity not in CLOSED_FORMS
-    job = Job("lumped" if alone else study.fidelity, study.frequency, study.metrics, False)
+    job = Job("lumped" if alone else study.fidelity, study.frequency, study.metrics, study.keep)
     few = Cases(cases.base, cases.names, tuple(column[chosen] for column in cases.columns))
     start = process_time()
     for part in [few.part(k, k + 1) for k in range(len(few))] if alone else [few]:

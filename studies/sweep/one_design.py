@@ -49,7 +49,7 @@ def design_metrics(
     from studies.sweep.block import Job, solve_block
 
     names = [metric.name for metric in metrics]
-    job = Job(study.fidelity, study.frequency, tuple(names), False, discs)
+    job = Job(study.fidelity, study.frequency, tuple(names), discs=discs)
     cases = _cases(values, study.base)
     ends = np.linspace(0, len(values), min(max(parts, 1), len(values)) + 1).round().astype(int).tolist()
     blocks = list(pairwise(ends))

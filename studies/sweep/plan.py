@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,11 +11,10 @@ from acoustic_fem.cell.design_cells import cached_count
 from geometry.ground.typed import PathLike
 from studies.output.display import Display
 from studies.study.cases import Cases, by_kind, repeated_note, sobol_note
-from studies.study.file import resolve_study
-from studies.study.study import Study
+from studies.study.study import Study, resolve_study
 from studies.sweep.cost import elapsed, seconds_of, team_size
 from studies.sweep.progress import shown_on
-from studies.sweep.records import block_size, point_count
+from studies.sweep.records import block_size, point_count, response_shapes
 from studies.sweep.survey import Survey, surveyed
 
 #: Number of cases up to which all are looked at, in a minute or less; of more a sample of so many is.
@@ -36,6 +36,8 @@ class Plan:
     """Number of combinations or samples that broke a constraint."""
     refused: dict[str, int]
     """Number of cases whose design is not valid, per kind of reason, each by its first."""
+    outside: dict[str, int]
+    """Number of cases outside the atlas, per kind of reason, each by its first; with ``outside = "fail"`` they fail."""
     cells: int
     """Number of distinct 3-D cells; 0 where cells are closed forms."""
     cells_cached: int
@@ -79,19 +81,24 @@ def _planned(study: Study, found: Survey, workers: int | None) -> Plan:
     count = round(len(cases) / fraction)
     valid = [number for number in range(len(cases)) if number not in found.refused]
     cells = found.cells_of(valid)
-    cached = cached_count(cells, study.frequency, study.fidelity)
+    cached = cached_count(cells, study.frequency, study.solid_fidelity)
     distinct = len(cells) if fraction == 1 else _distinct(found, valid)
     cached_in_all = round(cached * distinct / max(len(cells), 1))
     alone = seconds_of(study, cases, valid, distinct - cached_in_all, found.discs, fraction)
     team = workers or team_size(alone)
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency) * 16
+    size = {"double": 16, "single": 8}[study.precision]
+    kept = sum(math.prod(sizes) for sizes in response_shapes(study, point_count(cases)).values()) * size
     memory = team * (_WORKER_MEMORY + block_size(study, cases, count) * values * _ARRAYS)
     if distinct > cached_in_all:
         memory += team * _CELL_MEMORY
-    stored = 8 * (len(study.metrics) + len(cases.names) + 1) + (values if study.transfer_functions else 0)
-    refused = {why: round(len(numbers) / fraction) for why, numbers in by_kind(found.refused.items()).items()}
+    stored = 8 * (len(study.metrics) + len(cases.names) + 1) + kept
+    refused, outside = (
+        {why: round(len(numbers) / fraction) for why, numbers in by_kind(reasons.items()).items()}
+        for reasons in (found.refused, found.outside)
+    )
     return Plan(
-        count, round(cases.left_out / fraction), refused, distinct, cached_in_all, elapsed(alone, team),
+        count, round(cases.left_out / fraction), refused, outside, distinct, cached_in_all, elapsed(alone, team),
         team, memory, stored * count, _note(study, cases, fraction), len(cases) + cases.left_out if fraction < 1 else 0,
     )  # fmt: skip
 

@@ -1,9 +1,10 @@
-"""Records of a sweep: one of its study and, for each block of cases, records of what was computed.
+"""Records of a sweep: one of its study, and one of each block of cases that was computed.
 
 They lie in the folder ``records`` of the store. The record of the study says what is computed, with the values of all
-parameters. A block has a record of its metrics and, where the study keeps them, one of its transfer functions, written
-before: a block whose metrics are there is done. Keys name the study, the block and the content, so that a record of
-another study or place is damage. The Zarr store around them is written from the records alone.
+parameters. The record of a block holds the metrics of its cases. Responses are large, so they stand in the Zarr store
+alone. They are written before the record, which holds the SHA-256 of their files: a block with a record is done. Keys
+name the study and the block, so that a record of another study or place is damage. Metrics in the Zarr store are
+written from the records alone.
 """
 
 from __future__ import annotations
@@ -17,30 +18,43 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+import acoustic_fem
 from acoustic_fem.library.provenance import versions
 from geometry import ArrayDesign
 from geometry.design.design_file import write_design
-from geometry.ground.record import packed, read_record, unpacked, write_record
+from geometry.ground.file_checks import read_bytes
+from geometry.ground.record import packed, read_record, sha256, unpacked, write_record
 from geometry.ground.refusal import Kind
 from geometry.schema.declared_fields import field_named
-from studies.output.zarr_files import Layout, Variable
+from studies.output.zarr_files import Layout, Variable, chunk_name, read_dense
 from studies.study.cases import Cases
+from studies.study.fields import Keep
 from studies.study.metric_registry import Metric
-from studies.study.study import Study, StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import Study
 
 FOLDER = "records"
 """Folder of the records in a store."""
 MARK = "acoustic_fem_sweep"
 """Attribute that marks a store and states the format of it and of its records."""
-FORMAT = 4
+FORMAT = 5
 _KIND = f"sweep {FORMAT}"
-TRANSFER_FUNCTIONS = ("transfer_function_real", "transfer_function_imag")
-"""Variables of the transfer functions, where the study keeps them."""
+RESPONSES = "responses"
+"""Group of the store with the responses, where the study keeps them."""
+KEPT: dict[Keep, tuple[str, ...]] = {
+    "metrics": (),
+    "responses": ("transfer_function",),
+    "libraries": ("transfer_function", "point_impedance", "microphone_impedance"),
+}
+"""Responses that a store holds, by the word of the study. The source response of a library is the product of its
+transfer function and its point impedance."""
 #: Versions that may change a result.
-_LIBRARIES = ("gmsh", "numpy", "scikit-fem", "scipy", "xarray", "zarr")
+_LIBRARIES = ("gmsh", "numcodecs", "numpy", "scikit-fem", "scipy", "xarray", "zarr")
 #: Complex values of transfer functions worked on in one block, and most cases of one.
 _BLOCK_VALUES = 400_000
 _LARGEST_BLOCK = 1024
+PARTS = ("real", "imag")
+"""Parts of a complex response, each of which is a variable."""
 WAITING, DONE, FAILED = 0, 1, 2
 """States of a case."""
 
@@ -82,22 +96,19 @@ def layout_of(study: Study, cases: Cases, metrics: Sequence[Metric]) -> Layout:
         "description": study.description,
         "fidelity": study.fidelity,
         "atlas": study.atlas,
+        "keep": study.keep,
         "study": study.text,
         "study_content": json.dumps(study.content()),
         "base_design": write_design(study.base.completed()),
         "parameter_names": json.dumps(cases.names),
         "metric_names": json.dumps([metric.name for metric in metrics]),
+        "coordinates": " ".join(cases.names),
         "block": block,
         "left_out": cases.left_out,
         **made,
     }
-    microphones = np.array(study.base.microphones, dtype=object)
-    variables = {
-        "case": Variable(("case",), {"long_name": "number of the case"}, np.arange(count)),
-        "frequency": Variable(("frequency",), {"units": "Hz", "long_name": "frequency"}, study.frequency),
-        "microphone": Variable(("microphone",), {"long_name": "microphone"}, microphones),
-        "point": Variable(("point",), {"long_name": "sensing point, from 1"}, np.arange(1, points + 1)),
-    }
+    numbers = Variable(("case",), {"long_name": "number of the case"}, np.arange(count))
+    variables = {"case": numbers}
     for name, column in zip(cases.names, cases.columns, strict=True):
         known = field_named(ArrayDesign, name)
         about = {"long_name": known.description, "units": known.unit or "1"} if known else {"units": "mm"}
@@ -105,14 +116,41 @@ def layout_of(study: Study, cases: Cases, metrics: Sequence[Metric]) -> Layout:
     for metric in metrics:
         about = {"kind": "metric", "units": metric.unit, "long_name": metric.long_name}
         variables[metric.name] = Variable(("case",), about, shape=(count,))
-    for name in TRANSFER_FUNCTIONS if study.transfer_functions else ():
-        about = {"units": "Pa/Pa", "long_name": "pressure at the microphone per pressure in the touched cavity"}
-        shape = (count, points, len(microphones), len(study.frequency))
-        variables[name] = Variable(("case", "point", "microphone", "frequency"), about, shape=shape)
     state, reason = {"long_name": "0 waiting, 1 done, 2 failed"}, {"long_name": "why the case failed"}
     variables["state"] = Variable(("case",), state, shape=(count,), dtype="int8", fill=WAITING)
     variables["reason"] = Variable(("case",), reason, shape=(count,), dtype="string", fill="")
+    if KEPT[study.keep]:
+        variables |= _responses(study, numbers, points)
     return Layout(attributes, variables, block)
+
+
+def _responses(study: Study, numbers: Variable, points: int) -> dict[str, Variable]:
+    """Variables of the group of responses: coordinates, and real and imaginary part of each response."""
+    microphones = np.array(study.base.microphones, dtype=object)
+    coordinates = {
+        "case": numbers,
+        "point": Variable(("point",), {"long_name": "sensing point, from 1"}, np.arange(1, points + 1)),
+        "microphone": Variable(("microphone",), {"long_name": "microphone"}, microphones),
+        "frequency": Variable(("frequency",), {"units": "Hz", "long_name": "frequency"}, study.frequency),
+    }
+    if study.keep == "libraries":
+        second = {"long_name": "second microphone"}
+        coordinates["microphone_2"] = Variable(("microphone_2",), second, microphones)
+    dtype, found = {"double": "float64", "single": "float32"}[study.precision], {}
+    for name, sizes in response_shapes(study, points).items():
+        dimensions, unit, title = acoustic_fem.library.VARIABLES[name]
+        shape = (len(numbers.start()), *sizes)
+        for part in PARTS:
+            about = {"units": unit, "long_name": f"{title}, {part} part"}
+            found[f"{name}_{part}"] = Variable(("case", *dimensions), about, shape=shape, dtype=dtype)
+    return {f"{RESPONSES}/{name}": variable for name, variable in {**coordinates, **found}.items()}
+
+
+def response_shapes(study: Study, points: int) -> dict[str, tuple[int, ...]]:
+    """Shape of each response that a study keeps of a case, by name; the largest case has so many points."""
+    sizes = {"point": points, "frequency": len(study.frequency)}
+    sizes |= dict.fromkeys(("microphone", "microphone_2"), len(study.base.microphones))
+    return {name: tuple(sizes[each] for each in acoustic_fem.library.VARIABLES[name][0]) for name in KEPT[study.keep]}
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,9 +165,13 @@ class BlockResult:
     """State of each case, :data:`DONE` or :data:`FAILED`; (n,) int8."""
     reason: tuple[str, ...]
     """Reason why a case failed, empty where it did not."""
-    transfer_functions: Mapping[int, NDArray[np.complex128]] = field(default_factory=dict)
-    """Transfer functions of cases by number, where the study keeps them; (n_point, n_microphone, n_freq) complex128,
-    Pa/Pa."""
+    responses: Mapping[int, Mapping[str, NDArray[np.complex128]]] = field(default_factory=dict)
+    """Responses of cases by number and name, where the study keeps them, of the axes and units of
+    :data:`acoustic_fem.library.transfer_functions.VARIABLES`; complex128."""
+    solid: tuple[int, ...] = ()
+    """Numbers of the cases outside the atlas that were solved in 3-D."""
+    about: Mapping[int, Mapping[str, Any]] = field(default_factory=dict)
+    """Provenance of cases by number, as JSON can hold it, where libraries are kept."""
     mistakes: tuple[str, ...] = ()
     """Tracebacks of mistakes of the program, each once; they go into the log, not into the store."""
 
@@ -166,9 +208,14 @@ class Records:
         write_record(self.path / FOLDER / "study", _KIND, "study", self.layout.packed())
 
     @property
-    def keeps_responses(self) -> bool:
-        """True if transfer functions are kept."""
-        return TRANSFER_FUNCTIONS[0] in self.layout.variables
+    def kept(self) -> tuple[str, ...]:
+        """Names of the responses that are kept."""
+        return KEPT[self.content["keep"]]
+
+    @property
+    def precision(self) -> str:
+        """Precision of the responses that are kept."""
+        return str(self.content["precision"])
 
     def blocks(self) -> Iterator[tuple[int, int]]:
         """First case of each block, and the one after its last."""
@@ -176,59 +223,112 @@ class Records:
         for first in range(0, count, self.layout.block):
             yield first, min(first + self.layout.block, count)
 
-    def write(self, result: BlockResult) -> None:
-        """Keep a block, its metrics last: from then on it counts."""
-        if self.keeps_responses:
-            _, *rest = self.layout.variables[TRANSFER_FUNCTIONS[0]].shape
-            padded = np.full((len(result.state), *rest), complex(np.nan, np.nan))
-            for number, values in result.transfer_functions.items():
-                padded[number - result.first, : len(values)] = values
-            self._write(result.first, "responses", packed({"transfer_function": padded}, {}))
+    def padded(self, result: BlockResult) -> dict[str, NDArray[Any]]:
+        """Responses of a block by variable, as the store holds them, (n_case, ...) float64 or float32.
+
+        NaN stands where a case failed or has fewer points.
+        """
+        found: dict[str, NDArray[Any]] = {}
+        for name in self.kept:
+            for part in PARTS:
+                variable = self.layout.variables[f"{RESPONSES}/{name}_{part}"]
+                values = np.full((len(result.state), *variable.shape[1:]), np.nan, variable.dtype)
+                for number, own in result.responses.items():
+                    values[number - result.first, : len(own[name])] = getattr(own[name], part)
+                found[f"{RESPONSES}/{name}_{part}"] = values
+        return found
+
+    def write(self, result: BlockResult, sums: Mapping[str, str]) -> None:
+        """Keep a block: from then on it counts.
+
+        Args:
+            result: of the block.
+            sums: SHA-256 of the files of its responses by variable, which are written already.
+        """
         values = np.array([result.values[name] for name in self.metrics], np.float64)
         arrays: dict[str, NDArray[Any]] = {"values": values, "state": np.asarray(result.state, np.int8)}
-        self._write(result.first, "metrics", packed(arrays, {"reason": list(result.reason)}))
+        cases = {str(number): dict(own) for number, own in result.about.items()}
+        about = {"reason": list(result.reason), "sums": dict(sums), "solid": list(result.solid), "cases": cases}
+        content = packed(arrays, about)
+        write_record(self._file(result.first), _KIND, self._key(result.first), content)
 
     def is_done(self, first: int) -> bool:
         """True if the block that begins with a case was computed; whether it is damaged or lost shows :meth:`block`."""
-        shown = self.path / "state" / "c" / str(first // self.layout.block)  # in the Zarr store, written afterwards
-        return self._file(first, "metrics").exists() or shown.exists()
+        shown = self.path / chunk_name("state", 1, first // self.layout.block)  # written after the record
+        return self._file(first).exists() or shown.exists()
 
     def block(self, first: int) -> BlockResult:
-        """Results of the block that begins with a case, without its transfer functions, which must be there.
+        """Results of the block that begins with a case, without its responses.
 
         Raises:
-            StudyError: a record is missing or damaged.
+            StudyError: the record is missing or damaged, or a file of responses is missing.
         """
-        arrays, about = unpacked(self._read(first, "metrics"))
-        if self.keeps_responses and not self._file(first, "responses").exists():
-            raise StudyError(kind=Kind.MISSING, file=self._file(first, "responses"))
+        arrays, about = self._read(first)
+        for name in about["sums"]:
+            if not self._chunk_path(name, first).exists():
+                raise StudyError(kind=Kind.MISSING, file=self._chunk_path(name, first))
         values = dict(zip(self.metrics, arrays["values"], strict=True))
-        return BlockResult(first, values, arrays["state"], tuple(about["reason"]))
+        cases = {int(number): own for number, own in about["cases"].items()}
+        reason, solid = tuple(about["reason"]), tuple(about["solid"])
+        return BlockResult(first, values, arrays["state"], reason, solid=solid, about=cases)
 
-    def responses(self, first: int) -> NDArray[np.complex128]:
-        """Transfer functions of the block that begins with a case.
+    def check_responses(self, first: int) -> None:
+        """Refuse a block of which a file of responses is not the one that was written.
+
+        Raises:
+            StudyError: it is missing or damaged.
+        """
+        for name, digest in self._read(first)[1]["sums"].items():
+            self._chunk(name, first, digest)
+
+    def responses(self, first: int, names: Sequence[str]) -> dict[str, NDArray[np.complex128]]:
+        """Responses of the block that begins with a case, by name.
+
+        Args:
+            first: number of the case.
+            names: of responses that are kept.
 
         Returns:
-            (n, n_point, n_microphone, n_freq) complex128, Pa/Pa; NaN where a case failed or has fewer points.
+            (n, ...) complex128 each, of the axes and units of
+            :data:`acoustic_fem.library.transfer_functions.VARIABLES`; NaN where a case failed or has fewer points.
 
         Raises:
-            StudyError: the record is missing or damaged.
+            StudyError: a file of theirs, or the record, is missing or damaged.
         """
-        return unpacked(self._read(first, "responses"))[0]["transfer_function"]
+        arrays, about = self._read(first)
+        count, found = len(arrays["state"]), {}
+        for name in names:
+            parts = []
+            for part in PARTS:
+                stored = f"{RESPONSES}/{name}_{part}"
+                content = self._chunk(stored, first, about["sums"][stored])
+                parts.append(read_dense(content, self.layout.variables[stored], self.layout.block)[:count])
+            values = np.empty(parts[0].shape, np.complex128)
+            values.real, values.imag = parts
+            found[name] = values
+        return found
 
     def forget(self, first: int) -> None:
-        """Remove a block; its metrics first, so that it no longer counts."""
-        for what in ("metrics", "responses"):
-            self._file(first, what).unlink(missing_ok=True)
+        """Remove the record of a block, so that it no longer counts."""
+        self._file(first).unlink(missing_ok=True)
 
-    def _file(self, first: int, what: str) -> Path:
-        return self.path / FOLDER / f"{first // self.layout.block:06d}.{what}"
+    def _chunk(self, name: str, first: int, digest: str) -> bytes:
+        """Content of the file with a block of a response, which is the one that was written."""
+        path = self._chunk_path(name, first)
+        content = read_bytes(path, "a part of the results of a sweep", StudyError)
+        if sha256(content) != digest:
+            raise StudyError("is damaged: its SHA-256 is not that of what was written", kind=Kind.DAMAGED, file=path)
+        return content
 
-    def _key(self, first: int, what: str) -> str:
-        return json.dumps([self.content, self.layout.attributes["atlas"], first, what], sort_keys=True)
+    def _chunk_path(self, name: str, first: int) -> Path:
+        dimensions = len(self.layout.variables[name].shape)
+        return self.path / chunk_name(name, dimensions, first // self.layout.block)
 
-    def _write(self, first: int, what: str, content: bytes) -> None:
-        write_record(self._file(first, what), _KIND, self._key(first, what), content)
+    def _file(self, first: int) -> Path:
+        return self.path / FOLDER / f"{first // self.layout.block:06d}.metrics"
 
-    def _read(self, first: int, what: str) -> bytes:
-        return read_record(self._file(first, what), _KIND, self._key(first, what), StudyError)
+    def _key(self, first: int) -> str:
+        return json.dumps([self.content, self.layout.attributes["atlas"], first], sort_keys=True)
+
+    def _read(self, first: int) -> tuple[dict[str, NDArray[Any]], dict[str, Any]]:
+        return unpacked(read_record(self._file(first), _KIND, self._key(first), StudyError))

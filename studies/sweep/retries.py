@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from acoustic_fem.cell.design_cells import keep_cell, kept_cell
 from studies.study.cases import Cases
 from studies.study.metric_registry import metrics_named
-from studies.sweep.block import CellKey, Job, SolvedCell, solve_block, solve_cell
+from studies.sweep.block import CellKey, Job, SolvedCell, lasting, solve_block, solve_cell
 from studies.sweep.records import FAILED, BlockResult
 from studies.sweep.workers import Workers
 
@@ -46,7 +46,9 @@ def solved_cells(
         if kept is None:
             missing.append(key)
         else:
-            yield key, SolvedCell(kept[0].admittance, seconds=kept[0].seconds, cached=True)
+            solution = kept[0]
+            summary = lasting(solution)
+            yield key, SolvedCell(solution.admittance, seconds=solution.seconds, cached=True, summary=summary)
     tasks = ((key, frequency, fidelity) for key in missing)
     for number, solved in team.run(solve_cell, tasks, lost=lambda *_: SolvedCell(None, ENDED_WORKERS)):
         key = missing[number]
@@ -117,7 +119,9 @@ def _joined(halves: list[Solved]) -> Solved:
         values={name: np.concatenate([result.values[name] for result in results]) for name in results[0].values},
         state=np.concatenate([result.state for result in results]),
         reason=tuple(reason for result in results for reason in result.reason),
-        transfer_functions={k: h for result in results for k, h in result.transfer_functions.items()},
+        responses={k: own for result in results for k, own in result.responses.items()},
+        solid=tuple(number for result in results for number in result.solid),
+        about={k: own for result in results for k, own in result.about.items()},
         mistakes=tuple(dict.fromkeys(mistake for result in results for mistake in result.mistakes)),
     )
     return joined, tuple(dict.fromkeys(note for _, notes in halves for note in notes))

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import traceback
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from time import perf_counter
@@ -20,68 +20,27 @@ from acoustic_fem.library.provenance import versions
 from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
 from geometry.ground.extras import check_extras
-from geometry.ground.refusal import Kind, Refusal, counted, said_by
+from geometry.ground.refusal import Kind, Refusal, said_by
 from geometry.ground.typed import PathLike
 from studies.output.display import Display
-from studies.study.cases import PROGRAM_ERROR, Cases, repeated_note
-from studies.study.file import resolve_study
+from studies.study.cases import Cases, repeated_note
 from studies.study.metric_registry import metrics_named
-from studies.study.study import Study
+from studies.study.study import Study, resolve_study
 from studies.sweep.block import CellKey, Job, SolvedCell
 from studies.sweep.cluster import WorkersLost
 from studies.sweep.cost import seconds_of, team_size
 from studies.sweep.progress import Progress, progress_of, shown_on
 from studies.sweep.records import DONE, FAILED, WAITING
+from studies.sweep.results import Sweep, open_sweep
 from studies.sweep.retries import solved_blocks, solved_cells
 from studies.sweep.store import SweepStore, check_store, sole_writer
+from studies.sweep.summary import Summary
 from studies.sweep.survey import surveyed
 from studies.sweep.workers import Workers, open_workers
 
 
 class SweepError(Refusal):
     """Refusal of a sweep that did not compute all of its cases; what is done is kept."""
-
-
-@dataclass(frozen=True)
-class Summary:
-    """Summary of a sweep that has ended."""
-
-    cases: int
-    """Number of cases of the study."""
-    computed: int
-    """Number of cases computed by this run."""
-    failures: Mapping[str, list[int]]
-    """Numbers of the failed cases by kind of reason, each by its first, the most frequent first."""
-    cells: int
-    """Number of distinct 3-D cells that were needed."""
-    cells_solved: int
-    """Number of those not found in the cache."""
-    cell_seconds: float
-    """Time that the solution of the latter took, summed, s."""
-    seconds: float
-    """Time that this run took, s."""
-    notes: tuple[str, ...]
-    """Warnings that came up, each once."""
-
-    @property
-    def program_errors(self) -> list[int]:
-        """Numbers of the cases that failed by a mistake of the program."""
-        return [n for why, numbers in self.failures.items() if why.startswith(PROGRAM_ERROR) for n in numbers]
-
-    @property
-    def objection(self) -> str | None:
-        """Reason for which the sweep failed, in one line; None if it did not. A case that cannot be computed because of
-        its design is a result, unless all are.
-        """
-        if wrong := self.program_errors:
-            return (
-                f"{counted(len(wrong), 'case')} (the first is {min(wrong)}) failed by a mistake of the program, not by "
-                "their design; its traceback is in the log. When it is fixed compute the study into a new store"
-            )
-        if self.failures and sum(map(len, self.failures.values())) == self.cases:
-            why, numbers = next(iter(self.failures.items()))
-            return f"none of {counted(self.cases, 'case')} could be computed; case {numbers[0]}: {why}"
-        return None
 
 
 def run_sweep(
@@ -92,8 +51,8 @@ def run_sweep(
     scheduler: str | None = None,
     progress: Callable[[Progress], None] | None = None,
     display: Display | None = None,
-) -> Summary:
-    """Summary of a study that is computed, or what an earlier run left of it.
+) -> Sweep:
+    """Results of a study that is computed, or what an earlier run left of it; their ``summary`` is that of this run.
 
     Args:
         study: the study, or its file.
@@ -129,14 +88,14 @@ def _run_sweep(
     workers: int | None,
     scheduler: str | None,
     progress: Callable[[Progress], None] | None,
-) -> Summary:
+) -> Sweep:
     started = perf_counter()
     check_store(out)
     found = surveyed(study, progress=progress)
     cases, metrics = found.cases, metrics_named(study.metrics)
     for metric in metrics:
         check_extras(f"what computes {metric.name}", *metric.extras)
-    job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
+    job = Job(study.fidelity, study.frequency, study.metrics, study.keep, study.outside)
     with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
         store = SweepStore.claim(out, study, cases, metrics)
         waiting = store.waiting()
@@ -154,8 +113,9 @@ def _run_sweep(
             pool = open_workers(_team(study, cases, waiting, keys, found.discs, workers, scheduler), scheduler)
             try:
                 with pool as team:
-                    job = replace(job, discs=_interpolate_discs(team, found.discs))
-                    cells = _solve_cells(team, job, keys, progress, log)
+                    if study.membranes == "interpolated":
+                        job = replace(job, discs=_interpolate_discs(team, found.discs))
+                    cells = _solve_cells(team, study, keys, progress, log)
                     _solve_blocks(team, job, cases, store, waiting, needed, cells, progress, notes, log)
             except WorkersLost as error:
                 raise _stopped(out, str(error)) from None
@@ -175,7 +135,7 @@ def _run_sweep(
         )
         done, failed = int((state == DONE).sum()), int((state == FAILED).sum())
         write_line(log, "end", done=done, failed=failed, seconds=round(summary.seconds, 3))
-    return summary
+    return replace(open_sweep(out), run=summary)
 
 
 def _stopped(out: Path, why: str) -> SweepError:
@@ -203,7 +163,7 @@ def _team(
     if workers is not None or scheduler is not None:
         return workers
     numbers = [number for block in waiting for number in range(*block)]
-    missing = len(cells) - cached_count(cells, study.frequency, study.fidelity)
+    missing = len(cells) - cached_count(cells, study.frequency, study.solid_fidelity)
     return team_size(seconds_of(study, cases, numbers, missing, discs))
 
 
@@ -219,7 +179,7 @@ def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> DiscTables:
 
 def _solve_cells(
     team: Workers,
-    job: Job,
+    study: Study,
     keys: Sequence[CellKey],
     progress: Callable[[Progress], None] | None,
     log: IO[str],
@@ -227,7 +187,7 @@ def _solve_cells(
     """Every distinct cell once."""
     solved: dict[CellKey, SolvedCell] = {}
     started, failed = perf_counter(), 0
-    for key, cell in solved_cells(team, keys, job.frequency, job.fidelity):
+    for key, cell in solved_cells(team, keys, study.frequency, study.solid_fidelity):
         solved[key] = cell
         failed += cell.admittance is None
         if cell.mistake:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from time import perf_counter
 
 import numpy as np
 
+from acoustic_fem.atlas import quick_fidelity
 from acoustic_fem.membrane.disc import design_shape
 from acoustic_fem.membrane.elasticity import DiscShape
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry import DesignError
+from geometry import ArrayDesign, DesignError
 from geometry.ground.refusal import Refusal
 from geometry.layout.overlaps import refuse_overlaps
 from studies.study.cases import Cases, allowed_cases, check_base, drawn_cases, drawn_count, kept_cases
@@ -38,6 +39,8 @@ class Survey:
     """Membranes of all cases, each once; none where no parameter changes them."""
     cells: tuple[tuple[CellKey, ...], ...]
     """3-D cells of each case; empty where cells are closed forms."""
+    outside: dict[int, str] = field(default_factory=dict)
+    """Why a case lies outside the atlas, by its number; complete where that was looked for."""
     fraction: float = 1.0
     """Size of the sample that was looked at, of one, where the cases are a sample."""
 
@@ -63,6 +66,8 @@ def surveyed(
     check_base(study)
     membranes = any(parameter.name.startswith(_OF_MEMBRANES) for parameter in study.parameters)
     solid = study.fidelity not in CLOSED_FORMS
+    bounded = study.fidelity == "atlas" and (every or study.outside != "fail")
+    outside: dict[int, str] = {}
     known: dict[CellKey, CellKey] = {}
     discs: dict[DiscShape, None] = {}
     cells: list[tuple[CellKey, ...]] = []
@@ -76,16 +81,19 @@ def surveyed(
     for number, case in allowed_cases(study, drawn):
         count.take(number)
         kept.append(number)
-        if not (every or membranes or solid):
+        if not (every or membranes or solid or bounded):
             continue
         own: tuple[CellKey, ...] = ()
+        why = ""
         try:
             design = case.design
             if isinstance(design, DesignError):
                 raise design
-            if every or solid:
+            if every or solid or bounded:
                 refuse_overlaps(design)
-            if solid:
+            if bounded and (why := _outside(study, design)):
+                outside[len(kept) - 1] = why
+            if solid or (why and study.outside != "fail"):
                 own = tuple(known.setdefault(key, key) for key in cells_of(design))
             if membranes:
                 discs.update((design_shape(design.of_kind(kind)), None) for kind in design.kinds)
@@ -93,7 +101,12 @@ def surveyed(
             refused[len(kept) - 1] = str(error)  # the case fails by name when it is computed
         cells.append(own)
     cases = kept_cases(study, drawn, kept, total)
-    return Survey(cases, refused, tuple(discs), tuple(cells) if solid else (), len(drawn) / total)
+    return Survey(cases, refused, tuple(discs), tuple(cells) if any(cells) else (), outside, len(drawn) / total)
+
+
+def _outside(study: Study, design: ArrayDesign) -> str:
+    """Why a design lies outside the atlas; empty where it does not."""
+    return quick_fidelity(design, study.frequency).outside
 
 
 class _Count:

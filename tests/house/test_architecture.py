@@ -239,7 +239,6 @@ def is_text(node: ast.expr, pattern: re.Pattern[str]) -> bool:
 
 #: Requirements that other packages import for us.
 USED_THROUGH_OTHERS = {
-    "h5py",  # h5netcdf reads and writes by it
     "lxml",  # trimesh reads 3MF with it
     "meshio",  # skfem.io and pyvista read and write meshes with it
     "onnxscript",  # torch writes ONNX files with it
@@ -270,7 +269,7 @@ def test_what_is_required_is_imported_and_what_is_imported_is_required() -> None
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = {name: names_of(lines) - {"acoustic-fem"} for name, lines in project["optional-dependencies"].items()}
     required = names_of(project["dependencies"]).union(
-        *(extras[name] for name in ("plots", "cad", "fem", "onnx", "train", "studies", "sofa", "parquet"))
+        *(extras[name] for name in ("audio", "plots", "cad", "fem", "onnx", "train", "studies", "sofa", "parquet"))
     )
     optional = extras["studio"]
     studio = ROOT / "studies" / "studio"

@@ -10,7 +10,7 @@ import pytest
 FOLDER = Path(__file__).parents[2] / "docs" / "notebooks"
 SCRIPTS = sorted(FOLDER.glob("*.py"))
 #: They take 2.5 s and more.
-LONG = {"made_sensor", "sweep", "wristband"}
+LONG = {"made_sensor", "many_sensors", "surrogate", "sweep", "wristband"}
 
 
 def test_there_are_notebooks() -> None:

@@ -27,9 +27,9 @@ pytestmark = [pytest.mark.slow, pytest.mark.end_to_end]
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:32"
+frequency = "1:100:32"
 metrics = ["distance_smallest", "predicted_top1_white_noise"]
-[parameters]
+[vary]
 "tube.length" = {from = 9.0, to = 30.0}
 """
 SWEEP = 'sampling = "sobol"\ncases = 100000\n' + STUDY

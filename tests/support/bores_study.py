@@ -8,13 +8,13 @@ TEXT = f"""
 name = "bores"
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 metrics = {json.dumps(METRICS_OF_STUDY)}
 sampling = "random"
 cases = 40
-transfer_functions = true
+keep = "responses"
 
-[parameters]
+[vary]
 "tube.inner_diameter" = {{from = 0.3, to = 0.8}}
 "tube.length" = {{from = 8, to = 30, scale = "log"}}
 "lines.0.points" = [6, 12]

@@ -89,11 +89,11 @@ def test_a_calibration_allows_for_the_clocks_and_says_so(tmp_path: Path, rig: Ri
     found = calibrate(read_manifest(path), model)
     assert error(found, rig) < 1.2 * one_clock
     assert any("ppm faster" in each.text and not each.excluded for each in found.findings)
-    change(path, clock_ppm={name: FASTER for name in DESIGN.microphones})
+    change(path, clock_ppm=dict.fromkeys(DESIGN.microphones, FASTER))
     given = calibrate(read_manifest(path), model)
     assert error(given, rig) < 1.2 * one_clock
     assert not any("ppm" in each.text for each in given.findings)
-    change(path, clock_ppm={name: 0.0 for name in DESIGN.microphones})
+    change(path, clock_ppm=dict.fromkeys(DESIGN.microphones, 0.0))
     with refused(Kind.UNSUITABLE, "points.2", error=CalibrationError):
         calibrate(read_manifest(path), model)
 

@@ -85,11 +85,6 @@ def gap(row: Signals) -> Signals:
     return np.concatenate([row[:20_000], np.full(300, row[20_000]), row[20_300:]])
 
 
-def drifting(row: Signals) -> Signals:
-    index = np.arange(len(row), dtype=np.float64)
-    return np.interp(index * (1 + 1e-4), index, row)
-
-
 def fading(row: Signals) -> Signals:
     return row * np.linspace(1.0, 0.4, len(row))
 
@@ -119,7 +114,6 @@ SIGNAL_FAULTS: dict[str, Callable[[Signals], Signals]] = {
     "reference polarity": with_channel(0, np.negative),
     "noise only": lambda signals: np.stack([noise(signals[0]), *signals[1:]]),
     "one deaf": with_channel(2, noise),
-    "clocks": with_channel(0, drifting),
     "fading": with_channel(0, fading),
     "one loses samples": with_channel(1, losing),
     "the other loses samples": with_channel(2, losing),

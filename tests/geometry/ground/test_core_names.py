@@ -94,9 +94,9 @@ print(json.dumps(reported))
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:4"
+frequency = "1:100:4"
 metrics = ["sensitivity_force"]
-[parameters]
+[vary]
 "tube.length" = [10, 12]
 """
 pytestmark = [pytest.mark.slow, pytest.mark.end_to_end]

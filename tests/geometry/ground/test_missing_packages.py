@@ -24,9 +24,9 @@ FILE = "cannot open shared object file: No such file or directory"
 STUDY = """
 base = "array-2x6"
 fidelity = "navier-stokes"
-frequencies = "1:100:4"
+frequency = "1:100:4"
 metrics = ["distance_smallest"]
-[parameters]
+[vary]
 "tube.length" = [10, 12]
 """
 #: Each way is a call that must be refused; what came of it is printed as JSON.

@@ -17,8 +17,8 @@ from geometry.ground.text_files import parse_json, parse_toml, read_toml
 from geometry.schema.print_processes import find_process
 from localize.recordings.touch_manifest import TouchManifestError, read_touch_manifest
 from studies.optimization.problem import load_optimization
-from studies.study.file import load_study
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import load_study
 
 ROOT = Path(__file__).parents[3]
 

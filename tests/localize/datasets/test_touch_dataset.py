@@ -40,7 +40,7 @@ class Family:
     def parameter_values(self, case):
         return np.array([1.0 + case])
 
-    def arrays(self, cases):
+    def arrays(self, cases, sound=False):
         whole = self._array
         return [
             replace(

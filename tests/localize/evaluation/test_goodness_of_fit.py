@@ -11,15 +11,16 @@ from refusals import refused
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.library.transfer_functions import MEASURED
+from acoustic_fem.library.transfer_functions import MEASURED, measured_library
 from acoustic_fem.scatter import ScatteredDesign, scatter_factors
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
 from geometry import Kind
 from localize import Decision
+from localize.decoders.decoder_options import DecoderOptions
 from localize.evaluation.connection_faults import ConnectionFault, earlier
 from localize.evaluation.goodness_of_fit import FAULTY_TRUST, MARGIN, FitOptions, LoudFrames, SensorFit, sensor_fit
-from localize.signals.frames import FRAME
 from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import FRAME
 
 GRID = np.arange(1.0, 201.0)
 NOISE = 1e-3
@@ -108,6 +109,23 @@ def test_a_fault_of_the_connection_is_found_without_a_calibration(
     right = sensor_fit(decoder, fit.fault.corrected(frames, names))
     assert right is not None
     assert (right.fault, right.warning) == (None, None)
+
+
+def test_a_library_that_was_fitted_or_brought_to_another_air_may_fit_worse(library: acoustic_fem.Library) -> None:
+    h = library.transfer_function.values
+
+    def expected(**provenance: object) -> float | None:
+        made = measured_library(library.design, library, h, 0.01 * np.abs(h), ("numpy",), dict(provenance))
+        return localize.BayesDecoder(made, NOISE).largest_misfit
+
+    whole = {"measured_points": [1, 2, 3, 4]}
+    direct = expected(calibration=whole, fit=None)
+    assert direct == DecoderOptions.calibrated_misfit
+    for changed in (
+        {"calibration": {"measured_points": [1, 2, 4]}, "fit": None}, {"calibration": whole, "fit": {"chi": 1.0}},
+        {"self_calibration": {}}, {"brought_from_air": {}},
+    ):  # fmt: skip
+        assert expected(**changed) == DecoderOptions.fitted_misfit
 
 
 def test_exchanged_microphones_are_found_once_the_sensor_is_calibrated(made: ArrayResponse) -> None:

@@ -105,9 +105,9 @@ BY_DEFAULT = {
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 metrics = ["distance_smallest", "volume"]
-[parameters]
+[vary]
 "tube.inner_diameter" = { from = 0.3, to = 0.5, count = 3 }
 """
 
@@ -312,10 +312,10 @@ def test_a_sweep_in_python_is_that_of_the_verbs(command: Callable[..., str], pla
         summary = studies.run_sweep(
             studies.load_study("study.toml"), "call.zarr", workers=1, display=display,
             progress=lambda now: told.append(now.done),
-        )  # fmt: skip
+        ).summary  # fmt: skip
     assert (summary.cases, told[-1]) == (3, 3)
     assert "Sweep" in display.seconds
-    one, other = (studies.open_sweep(name).dataset for name in ("verb.zarr", "call.zarr"))
+    one, other = (studies.open_sweep(name).to_xarray() for name in ("verb.zarr", "call.zarr"))
     assert one["distance_smallest"].identical(other["distance_smallest"])
 
     out = command("best", "verb.zarr", "--by", "volume", "--count", 2)

@@ -91,9 +91,9 @@ def test_touches_are_located_by_a_graph_without_torch(tmp_path: Path) -> None:
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:16"
+frequency = "1:100:16"
 metrics = ["METRIC"]
-[parameters]
+[vary]
 "tube.length" = [10, 12]
 """
 

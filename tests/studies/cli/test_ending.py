@@ -26,11 +26,11 @@ ROOT = Path(__file__).parents[3]
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:4"
+frequency = "1:100:4"
 metrics = ["volume"]
 sampling = "random"
 cases = 3
-[parameters]
+[vary]
 "tube.inner_diameter" = {from = 0.3, to = 0.4}
 """
 

@@ -20,9 +20,9 @@ from studies.output.sole_writer import sole_writer_of
 SEARCH = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:4"
+frequency = "1:100:4"
 metrics = ["distance_smallest"]
-[parameters]
+[vary]
 "tube.inner_diameter" = {from = 0.3, to = 0.8}
 [optimize]
 trials = 2

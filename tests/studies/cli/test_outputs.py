@@ -27,9 +27,9 @@ from studies.sweep.store import sole_writer
 
 STUDY = """base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 metrics = ["distance_smallest"]
-[parameters]
+[vary]
 "tube.inner_diameter" = [0.3, 0.4]
 """
 SEARCH = (

@@ -17,7 +17,7 @@ from studies.cli.app import main
 from studies.findings.page import LARGEST_CLOUD, render_sweep
 from studies.findings.reporting import best_designs
 from studies.findings.result_table import Column, ResultTable, effect, table_of_sweep, with_base_metrics
-from studies.sweep.store import open_sweep
+from studies.sweep.results import open_sweep
 
 pytestmark = pytest.mark.slow  # its 256 designs are computed, judged and drawn
 

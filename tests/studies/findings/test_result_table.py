@@ -15,9 +15,9 @@ from geometry import prototype
 from studies.findings.page import design_of
 from studies.findings.result_table import Column, ResultTable, effect, fast_front, pair_map, unit_of
 from studies.optimization.search import pareto_front
-from studies.study.file import load_study
+from studies.study.study import load_study
+from studies.sweep.results import open_sweep
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 
 
 def made_up(metric: Callable[[np.ndarray, np.ndarray], np.ndarray], count: int = 4000) -> tuple[Column, Column, Column]:
@@ -70,12 +70,12 @@ STUDY = """
 name = "two"
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:16"
+frequency = "1:100:16"
 sampling = "grid"
 metrics = ["distance_smallest", "mass"]
-transfer_functions = true
+keep = "responses"
 
-[parameters]
+[vary]
 "tube.inner_diameter" = [0.4, 0.5]
 """
 
@@ -93,7 +93,7 @@ def test_the_best_of_a_sweep_are_listed_without_what_computes_them(tmp_path: Pat
     )
     told = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, encoding="utf-8")
     sweep = open_sweep(tmp_path / "results.zarr")
-    mass = [round(value, 3) for value in sweep.dataset["mass"].values.tolist()]
+    mass = [round(value, 3) for value in sweep.to_xarray()["mass"].values.tolist()]
     assert told.stdout.splitlines() == [str(tuple(np.argsort(mass).tolist())), str(mass), "[]"]
-    assert sweep.dataset["transfer_function_real"].shape == (2, 12, 2, 16)
-    assert sweep.dataset.sizes["case"] == len(sweep.values["case"]) == 2
+    assert sweep.to_xarray()["transfer_function"].shape == (2, 12, 2, 16)
+    assert sweep.to_xarray().sizes["case"] == len(sweep.values["case"]) == 2

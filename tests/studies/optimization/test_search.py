@@ -38,17 +38,17 @@ from studies.optimization.search import (
     search_designs,
 )
 from studies.study.metric_registry import metrics_named
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
 
 STUDY = """
 name = "small"
 base = "fingertip-3x4"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 seed = 3
 metrics = ["distance_mean"]
 
-[parameters]
+[vary]
 "tube.length" = { from = 2.4, to = 5.0 }
 "tube.inner_diameter" = { from = 0.05, to = 0.3 }
 "resonator.cavity_height" = { from = 1.1, to = 2.2 }
@@ -253,10 +253,10 @@ WRONG = (
     ("least = 1.5", "", Kind.MISSING, "optimize.limits.0"),
     ("least = 1.5", "least = 1.5\nmost = 1.0", Kind.CONFLICT, "optimize.limits.0.least"),
     ("trials = 96", "trials = 0", Kind.OUT_OF_RANGE, "optimize.trials"),
-    ("to = 0.3 }", "to = 0.1 }", Kind.OUT_OF_RANGE, "parameters.tube.inner_diameter"),
+    ("to = 0.3 }", "to = 0.1 }", Kind.OUT_OF_RANGE, "vary.tube.inner_diameter"),
     ("trials = 96", "trials = 96\nrefine = 30", Kind.UNKNOWN, "optimize.refine"),
-    ("1:100:12", "5:50:10", Kind.UNSUITABLE, "frequencies"),
-    ("1:100:12", "1:100:2", Kind.UNSUITABLE, "frequencies"),
+    ("1:100:12", "5:50:10", Kind.UNSUITABLE, "frequency"),
+    ("1:100:12", "1:100:2", Kind.UNSUITABLE, "frequency"),
 )
 
 
@@ -309,10 +309,10 @@ def test_a_search_takes_only_sizes_that_can_be_bought() -> None:
 DESCENT = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 metrics = ["sensitivity_force"]
 
-[parameters]
+[vary]
 "tube.inner_diameter" = { from = 0.3, to = 0.7 }
 "resonator.cavity_height" = { from = 2.0, to = 5.0 }
 
@@ -347,8 +347,8 @@ def test_a_search_along_slopes_goes_down_and_ends_as_one_that_was_not_cut_short(
 #: What is changed in the file of a search along slopes -> field of the refusal.
 NOT_FREE = (
     ('"scatter_detection"', '"distance_smallest"', "optimize.method"),
-    ("{ from = 0.3, to = 0.7 }", "[0.3, 0.4]", "parameters.tube.inner_diameter"),
-    ("to = 0.7 }", "to = 0.7, step = 0.1 }", "parameters.tube.inner_diameter"),
+    ("{ from = 0.3, to = 0.7 }", "[0.3, 0.4]", "vary.tube.inner_diameter"),
+    ("to = 0.7 }", "to = 0.7, step = 0.1 }", "vary.tube.inner_diameter"),
 )
 
 
@@ -368,7 +368,10 @@ def test_the_messages_of_searches() -> None:
 
 BEGUN = '{"op_code": 0, "worker_id": "a", "study_name": "acoustic-fem", "directions": [1]}\n'
 TRIAL = '{"op_code": 4, "worker_id": "a", "study_id": 0, "datetime_start": "2026-01-01T00:00:00"}\n'
-SET = '{"op_code": 5, "worker_id": "a", "trial_id": 0, "param_name": "x", "param_value_internal": 1, "distribution": "%s"}\n'
+SET = (
+    '{"op_code": 5, "worker_id": "a", "trial_id": 0, "param_name": "x", "param_value_internal": 1, '
+    '"distribution": "%s"}\n'
+)
 LINES = {
     "an operation that there is not": '{"op_code": 99}\n',
     "an operation below 0": '{"op_code": -1}\n',

@@ -13,10 +13,10 @@ from studies.cli.terminal_tables import show_check
 from studies.run.check import check_design
 from studies.run.part_folder import export_parts
 from studies.run.pipeline import run_design
-from studies.study.file import read_study
+from studies.study.study import read_study
 from studies.sweep.survey import surveyed
 
-AXES = '[parameters]\n"tube.length" = [20.0, 21.0]\n'
+AXES = '[vary]\n"tube.length" = [20.0, 21.0]\n'
 #: They take ``array_model`` when they are first imported: here, before a test replaces it.
 DRAWING = (mold_cut, viewer, views)
 NARROW = {"layout": {"kind": "cylinder", "columns": 6, "diameter": 9.0}, "lines.0.points": 4}

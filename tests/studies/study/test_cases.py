@@ -8,14 +8,14 @@ from refusals import refused
 
 from geometry.ground.refusal import Kind
 from studies.study.cases import Cases, cases_of
-from studies.study.file import read_study
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import read_study
 
 HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest"]\nfidelity = "lumped"\n'
 
 
 def cases(head: str, parameters: str) -> Cases:
-    return cases_of(read_study(f"{HEAD}{head}\n[parameters]\n{parameters}"))
+    return cases_of(read_study(f"{HEAD}{head}\n[vary]\n{parameters}"))
 
 
 def test_a_grid_has_every_combination_and_its_last_parameter_changes_fastest() -> None:

@@ -13,11 +13,11 @@ from refusals import check_messages, refused
 from geometry import DesignError, Kind, prototype, save_design
 from geometry.design.design_file import prototype_text
 from studies.study.cases import cases_of
-from studies.study.file import load_study, read_study, resolve_study
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import load_study, read_study, resolve_study
 
 HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest"]\nfidelity = "lumped"\n'
-PARAMETERS = '[parameters]\n"tube.length" = [12.5, 14]\n'
+PARAMETERS = '[vary]\n"tube.length" = [12.5, 14]\n'
 
 
 def study(head: str = "", parameters: str = PARAMETERS, base: str = HEAD) -> str:
@@ -27,9 +27,9 @@ def study(head: str = "", parameters: str = PARAMETERS, base: str = HEAD) -> str
 def test_a_study_has_what_its_file_says() -> None:
     given = read_study(
         study(
-            'name = "tubes"\nsampling = "sobol"\ncases = 8\nseed = 3\nfrequencies = "0.5:200:25"\n'
+            'name = "tubes"\nsampling = "sobol"\ncases = 8\nseed = 3\nfrequency = "0.5:200:25"\n'
             'constraints = ["tube.length > 20 * tube.inner_diameter"]\n',
-            '[parameters]\n"tube.inner_diameter" = {from = 0.3, to = 0.6, scale = "log"}\n'
+            '[vary]\n"tube.inner_diameter" = {from = 0.3, to = 0.6, scale = "log"}\n'
             'membrane.material = ["silicone-shore-a-30", "silicone-shore-a-10"]\n'
             '[[together]]\n"resonator.cavity_height" = [2.5, 3]\n"resonator.cavity_diameter" = [6, 7]\n',
         )
@@ -74,9 +74,9 @@ WRONG_FIELDS = {
     'sampling = "grit"': (Kind.OUT_OF_RANGE, "sampling"),
     "seed = -1": (Kind.OUT_OF_RANGE, "seed"),
     "basis = 3": (Kind.UNKNOWN, "basis"),
-    'frequencies = "1:100"': (Kind.WRONG_TYPE, "frequencies"),
-    'frequencies = "-1:100:3"': (Kind.OUT_OF_RANGE, "frequencies"),
-    'frequencies = "5:50:10"': (Kind.UNSUITABLE, "frequencies"),
+    'frequency = "1:100"': (Kind.WRONG_TYPE, "frequency"),
+    'frequency = "-1:100:3"': (Kind.OUT_OF_RANGE, "frequency"),
+    'frequency = "5:50:10"': (Kind.UNSUITABLE, "frequency"),
     'constraints = ["tube.lenth > 3"]': (Kind.UNKNOWN, "constraints"),
     'constraints = ["tube.length"]': (Kind.WRONG_TYPE, "constraints"),
     'constraints = ["tube > 3"]': (Kind.WRONG_TYPE, "constraints"),
@@ -85,7 +85,7 @@ WRONG_FIELDS = {
     'constraints = ["tube.length > 9 ** 9 ** 9"]': (Kind.WRONG_TYPE, "constraints"),
     'constraints = ["tube.length >"]': (Kind.WRONG_TYPE, "constraints"),
 }
-BORE = "parameters.tube.inner_diameter"
+BORE = "vary.tube.inner_diameter"
 WRONG_PARAMETERS = {
     '"tube.inner_diameter" = [9]': (Kind.OUT_OF_RANGE, BORE),
     '"tube.inner_diameter" = ["x"]': (Kind.WRONG_TYPE, BORE),
@@ -98,14 +98,14 @@ WRONG_PARAMETERS = {
     '"tube.inner_diameter" = {from = 0.3, to = 0.4}': (Kind.MISSING, f"{BORE}.count"),
     '"tube.inner_diameter" = {from = 0.3, to = 0.4, count = 1}': (Kind.OUT_OF_RANGE, f"{BORE}.count"),
     '"tube.inner_diameter" = {from = 0.3, to = 0.4, step = 0.5}': (Kind.CONFLICT, f"{BORE}.step"),
-    '"tube.inner_diamete" = [0.4]': (Kind.UNKNOWN, "parameters.tube.inner_diamete"),
-    '"tube" = [0.4]': (Kind.WRONG_TYPE, "parameters.tube"),
-    '"resonator.cavity_volume" = [70.0]': (Kind.UNKNOWN, "parameters.resonator.cavity_volume"),
-    '"lines.3.points" = [3]': (Kind.UNKNOWN, "parameters.lines.3.points"),
-    '"lines.0.points" = {from = 2.5, to = 4}': (Kind.WRONG_TYPE, "parameters.lines.0.points.from"),
-    '"lines.0.tube.length" = [3.0]': (Kind.MISSING, "parameters.lines.0.tube.length"),
-    '"membrane.material" = {from = 1, to = 2, count = 3}': (Kind.WRONG_TYPE, "parameters.membrane.material"),
-    "": (Kind.MISSING, "parameters"),
+    '"tube.inner_diamete" = [0.4]': (Kind.UNKNOWN, "vary.tube.inner_diamete"),
+    '"tube" = [0.4]': (Kind.WRONG_TYPE, "vary.tube"),
+    '"resonator.cavity_volume" = [70.0]': (Kind.UNKNOWN, "vary.resonator.cavity_volume"),
+    '"lines.3.points" = [3]': (Kind.UNKNOWN, "vary.lines.3.points"),
+    '"lines.0.points" = {from = 2.5, to = 4}': (Kind.WRONG_TYPE, "vary.lines.0.points.from"),
+    '"lines.0.tube.length" = [3.0]': (Kind.MISSING, "vary.lines.0.tube.length"),
+    '"membrane.material" = {from = 1, to = 2, count = 3}': (Kind.WRONG_TYPE, "vary.membrane.material"),
+    "": (Kind.MISSING, "vary"),
     '[[together]]\n"tube.length" = [9, 10]\n"tube.inner_diameter" = [0.3, 0.4, 0.5]': (Kind.CONFLICT, "together.0"),
     '"tube.length" = [9, 10, 9]': (Kind.CONFLICT, "parameters.tube.length"),
     '"tube.length" = [9, 9.0]': (Kind.CONFLICT, "parameters.tube.length"),
@@ -120,7 +120,7 @@ WRONG_PARAMETERS = {
     '"tube.length" = [9]\n[[together]]\n"tube.length" = [9]': (Kind.CONFLICT, "together.0.tube.length"),
 }
 TEXTS = {name: study(name + "\n") for name in WRONG_FIELDS} | {
-    name: study(parameters=f"[parameters]\n{name}\n") for name in WRONG_PARAMETERS
+    name: study(parameters=f"[vary]\n{name}\n") for name in WRONG_PARAMETERS
 }
 
 
@@ -192,7 +192,7 @@ base = "array-2x6"
 metrics = ["distance_smallest"]
 fidelity = "lumped"
 {more}
-[parameters]
+[vary]
 "membrane.thickness" = {{from = 0.3, to = 0.75, step = {step}}}
 """
 

@@ -3,8 +3,7 @@
 import pytest
 from bores_study import TEXT
 
-from studies.study.file import read_study
-from studies.study.study import Study
+from studies.study.study import Study, read_study
 
 
 @pytest.fixture(scope="module")

@@ -13,21 +13,21 @@ from geometry.ground.refusal import Kind
 from studies.findings.reporting import sweep_report
 from studies.findings.result_table import table_of_sweep, with_base_metrics
 from studies.study.differences import other_table
-from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import read_study
 from studies.sweep.plan import plan_sweep
+from studies.sweep.results import open_sweep
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 
 STUDY = """
 base = "array-2x6"
 fidelity = "atlas"
 metrics = ["ild_smallest"]
-frequencies = "1:100:5"
-transfer_functions = true
+frequency = "1:100:5"
+keep = "responses"
 
-[parameters]
+[vary]
 "resonator.cavity_height" = [2.0, 3.0, 7.2]
 "air.temperature" = [10.0, 30.0]
 """
@@ -41,8 +41,8 @@ def sweep(tmp_path_factory):
 
 
 def test_cases_are_what_solve_gives(sweep):
-    data, frequency = sweep.dataset, read_study(STUDY).frequency
-    kept = data["transfer_function_real"].values + 1j * data["transfer_function_imag"].values
+    data, frequency = sweep.to_xarray(), read_study(STUDY).frequency
+    kept = data["transfer_function"].values
     assert sweep.done.sum() == 4
     for number in np.flatnonzero(sweep.done):
         library = acoustic_fem.solve(sweep.design(int(number)), frequency, "atlas")
@@ -51,7 +51,7 @@ def test_cases_are_what_solve_gives(sweep):
 
 
 def test_cases_outside_fail_by_name(sweep):
-    reasons = sweep.dataset["reason"].values[sweep.failed]
+    reasons = sweep.to_xarray()["reason"].values[sweep.failed]
     assert len(reasons) == 2
     assert all("cavity height by radius = 2.4 must be 0.3 to 2.3 in the atlas of cells" in why for why in reasons)
 
@@ -59,14 +59,14 @@ def test_cases_outside_fail_by_name(sweep):
 def test_frequencies_above_those_at_which_the_errors_were_found_are_noted_once(tmp_path):
     text = STUDY.replace("1:100:5", "1:{}:9").replace("[2.0, 3.0, 7.2]", "[2.0, 3.0]")
     for last, notes in ((200, 0), (250, 1)):
-        summary = run_sweep(read_study(text.format(last)), tmp_path / f"to-{last}.zarr", workers=1)
+        summary = run_sweep(read_study(text.format(last)), tmp_path / f"to-{last}.zarr", workers=1).summary
         assert sum("its errors were found up to 200 Hz" in note for note in summary.notes) == notes
 
 
 def test_a_sweep_is_not_continued_with_another_table(tmp_path, monkeypatch):
     store, study = tmp_path / "results.zarr", read_study(STUDY)
     run_sweep(study, store, workers=1)
-    assert run_sweep(study, store, workers=1).computed == 0
+    assert run_sweep(study, store, workers=1).summary.computed == 0
     table = cell_atlas()
     monkeypatch.setattr("studies.study.study.cell_atlas", lambda: replace(table, digest="0123456789ab"))
     with refused(Kind.MISMATCH, file=store, error=StudyError) as error:
@@ -76,7 +76,7 @@ def test_a_sweep_is_not_continued_with_another_table(tmp_path, monkeypatch):
     lumped = read_study(STUDY.replace('"atlas"', '"lumped"'))
     run_sweep(lumped, tmp_path / "lumped.zarr", workers=1)
     monkeypatch.undo()
-    assert run_sweep(lumped, tmp_path / "lumped.zarr", workers=1).computed == 0
+    assert run_sweep(lumped, tmp_path / "lumped.zarr", workers=1).summary.computed == 0
 
 
 def test_a_store_that_notes_no_table_is_not_continued():
@@ -129,10 +129,10 @@ sampling = "random"
 cases = 10
 seed = 20
 metrics = ["distance_smallest"]
-frequencies = "1:200:9"
-transfer_functions = true
+frequency = "1:200:9"
+keep = "responses"
 
-[parameters]
+[vary]
 "resonator.cavity_height" = [2.0, 2.4]
 "tube.length" = {from = 9, to = 25}
 "membrane.thickness" = {from = 0.4, to = 1.2}
@@ -141,9 +141,9 @@ transfer_functions = true
     for fidelity in ("lumped", "atlas", "navier-stokes"):
         store = tmp_path / f"{fidelity}.zarr"
         study = read_study(f'fidelity = "{fidelity}"\n{text}', base=base)
-        assert run_sweep(study, store, workers=1).computed == 10
-        data = open_sweep(store).dataset
-        kept[fidelity] = data["transfer_function_real"].values + 1j * data["transfer_function_imag"].values
+        assert run_sweep(study, store, workers=1).summary.computed == 10
+        data = open_sweep(store).to_xarray()
+        kept[fidelity] = data["transfer_function"].values
     exact = kept.pop("navier-stokes")
     off = {
         fidelity: (np.abs(found / exact - 1) / (1 + np.abs(np.log(np.abs(exact))))).max()

@@ -17,7 +17,7 @@ from coarse_cells import coarse_cells, coarse_in_children
 from hosts import PATIENCE, ROOT, Host, Hosts, NoHosts, wait_for
 from stores import assert_same_store
 
-from studies.study.file import load_study
+from studies.study.study import load_study
 from studies.sweep.run import run_sweep
 from studies.sweep.survey import surveyed
 
@@ -25,13 +25,13 @@ pytestmark = pytest.mark.slow
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:12"
+frequency = "1:100:12"
 metrics = ["distance_smallest", "volume"]
 sampling = "latin-hypercube"
 cases = 32
 seed = 5
-transfer_functions = true
-[parameters]
+keep = "responses"
+[vary]
 "tube.inner_diameter" = {from = 0.3, to = 0.76}
 "tube.length" = {from = 8, to = 30}
 """
@@ -276,8 +276,8 @@ def test_cells_are_solved_once_whoever_solves_them(
     """The workers have caches of their own; a second study finds the cells with whoever asked first."""
     study, out, cache = tmp_path / "study.toml", tmp_path / "r.zarr", str(tmp_path / "cells")
     study.write_text(
-        'base = "line-3"\nfidelity = "helmholtz"\nfrequencies = "1:100:6"\nmetrics = ["ipd_mean"]\n'
-        '[parameters]\n"tube.length" = [9, 10, 11, 12]\n'
+        'base = "line-3"\nfidelity = "helmholtz"\nfrequency = "1:100:6"\nmetrics = ["ipd_mean"]\n'
+        '[vary]\n"tube.length" = [9, 10, 11, 12]\n'
     )
     needed = len(surveyed(load_study(study)).cells_of(range(4)))
     with cluster.sweep(study, out, ACOUSTIC_FEM_CACHE=cache, PYTHONPATH=str(cluster.folder)) as run:
@@ -287,7 +287,7 @@ def test_cells_are_solved_once_whoever_solves_them(
     study.write_text(study.read_text().replace("[9, 10, 11, 12]", "[13, 14]"))
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", cache)
     with coarse_cells():
-        summary = run_sweep(load_study(study), tmp_path / "more.zarr", workers=1)
+        summary = run_sweep(load_study(study), tmp_path / "more.zarr", workers=1).summary
     assert (summary.cells, summary.cells_solved) == (needed, 0)
 
 

@@ -19,24 +19,23 @@ from thorough import many
 
 from geometry.ground.refusal import Kind
 from studies.findings.reporting import best_designs
-from studies.study.file import read_study
-from studies.study.study import Study, StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import Study, read_study
 from studies.sweep import run
-from studies.sweep.records import TRANSFER_FUNCTIONS
+from studies.sweep.results import Sweep, open_sweep
 from studies.sweep.run import run_sweep
-from studies.sweep.store import Sweep, open_sweep
 
 TEXT = """
 name = "bores"
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:4"
+frequency = "1:100:4"
 metrics = ["distance_smallest", "volume"]
 sampling = "random"
 cases = 40
-transfer_functions = true
+keep = "responses"
 
-[parameters]
+[vary]
 "tube.inner_diameter" = {from = 0.3, to = 0.8}
 "membrane.material" = ["silicone-shore-a-30", "silicone-shore-a-10"]
 """
@@ -106,12 +105,12 @@ def older(mark: object) -> Change:
 
 #: What every reader and writer refuses, and leaves as it is.
 REFUSED = {
-    "of format 3": older(3),
+    "of format 4": older(4),
     "of format 1": older(1),
     "no sweep": older(None),
     "no records": without("records"),
     "no metadata and no records": without("records", "zarr.json"),
-    "records of a later version": of_format("records/study", "sweep 4\n", "sweep 5\n"),
+    "records of a later version": of_format("records/study", "sweep 5\n", "sweep 6\n"),
 }
 
 
@@ -125,7 +124,7 @@ def test_a_store_of_another_version_and_what_is_none_are_refused_by_name(name: s
         assert error.value.kind is Kind.MISMATCH
         assert str(error.value.file).startswith(str(store))
         if "format" in name:
-            assert f"is {name}; this version of the program reads format 4" in str(error.value)
+            assert f"is {name}; this version of the program reads format 5" in str(error.value)
     assert before == {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
 
 
@@ -133,7 +132,7 @@ def test_a_store_of_another_version_and_what_is_none_are_refused_by_name(name: s
 OTHERS = {
     "values": ("from = 0.3", "from = 0.31"),
     "parameter": ('"tube.inner_diameter"', '"microphone_tube.inner_diameter"'),
-    "frequencies": ("1:100:4", "1:100:5"),
+    "frequency": ("1:100:4", "1:100:5"),
     "cases": ("cases = 40", "cases = 41"),
     "base": ("array-2x6", "line-2"),
     "seed": ('"random"', '"random"\nseed = 7'),
@@ -147,12 +146,12 @@ def test_the_store_of_another_study_is_refused(name: str, finished: Path) -> Non
         run_sweep(read_study(TEXT.replace(*OTHERS[name], 1)), finished, workers=1)
 
 
-METRICS_3, RESPONSES_2 = "records/000003.metrics", "records/000002.responses"
+METRICS_3, RESPONSES_2 = "records/000003.metrics", "responses/transfer_function_real/c/2/0/0/0"
 #: Damage that the next run mends, the member, and what the run says.
 MENDED = {
     "metrics": (flip(METRICS_3), METRICS_3, "cases 9 to 11 are computed again"),
     "metrics cut": (cut(METRICS_3), METRICS_3, "cases 9 to 11 are computed again"),
-    "metrics of another version": (of_format(METRICS_3, "sweep 4\n", "sweep 3\n"), METRICS_3, "cases 9 to 11 are"),
+    "metrics of another version": (of_format(METRICS_3, "sweep 5\n", "sweep 4\n"), METRICS_3, "cases 9 to 11 are"),
     "metrics of another place": (
         lambda store: shutil.copy(store / "records/000002.metrics", store / METRICS_3), METRICS_3, "cases 9 to 11 are",
     ),
@@ -175,20 +174,20 @@ def test_what_is_damaged_is_named_and_the_next_run_makes_it_anew(
             read(store)
         assert str(error.value).startswith(f"{store / member}: ")
         assert "another version" in name or "run the same sweep again" in str(error.value)
-    summary = run_sweep(study, store, workers=1)
+    summary = run_sweep(study, store, workers=1).summary
     assert len(summary.notes) == 1
     assert summary.notes[0].startswith(f"{store / member}: ")
     assert note in summary.notes[0]
     assert summary.computed == (0 if "study" in name else 3)
     assert_same_store(store, finished)
-    assert run_sweep(study, store, workers=1).notes == ()
+    assert run_sweep(study, store, workers=1).summary.notes == ()
 
 
 @pytest.mark.parametrize(
     "change",
     [
         without("zarr.json"), without("volume"), without("tube.inner_diameter/c"), without("volume/c/3"),
-        flip("volume/c/3"), flip("zarr.json"), flip("transfer_function_real/c/1/0/0/0"), cut("volume/zarr.json"),
+        flip("volume/c/3"), flip("zarr.json"), flip("responses/zarr.json"), cut("volume/zarr.json"),
     ],
 )  # fmt: skip
 def test_damage_to_the_zarr_store_changes_no_result_and_the_next_run_writes_it_anew(
@@ -196,7 +195,10 @@ def test_damage_to_the_zarr_store_changes_no_result_and_the_next_run_writes_it_a
 ) -> None:
     change(store)
     assert_same_results(open_sweep(store), open_sweep(finished))
-    assert (run_sweep(study, store, workers=1).computed, run_sweep(study, store, workers=1).notes) == (0, ())
+    assert (run_sweep(study, store, workers=1).summary.computed, run_sweep(study, store, workers=1).summary.notes) == (
+        0,
+        (),
+    )
     assert_same_store(store, finished)
 
 
@@ -208,8 +210,8 @@ def test_xarray_notices_a_damaged_chunk(store: Path) -> None:
 
 def test_many_damaged_blocks_are_told_in_few_lines(study: Study, finished: Path, store: Path) -> None:
     for block in range(10):
-        flip(f"records/{block:06d}.responses")(store)
-    summary = run_sweep(study, store, workers=1)
+        flip(f"responses/transfer_function_imag/c/{block}/0/0/0")(store)
+    summary = run_sweep(study, store, workers=1).summary
     assert summary.computed == 30
     assert len(summary.notes) == 4
     assert "7 more blocks are damaged and computed again" in summary.notes[-1]
@@ -218,23 +220,24 @@ def test_many_damaged_blocks_are_told_in_few_lines(study: Study, finished: Path,
 
 def test_a_block_that_waits_is_computed_whatever_lies_in_its_place(study: Study, finished: Path, store: Path) -> None:
     without("records/000001.metrics", "state/c/1")(store)
-    waiting = open_sweep(store).dataset.isel(case=slice(2, 7)).load()
+    waiting = open_sweep(store).to_xarray().isel(case=slice(2, 7)).load()
     known = [True, False, False, False, True]
     np.testing.assert_array_equal(np.isfinite(waiting["volume"].values), known)
-    np.testing.assert_array_equal(np.isfinite(waiting["transfer_function_real"].values).all((1, 2, 3)), known)
-    assert np.isnan(open_sweep(store).dataset["transfer_function_real"][4].values).all()
-    assert run_sweep(study, store, workers=1).computed == 3
+    np.testing.assert_array_equal(np.isfinite(waiting["transfer_function"].values).all((1, 2, 3)), known)
+    assert np.isnan(open_sweep(store).to_xarray()["transfer_function"][4].values).all()
+    assert run_sweep(study, store, workers=1).summary.computed == 3
     assert_same_store(store, finished)
 
 
 def test_damaged_responses_are_refused_where_they_are_used(study: Study, finished: Path, store: Path) -> None:
-    flip("records/000001.responses")(store)
-    response = open_sweep(store).dataset["transfer_function_real"]
+    damaged_part = "responses/transfer_function_real/c/1/0/0/0"
+    flip(damaged_part)(store)
+    response = open_sweep(store).to_xarray()["transfer_function"]
     assert np.isfinite(response[0].values).all()
     with pytest.raises(StudyError) as error:
         response[4].load()
-    assert (error.value.kind, error.value.file) == (Kind.DAMAGED, str(store / "records/000001.responses"))
-    assert "cases 3 to 5 are computed again" in " ".join(run_sweep(study, store, workers=1).notes)
+    assert (error.value.kind, error.value.file) == (Kind.DAMAGED, str(store / damaged_part))
+    assert "cases 3 to 5 are computed again" in " ".join(run_sweep(study, store, workers=1).summary.notes)
     assert_same_store(store, finished)
 
 
@@ -248,7 +251,7 @@ def test_a_damaged_record_of_the_study_is_not_restored_over_the_results_of_anoth
 
 
 def test_a_metric_that_this_version_does_not_know_is_refused(store: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("studies.sweep.store.METRICS", {"volume": None})
+    monkeypatch.setattr("studies.sweep.results.METRICS", {"volume": None})
     with pytest.raises(StudyError) as error:
         open_sweep(store)
     assert (error.value.kind, error.value.value) == (Kind.UNKNOWN, "distance_smallest")
@@ -282,8 +285,8 @@ def test_the_messages_of_stores(finished: Path, tmp_path: Path) -> None:
 
 def assert_same_results(found: Sweep, expected: Sweep) -> None:
     assert (found.parameters, found.metrics, found.base) == (expected.parameters, expected.metrics, expected.base)
-    for name in ("case", "frequency", "state", "reason", *found.parameters, *found.metrics, *TRANSFER_FUNCTIONS):
-        np.testing.assert_array_equal(found.dataset[name].values, expected.dataset[name].values)
+    one, other = found.to_xarray().load(), expected.to_xarray().load()
+    xr.testing.assert_identical(one, other)
 
 
 def check_damage(study: Study, store: Path, finished: Path, count: int, seed: int, mended: int) -> None:
@@ -296,9 +299,10 @@ def check_damage(study: Study, store: Path, finished: Path, count: int, seed: in
             assert_same_results(open_sweep(store), expected)
         except StudyError as error:
             said = str(error)
-        assert bool(said) == done.startswith("records/"), (done, said)
+        kept_once = done.startswith("records/") or (done.startswith("responses/transfer_function_") and "/c/" in done)
+        assert bool(said) == kept_once, (done, said)
         count_refused += bool(said)
-        assert not said or said.startswith(f"{store}/records/"), (done, said)
+        assert not said or said.startswith((f"{store}/records/", f"{store}/responses/")), (done, said)
         assert "\n" not in said, done
         if number < mended:
             again = Path(shutil.copytree(store, store.parent / "again.zarr"))

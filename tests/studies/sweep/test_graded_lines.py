@@ -22,11 +22,11 @@ from studies.optimization.problem import read_optimization
 from studies.optimization.search import search_designs
 from studies.run.check import kind_uses
 from studies.run.validity import model_validity
-from studies.study.file import load_study, read_study
 from studies.study.metric_registry import METRICS
-from studies.study.study import StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import load_study, read_study
+from studies.sweep.results import open_sweep
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 from studies.sweep.survey import surveyed
 
 NAMES = ("distance_smallest", "sensitivity_force", "volume", "cost", "length")
@@ -34,11 +34,11 @@ STUDY = """
 name = "wells"
 base = "graded.toml"
 fidelity = "lumped"
-frequencies = "1:100:7"
+frequency = "1:100:7"
 metrics = ["distance_smallest", "sensitivity_force", "volume", "cost", "length"]
 """
 PARAMETERS = """
-[parameters]
+[vary]
 "point_kinds.well.cavity_height" = [3.0, 5.0]
 "point_kinds.well.membrane_thickness" = [0.7, 0.9]
 "tube_kinds.short.length" = [8.0, 11.0]
@@ -74,20 +74,18 @@ def test_a_sweep_over_the_fields_of_kinds_has_the_values_of_each_design_solved_a
     for number in (0, 3, 6):
         library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
         for name in NAMES:
-            assert float(result.dataset[name][number]) == pytest.approx(METRICS[name].of_library(library), rel=1e-6)
-    assert len(np.unique(result.dataset["sensitivity_force"].values)) == 8
+            assert float(result.to_xarray()[name][number]) == pytest.approx(METRICS[name].of_library(library), rel=1e-6)
+    assert len(np.unique(result.to_xarray()["sensitivity_force"].values)) == 8
 
 
 def test_a_kind_that_is_not_there_is_refused_by_name(folder: Path) -> None:
-    (folder / "study.toml").write_text(
-        STUDY + '[parameters]\n"point_kinds.wel.cavity_height" = [3.0]\n', encoding="utf-8"
-    )
-    with refused(Kind.UNKNOWN, "parameters.point_kinds.wel.cavity_height", file="study.toml", error=StudyError):
+    (folder / "study.toml").write_text(STUDY + '[vary]\n"point_kinds.wel.cavity_height" = [3.0]\n', encoding="utf-8")
+    with refused(Kind.UNKNOWN, "vary.point_kinds.wel.cavity_height", file="study.toml", error=StudyError):
         load_study(folder / "study.toml")
-    with refused(Kind.OUT_OF_RANGE, "parameters.point_kinds.well.cavity_height.from", 0.1, error=StudyError):
+    with refused(Kind.OUT_OF_RANGE, "vary.point_kinds.well.cavity_height.from", 0.1, error=StudyError):
         read_study(
             STUDY.replace("graded.toml", str(folder / "graded.toml"))
-            + '[parameters]\n"point_kinds.well.cavity_height" = { from = 0.1, to = 5.0 }\n'
+            + '[vary]\n"point_kinds.well.cavity_height" = { from = 0.1, to = 5.0 }\n'
         )
 
 
@@ -95,7 +93,7 @@ def test_a_search_over_the_fields_of_kinds_finds_designs_that_can_be_printed(fol
     problem = read_optimization(
         STUDY.replace("graded.toml", str(folder / "graded.toml"))
         + """
-[parameters]
+[vary]
 "point_kinds.well.membrane_thickness" = { from = 0.05, to = 0.9 }
 "tube_kinds.short.length" = { from = 6.0, to = 14.0 }
 [optimize]

@@ -1,6 +1,5 @@
 """A case whose parts get into each other's way fails by name, the others are computed; of a base that does, none is."""
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +9,7 @@ from typer.testing import CliRunner
 from geometry.layout.overlaps import OverlapError
 from studies.cli.app import app
 from studies.study.cases import cases_of
-from studies.study.file import read_study
+from studies.study.study import read_study
 from studies.sweep.block import Job, solve_block
 from studies.sweep.run import SweepError, run_sweep
 from studies.sweep.survey import surveyed
@@ -18,16 +17,16 @@ from studies.sweep.survey import surveyed
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
-frequencies = "1:100:4"
+frequency = "1:100:4"
 metrics = ["distance_smallest"]
-[parameters]
+[vary]
 "microphone_tube.length" = [3.1, 12.5]
 """
 
 
 def test_a_case_that_cannot_be_built_fails_with_the_reason_and_is_counted_beforehand() -> None:
     study = read_study(STUDY)
-    job = Job("lumped", study.frequency, study.metrics, False)
+    job = Job("lumped", study.frequency, study.metrics)
     result, _ = solve_block(job, cases_of(study), 0, {})
     assert result.reason[0].startswith("array-2x6: cannot be built: shell 1 overlaps microphone A by ")
     assert result.reason[1] == ""
@@ -36,8 +35,8 @@ def test_a_case_that_cannot_be_built_fails_with_the_reason_and_is_counted_before
 
 
 def test_a_base_that_cannot_be_built_is_refused_with_what_mends_it_before_any_work(tmp_path: Path) -> None:
-    study = read_study(STUDY)
-    study = replace(study, base=study.base.with_values({"microphone_tube.length": 3.1}))
+    base = read_study(STUDY).base.with_values({"microphone_tube.length": 3.1})
+    study = read_study(STUDY, base=base)
     with pytest.raises(OverlapError, match=r"shell 1 overlaps microphone A by .*; set microphone_tube\.length = "):
         run_sweep(study, tmp_path / "r.zarr", workers=1)
     assert list(tmp_path.iterdir()) == []

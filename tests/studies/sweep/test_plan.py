@@ -16,7 +16,7 @@ from geometry.ground.refusal import Kind, Refusal
 from studies.cli.app import app
 from studies.output.display import Display
 from studies.study.cases import cases_of
-from studies.study.file import read_study
+from studies.study.study import read_study
 from studies.sweep import block, cost, plan, run, survey
 from studies.sweep.plan import plan_sweep
 from studies.sweep.run import run_sweep
@@ -167,9 +167,9 @@ class _Asked(Exception):
 CELLS = """
 base = "array-2x6"
 fidelity = "navier-stokes"
-frequencies = "1:100:4"
+frequency = "1:100:4"
 metrics = ["distance_smallest"]
-[parameters]
+[vary]
 "resonator.cavity_height" = [2.5, 3.0]
 "tube.length" = [12.5, 14, 15, 16, 18, 20]
 "membrane.thickness" = [0.5, 0.6]

@@ -23,13 +23,13 @@ from stores import assert_same_store
 from geometry import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from studies.study.cases import Cases
-from studies.study.file import load_study, read_study
-from studies.study.study import Study, StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import Study, load_study, read_study
 from studies.sweep import processes, survey
 from studies.sweep.cluster import WorkersLost
+from studies.sweep.results import open_sweep
 from studies.sweep.retries import ENDED_WORKERS
 from studies.sweep.run import run_sweep
-from studies.sweep.store import open_sweep
 from studies.sweep.workers import open_workers
 
 STUDY = """
@@ -39,8 +39,8 @@ metrics = ["distance_smallest", "predicted_top1_white_noise"]
 sampling = "latin-hypercube"
 cases = 160
 seed = 5
-transfer_functions = true
-[parameters]
+keep = "responses"
+[vary]
 "tube.inner_diameter" = {from = 0.3, to = 0.76}
 "tube.length" = {from = 8, to = 30}
 "resonator.cavity_height" = {from = 1.8, to = 5}
@@ -56,7 +56,7 @@ def uninterrupted(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]
     """The study file, and its store made in one go by one process."""
     folder = tmp_path_factory.mktemp("uninterrupted")
     (folder / "study.toml").write_text(STUDY)
-    summary = run_sweep(load_study(folder / "study.toml"), folder / "results.zarr", workers=1)
+    summary = run_sweep(load_study(folder / "study.toml"), folder / "results.zarr", workers=1).summary
     assert 0 < sum(len(numbers) for numbers in summary.failures.values()) < 80
     return folder / "study.toml", folder / "results.zarr"
 
@@ -96,7 +96,7 @@ def start_and_kill(arguments: tuple[str, ...], out: Path, moment: int) -> None:
     run.send_signal(signal.SIGKILL)
     run.wait()
     assert len(helpers) >= 2
-    assert (open_sweep(out).dataset["state"].values == 0).any(), "the sweep was done before it was killed"
+    assert (open_sweep(out).values["state"] == 0).any(), "the sweep was done before it was killed"
     wait_for(lambda: not any(alive(helper) for helper in helpers))
 
 
@@ -218,8 +218,7 @@ def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
 ) -> None:
     grid = ", ".join(f"{10 + 0.25 * k}" for k in range(32))
     study = read_study(
-        'base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["distance_smallest"]\n'
-        f'[parameters]\n"tube.length" = [{grid}]\n'
+        f'base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["distance_smallest"]\n[vary]\n"tube.length" = [{grid}]\n'
     )
     run_sweep(study, tmp_path / "whole.zarr", workers=1)
 
@@ -227,12 +226,12 @@ def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
         return DeadlyCases(drawn.base, drawn.names, drawn.columns)
 
     monkeypatch.setattr(survey, "kept_cases", deadly)
-    summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=2).summary
     assert summary.failures == {ENDED_WORKERS: [12]}
-    whole, result = (open_sweep(tmp_path / f"{name}.zarr").dataset for name in ("whole", "r"))
+    whole, result = (open_sweep(tmp_path / f"{name}.zarr").to_xarray() for name in ("whole", "r"))
     others = np.arange(32) != 12
     np.testing.assert_allclose(result["distance_smallest"][others], whole["distance_smallest"][others], rtol=1e-12)
-    assert run_sweep(study, tmp_path / "r.zarr", workers=2).computed == 0
+    assert run_sweep(study, tmp_path / "r.zarr", workers=2).summary.computed == 0
 
 
 def alive(process: psutil.Process) -> bool:
@@ -359,15 +358,15 @@ def own(number):
 
 with open_workers(2, None) as team:
     assert all(result[0] == number and result[1] != os.getpid() for number, result in team.run(own, [(0,), (1,)]))
-summary = studies.run_sweep(studies.load_study(sys.argv[1]), sys.argv[2], workers=2)
+summary = studies.run_sweep(studies.load_study(sys.argv[1]), sys.argv[2], workers=2).summary
 print("computed", summary.computed)
 """
 
 
 def test_a_script_without_a_main_guard_may_use_workers(tmp_path: Path) -> None:
     (tmp_path / "study.toml").write_text(
-        'base = "array-2x6"\nfidelity = "lumped"\nfrequencies = "1:100:12"\nmetrics = ["distance_smallest"]\n'
-        '[parameters]\n"tube.length" = [12, 13]\n'
+        'base = "array-2x6"\nfidelity = "lumped"\nfrequency = "1:100:12"\nmetrics = ["distance_smallest"]\n'
+        '[vary]\n"tube.length" = [12, 13]\n'
     )
     (tmp_path / "script.py").write_text(SCRIPT)
     line = [sys.executable, "script.py", "study.toml", "r.zarr"]

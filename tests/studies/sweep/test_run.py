@@ -7,7 +7,7 @@ import gc
 import json
 import re
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -32,23 +32,24 @@ from geometry.ground.refusal import Kind, Refusal
 from studies.cli.app import app
 from studies.metrics.shared import SharedFigures
 from studies.study.cases import Cases, by_kind, cases_of
-from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
-from studies.study.study import Study, StudyError
+from studies.study.parameter import StudyError
+from studies.study.study import Study, read_study
 from studies.sweep import block, records, run
 from studies.sweep.one_design import design_metrics
 from studies.sweep.progress import Progress
 from studies.sweep.records import BlockResult, Records, block_size
+from studies.sweep.results import open_sweep
 from studies.sweep.retries import ENDED_WORKERS, solved_blocks
-from studies.sweep.run import Summary, run_sweep
-from studies.sweep.store import open_sweep
+from studies.sweep.run import run_sweep
+from studies.sweep.summary import Summary
 from studies.sweep.workers import Workers, open_workers
 
 
 @pytest.fixture(scope="module")
 def finished(study: Study, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Summary]:
     out = tmp_path_factory.mktemp("sweep") / "results.zarr"
-    return out, run_sweep(study, out, workers=1)
+    return out, run_sweep(study, out, workers=1).summary
 
 
 # -- values -----------------------------------------------------------------------------------------
@@ -58,11 +59,11 @@ def test_every_case_has_the_metrics_of_its_design_solved_alone(study: Study, fin
     for number in np.flatnonzero(result.done)[:6]:
         library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
         for name in METRICS_OF_STUDY:
-            assert float(result.dataset[name][number]) == pytest.approx(
+            assert float(result.to_xarray()[name][number]) == pytest.approx(
                 METRICS[name].of_library(library), rel=1e-6, abs=0
             )
         count = library.design.point_count
-        stored = (result.dataset["transfer_function_real"] + 1j * result.dataset["transfer_function_imag"])[number]
+        stored = result.to_xarray()["transfer_function"][number]
         np.testing.assert_allclose(stored[:count], library.transfer_function, rtol=1e-7)
         assert np.isnan(stored[count:]).all()
 
@@ -76,12 +77,12 @@ def test_a_case_that_is_no_design_is_kept_as_failed_with_its_reason(finished: tu
     for number in failed:
         case = result.case(int(number))
         assert case["tube.inner_diameter"] > 0.74
-        assert re.search(r"tube\.\w+ = .* mm must be", str(result.dataset["reason"].values[number]))
+        assert re.search(r"tube\.\w+ = .* mm must be", str(result.to_xarray()["reason"].values[number]))
         for name in METRICS_OF_STUDY:
-            assert np.isnan(result.dataset[name].values[number])
+            assert np.isnan(result.to_xarray()[name].values[number])
     assert sorted(number for numbers in summary.failures.values() for number in numbers) == list(failed)
     for number in np.flatnonzero(result.done):
-        assert result.dataset["reason"].values[number] == ""
+        assert result.to_xarray()["reason"].values[number] == ""
 
 
 def test_the_store_opens_in_xarray_with_units_and_carries_its_study(
@@ -90,8 +91,11 @@ def test_the_store_opens_in_xarray_with_units_and_carries_its_study(
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         dataset = xr.open_zarr(finished[0])
-    sizes = {"case": 40, "point": 12, "microphone": 2, "frequency": 12}
-    assert dict(dataset.sizes) == sizes
+        responses = xr.open_zarr(finished[0], group="responses")
+    assert dict(dataset.sizes) == {"case": 40}
+    assert set(dataset.coords) == {"case", *cases_of(study).names}
+    assert len(dataset.to_dataframe()) == 40
+    assert dict(responses.sizes) == {"case": 40, "point": 12, "microphone": 2, "frequency": 12}
     assert dataset["tube.length"].attrs["units"] == "mm"
     assert dataset["distance_smallest"].attrs == {
         "kind": "metric",
@@ -118,8 +122,8 @@ def test_the_store_and_what_is_read_from_it_can_be_written_as_netcdf(
 
 
 def test_air_that_differs_from_case_to_case_is_each_cases_own(tmp_path: Path) -> None:
-    text = TEXT.split("[parameters]")[0].replace("cases = 40", "cases = 5") + (
-        '[parameters]\n"air.temperature" = [0, 20, 40]\n"tube.length" = {from = 12, to = 20}\n'
+    text = TEXT.split("[vary]")[0].replace("cases = 40", "cases = 5") + (
+        '[vary]\n"air.temperature" = [0, 20, 40]\n"tube.length" = {from = 12, to = 20}\n'
     )
     study = read_study(text)
     run_sweep(study, tmp_path / "r.zarr", workers=1)
@@ -127,13 +131,13 @@ def test_air_that_differs_from_case_to_case_is_each_cases_own(tmp_path: Path) ->
     for number in range(5):
         library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
         expected = METRICS["distance_smallest"].of_library(library)
-        assert float(result.dataset["distance_smallest"][number]) == pytest.approx(expected, rel=1e-6, abs=0)
+        assert float(result.to_xarray()["distance_smallest"][number]) == pytest.approx(expected, rel=1e-6, abs=0)
 
 
 def test_a_stretched_membrane_with_loss_is_computed_alone(tmp_path: Path) -> None:
     """The batch cannot hold it; the sweep does not mind."""
-    text = TEXT.split("[parameters]")[0].replace('"random"\ncases = 40', '"grid"') + (
-        '[parameters]\n"membrane.stretch" = [1.0, 1.2]\n'
+    text = TEXT.split("[vary]")[0].replace('"random"\ncases = 40', '"grid"') + (
+        '[vary]\n"membrane.stretch" = [1.0, 1.2]\n'
     )
     study = read_study(text)
     run_sweep(study, tmp_path / "r.zarr", workers=1)
@@ -141,7 +145,7 @@ def test_a_stretched_membrane_with_loss_is_computed_alone(tmp_path: Path) -> Non
     assert result.done.all()
     library = acoustic_fem.solve(result.design(1), study.frequency, "lumped")
     expected = METRICS["distance_smallest"].of_library(library)
-    assert float(result.dataset["distance_smallest"][1]) == pytest.approx(expected, rel=1e-9, abs=0)
+    assert float(result.to_xarray()["distance_smallest"][1]) == pytest.approx(expected, rel=1e-9, abs=0)
 
 
 # -- interruptions ----------------------------------------------------------------------------------
@@ -155,16 +159,15 @@ def test_a_sweep_that_was_cut_off_goes_on_to_the_same_store(
     after: int, study: Study, finished: tuple[Path, Summary], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = tmp_path / "results.zarr"
-    write, write_one = Records.write, Records._write
+    write = Records.write
     written = 0
 
-    def write_some(self: Records, result: BlockResult) -> None:
+    def write_some(self: Records, result: BlockResult, sums: Mapping[str, str]) -> None:
         nonlocal written
         if written == after:  # the block's transfer functions are there, its metrics are not
-            write_one(self, result.first, "responses", b"other")
             raise _Killed
         written += 1
-        write(self, result)
+        write(self, result, sums)
 
     monkeypatch.setattr(Records, "write", write_some)
     with pytest.raises(_Killed):
@@ -174,14 +177,14 @@ def test_a_sweep_that_was_cut_off_goes_on_to_the_same_store(
     for half in (out / "volume" / "c" / "0.partial", out / "records" / ".000003.1.metrics"):
         half.write_bytes(b"half")
     monkeypatch.setattr(Records, "write", write)
-    assert (open_sweep(out).dataset["state"].values == 0).sum() == 40 - after * block_size(study, cases_of(study))
-    summary = run_sweep(study, out, workers=1)
+    assert (open_sweep(out).values["state"] == 0).sum() == 40 - after * block_size(study, cases_of(study))
+    summary = run_sweep(study, out, workers=1).summary
     assert summary.computed == 40 - after * block_size(study, cases_of(study))
     assert_same_store(out, finished[0])
 
 
 def test_a_finished_sweep_is_not_computed_again(study: Study, finished: tuple[Path, Summary]) -> None:
-    summary = run_sweep(study, finished[0], workers=1)
+    summary = run_sweep(study, finished[0], workers=1).summary
     assert (summary.computed, summary.cases) == (0, 40)
     assert summary.failures == finished[1].failures
 
@@ -225,9 +228,11 @@ def test_a_metric_that_fails_for_one_design_fails_that_case_only(
     run_sweep(study, tmp_path / "r.zarr", workers=1)
     result = open_sweep(tmp_path / "r.zarr")
     assert result.done.sum() == whole.done.sum() - 1
-    assert str(result.dataset["reason"].values[victim]) == "metric volume: ArithmeticError: too long"
+    assert str(result.to_xarray()["reason"].values[victim]) == "metric volume: ArithmeticError: too long"
     others = result.done
-    np.testing.assert_array_equal(result.dataset["volume"].values[others], whole.dataset["volume"].values[others])
+    np.testing.assert_array_equal(
+        result.to_xarray()["volume"].values[others], whole.to_xarray()["volume"].values[others]
+    )
 
 
 def test_a_mistake_of_the_program_is_no_property_of_a_design(
@@ -245,10 +250,10 @@ def test_a_mistake_of_the_program_is_no_property_of_a_design(
     out = tmp_path / "r.zarr"
     told = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
     whole, result = open_sweep(finished[0]), open_sweep(out)
-    wrong = whole.done & (whole.dataset["lines.0.points"].values == 6)
+    wrong = whole.done & (whole.to_xarray()["lines.0.points"].values == 6)
     assert 0 < wrong.sum() < whole.done.sum()
     np.testing.assert_array_equal(result.done, whole.done & ~wrong)
-    for reason in result.dataset["reason"].values[wrong]:
+    for reason in result.to_xarray()["reason"].values[wrong]:
         here = re.escape(Path(__file__).name)
         assert re.fullmatch(rf"program error: metric volume: KeyError in {here}:\d+: 'six'", str(reason))
     assert told.exit_code == 1
@@ -289,7 +294,7 @@ def test_a_machine_that_lacks_disk_or_memory_fails_no_case_and_ends_the_sweep_in
     assert not open_sweep(out).failed[(state != 0) & ~open_sweep(finished[0]).failed].any()
     assert "Traceback" in next(event for event in events(out) if event["event"] == "stopped")["traceback"]
     full.unlink()
-    assert run_sweep(study, out, workers=1).computed == (state == 0).sum()
+    assert run_sweep(study, out, workers=1).summary.computed == (state == 0).sum()
     assert_same_store(out, finished[0])
 
 
@@ -319,7 +324,7 @@ class Starved(Cases):
 
 def test_metrics_that_the_frequencies_cannot_give_are_refused_before_any_work(tmp_path: Path) -> None:
     text = TEXT.replace('"1:100:12"', '"150:200:5"')
-    with refused(Kind.UNSUITABLE, "frequencies", file="study.toml", error=StudyError):
+    with refused(Kind.UNSUITABLE, "frequency", file="study.toml", error=StudyError):
         run_sweep(read_study(text), tmp_path / "r.zarr", workers=1)
     assert list(tmp_path.iterdir()) == []
 
@@ -328,9 +333,9 @@ def test_metrics_that_the_frequencies_cannot_give_are_refused_before_any_work(tm
 CELLS = """
 base = "array-2x6"
 fidelity = "navier-stokes"
-frequencies = "1:100:4"
+frequency = "1:100:4"
 metrics = ["distance_smallest"]
-[parameters]
+[vary]
 "resonator.cavity_height" = [2.5, 3.0]
 "tube.length" = [12.5, 14, 15, 16, 18, 20]
 "membrane.thickness" = [0.5, 0.6]
@@ -359,16 +364,16 @@ def test_every_distinct_cell_is_solved_once_and_one_that_fails_takes_its_own_cas
 
     monkeypatch.setattr(block, "solve_cells", solve_cells)
     study = read_study(CELLS)
-    summary = run_sweep(study, tmp_path / "r.zarr", workers=1)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=1).summary
     assert len(asked) == len(set(asked)) == summary.cells
     assert summary.cells_solved == sum(1 for cell in asked if cell.height != 3.0)
     result = open_sweep(tmp_path / "r.zarr")
-    tall = result.dataset["resonator.cavity_height"].values == 3.0
+    tall = result.to_xarray()["resonator.cavity_height"].values == 3.0
     np.testing.assert_array_equal(result.failed, tall)
-    assert all("no mesh" in str(reason) for reason in result.dataset["reason"].values[tall])
+    assert all("no mesh" in str(reason) for reason in result.to_xarray()["reason"].values[tall])
     lumped = acoustic_fem.solve(result.design(0), study.frequency, "lumped")
     expected = METRICS["distance_smallest"].of_library(lumped)
-    assert float(result.dataset["distance_smallest"][0]) == pytest.approx(expected, rel=1e-6, abs=0)
+    assert float(result.to_xarray()["distance_smallest"][0]) == pytest.approx(expected, rel=1e-6, abs=0)
 
 
 # -- command line -----------------------------------------------------------------------------------
@@ -405,7 +410,7 @@ def test_a_wrong_command_line_is_refused(arguments: list[str], message: str, tmp
 
 
 def test_a_block_leaves_no_circles_of_objects_and_the_search_for_them_as_it_was(study: Study) -> None:
-    cases, job = cases_of(study), block.Job("lumped", study.frequency, study.metrics, True)
+    cases, job = cases_of(study), block.Job("lumped", study.frequency, study.metrics, "responses")
     block.solve_block(job, cases, 0, {})  # all modules are loaded
     gc.collect()
     gc.disable()
@@ -421,7 +426,7 @@ def test_a_block_leaves_no_circles_of_objects_and_the_search_for_them_as_it_was(
 
 @pytest.mark.parametrize(("cases", "blocks"), [(10_000, 40), (100_000, 388), (4096, 16)])
 def test_blocks_can_be_shared_by_two_or_four_workers(study: Study, cases: int, blocks: int) -> None:
-    many = replace(study, cases=cases, frequency=np.linspace(1.0, 100.0, 64))
+    many = read_study(TEXT.replace("cases = 40", f"cases = {cases}").replace("1:100:12", "1:100:64"))
     size = block_size(many, cases_of(many))
     assert -(-cases // size) == blocks
     assert blocks % 4 == 0
@@ -453,10 +458,10 @@ def test_reasons_that_differ_in_numbers_alone_are_one_kind() -> None:
 def test_failures_of_one_kind_are_told_in_one_line(finished: tuple[Path, Summary]) -> None:
     result = open_sweep(finished[0])
     failed = np.flatnonzero(result.failed)
-    assert len(set(result.dataset["reason"].values[failed])) == len(failed) == 2
+    assert len(set(result.to_xarray()["reason"].values[failed])) == len(failed) == 2
     assert len(finished[1].failures) == 1
     for reason, numbers in finished[1].failures.items():
-        assert reason == result.dataset["reason"].values[numbers[0]]
+        assert reason == result.to_xarray()["reason"].values[numbers[0]]
 
 
 class _Fragile:
@@ -489,16 +494,16 @@ def test_a_case_that_ends_workers_fails_alone(
     monkeypatch.setattr(run, "open_workers", fragile)
     monkeypatch.setattr(run, "disc_tables", lambda discs, solve: ())
     monkeypatch.setattr(records, "block_size", lambda study, cases: 8)
-    summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=2).summary
     whole, result = open_sweep(finished[0]), open_sweep(tmp_path / "r.zarr")
     assert summary.failures[ENDED_WORKERS] == sorted(deadly)
     others = np.array([number not in deadly for number in range(40)])
     np.testing.assert_array_equal(result.done, whole.done & others)
-    for name in ("distance_smallest", "transfer_function_real"):
+    for name in ("distance_smallest", "transfer_function"):
         np.testing.assert_allclose(
-            result.dataset[name].values[others], whole.dataset[name].values[others], rtol=1e-9, atol=1e-15
+            result.to_xarray()[name].values[others], whole.to_xarray()[name].values[others], rtol=1e-9, atol=1e-15
         )
-    assert run_sweep(study, tmp_path / "r.zarr", workers=2).computed == 0
+    assert run_sweep(study, tmp_path / "r.zarr", workers=2).summary.computed == 0
 
 
 def test_a_cell_in_the_cache_is_known_without_reading_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -515,8 +520,8 @@ def test_a_cell_in_the_cache_is_known_without_reading_it(tmp_path: Path, monkeyp
 def test_many_membranes_are_interpolated_between_few_that_are_solved(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    text = TEXT.split("[parameters]")[0].replace("cases = 40", "cases = 120") + (
-        '[parameters]\n"membrane.thickness" = {from = 0.4, to = 0.6}\n'
+    text = TEXT.split("[vary]")[0].replace("cases = 40", "cases = 120") + (
+        '[vary]\n"membrane.thickness" = {from = 0.4, to = 0.6}\n'
     )
     study = read_study(text)
     solved: list[object] = []
@@ -534,4 +539,4 @@ def test_many_membranes_are_interpolated_between_few_that_are_solved(
         library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
         for name, accuracy in (("distance_smallest", 2e-4), ("sensitivity_force", 4e-4)):
             expected = METRICS[name].of_library(library)
-            assert float(result.dataset[name][number]) == pytest.approx(expected, rel=accuracy, abs=0)
+            assert float(result.to_xarray()[name][number]) == pytest.approx(expected, rel=accuracy, abs=0)

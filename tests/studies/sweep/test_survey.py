@@ -9,14 +9,14 @@ import pytest
 
 from geometry import ArrayDesign
 from studies.study.cases import cases_of
-from studies.study.file import read_study
+from studies.study.study import read_study
 from studies.sweep import block
 from studies.sweep.plan import plan_sweep
 from studies.sweep.run import run_sweep
 from studies.sweep.survey import surveyed
 
 HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest", "length", "width", "height"]\n'
-LENGTHS = '[parameters]\n"tube.length" = [12.5, 13, 14, 15, 16, 17]\n'
+LENGTHS = '[vary]\n"tube.length" = [12.5, 13, 14, 15, 16, 17]\n'
 STATED = 'constraints = ["tube.length > 12.6"]\n'
 DERIVED = 'constraints = ["resonator.cavity_volume * tube.length > 900"]\n'
 
@@ -49,7 +49,7 @@ def test_a_sweep_builds_a_design_once_for_itself_and_once_where_it_is_computed(
 ) -> None:
     study = read_study(head)
     built.clear()
-    summary = run_sweep(study, tmp_path / "r.zarr", workers=1)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=1).summary
     assert summary.computed == cases
     assert not summary.failures
     assert set(built.values()) <= {1, most}
@@ -72,16 +72,14 @@ def test_cells_membranes_and_constraints_are_read_from_one_design(
 
 
 def test_a_plan_builds_every_design_once_but_for_those_that_it_times(built: Counter[float]) -> None:
-    study = read_study(
-        f'{HEAD}fidelity = "lumped"\n[parameters]\n"tube.length" = {[12.5 + k / 8 for k in range(40)]}\n'
-    )
+    study = read_study(f'{HEAD}fidelity = "lumped"\n[vary]\n"tube.length" = {[12.5 + k / 8 for k in range(40)]}\n')
     built.clear()
     assert plan_sweep(study).cases == 40
     assert sum(count == 1 for count in built.values()) >= 35
 
 
 def test_a_design_that_is_refused_is_told_with_its_number() -> None:
-    study = read_study(f'{HEAD}fidelity = "lumped"\n[parameters]\n"resonator.wall_thickness" = [1.0, 2.0, 2.5]\n')
+    study = read_study(f'{HEAD}fidelity = "lumped"\n[vary]\n"resonator.wall_thickness" = [1.0, 2.0, 2.5]\n')
     found = surveyed(study, every=True)
     assert list(found.refused) == [0]
     assert len(found.cases) == len(cases_of(study)) == 3

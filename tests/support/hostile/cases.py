@@ -70,7 +70,7 @@ def sweep_told(name: str) -> tuple[str, ...]:
     """Python that opens a sweep and tells what it holds."""
     return (
         "-c",
-        f"from studies import open_sweep\nd = open_sweep({name!r}).dataset.load()\n"
+        f"from studies import open_sweep\nd = open_sweep({name!r}).to_xarray().load()\n"
         "held = repr([(k, d[k].values.tolist()) for k in sorted(d.variables)])\n"
         "import hashlib; print(hashlib.sha256(held.encode()).hexdigest())",
     )

@@ -24,14 +24,14 @@ STUDY = """
 name = "bores"
 base = "design.toml"
 fidelity = "lumped"
-frequencies = "1:100:8"
+frequency = "1:100:8"
 metrics = ["distance_smallest", "sensitivity_force"]
 sampling = "random"
 cases = 12
 seed = 1
-transfer_functions = true
+keep = "responses"
 
-[parameters]
+[vary]
 "tube.inner_diameter" = { from = 0.3, to = 0.8 }
 "tube.length" = { from = 8, to = 30 }
 """
@@ -40,8 +40,8 @@ SEARCH = (
     .replace("cases", "#")
     .replace("transfer", "#")
     .replace(
-        "[parameters]",
-        '[optimize]\ntrials = 8\nbatch = 4\n[[optimize.objectives]]\nmetric = "distance_smallest"\n\n[parameters]',
+        "[vary]",
+        '[optimize]\ntrials = 8\nbatch = 4\n[[optimize.objectives]]\nmetric = "distance_smallest"\n\n[vary]',
     )
 )
 PROCESS = """

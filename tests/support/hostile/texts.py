@@ -27,7 +27,7 @@ STUDY_CHANGES = (
     ),
     *(('fidelity = "lumped"', f"fidelity = {value}") for value in ('"none"', "1", "[]", "nan")),
     *(
-        ('frequencies = "1:100:8"', f"frequencies = {value}")
+        ('frequency = "1:100:8"', f"frequency = {value}")
         for value in (
             '"1:100:1000000000"',
             '"nan:1:2"',

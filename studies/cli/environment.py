@@ -1,4 +1,4 @@
-"""What the environment of the command line may hold: nonsense is set right, or refused, before any work."""
+"""Environment of the command line: nonsense is set right, or refused, before any work."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ _SIZES = ("COLUMNS", "LINES", "TERMINAL_WIDTH")
 _LARGEST = 10_000
 
 
-def check_surroundings() -> None:
+def check_environment() -> None:
     """Ignore sizes of a terminal that no terminal has, and matplotlib's choice of a window: no verb opens one.
 
     Raises:
-        Refusal: ``SOURCE_DATE_EPOCH`` is no time.
+        Refusal: ``SOURCE_DATE_EPOCH`` is not a time.
     """
     for name in _SIZES:
         if name in os.environ and not 1 <= whole_number(os.environ[name].strip()) <= _LARGEST:

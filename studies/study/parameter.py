@@ -1,0 +1,105 @@
+"""A parameter of a study: one field of the design, with its values or its range."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.ground.refusal import Refusal
+
+#: Significant digits of a value within a range: below a micrometre nothing is made.
+_DIGITS = 4
+
+Sampling = Literal["grid", "latin-hypercube", "sobol", "random"]
+
+
+class StudyError(Refusal):
+    """Refusal of a study that is not valid. The message is one line: file, field, value and what is allowed."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """Field of the design that a study varies: a list of values, or a range."""
+
+    name: str
+    """Dotted name of the field."""
+    values: tuple[float | int | str, ...] = ()
+    """Values of a list, in the unit of the field; empty for a range."""
+    low: float = 0.0
+    """Beginning of a range, in the unit of the field."""
+    high: float = 0.0
+    """End of a range, in the unit of the field."""
+    count: int = 0
+    """Number of values of the range in a grid; 0 where none is given."""
+    scale: Literal["linear", "log"] = "linear"
+    """Scale of a range: equal steps, or equal ratios."""
+    whole: bool = False
+    """True if the values are whole numbers, to which those of a range are rounded."""
+    step: float = 0.0
+    """Distance of the sizes that can be had, counted from the beginning of a range; 0 where any can."""
+
+    @property
+    def size(self) -> int:
+        """Number of values in a grid."""
+        return len(self.values) or self.count
+
+    def at(self, place: NDArray[np.float64]) -> NDArray[Any]:
+        """Values at places from 0 to 1: for a list each value takes an equal share of them.
+
+        Args:
+            place: (n,) float64, 0 to 1.
+
+        Returns:
+            (n,) float64, int64 where the values are whole, or objects (texts); in the unit of the field.
+        """
+        if self.values:
+            kind = np.float64 if all(isinstance(value, (int, float)) for value in self.values) else object
+            kind = np.int64 if self.whole else kind
+            index = np.minimum((place * len(self.values)).astype(np.int64), len(self.values) - 1)
+            return np.array(self.values, dtype=kind)[index]
+        if self.whole:  # each whole number takes an equal share
+            low, high = round(self.low), round(self.high)
+            return np.minimum(low + (place * (high - low + 1)).astype(np.int64), high)
+        if self.scale == "log":
+            values = self.low * (self.high / self.low) ** place
+        else:
+            values = self.low + (self.high - self.low) * place
+        return self.to_stock_size(np.clip(values, self.low, self.high))
+
+    def to_stock_size(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The values (n,) as the nearest sizes that can be had; (n,) float64, in the unit of the field.
+
+        Without a step these are values of four digits, more where the range is narrow, so that what is computed is what
+        a design file says and what somebody can make.
+        """
+        if not self.step:
+            span = 2 - math.floor(math.log10(self.high - self.low))
+            sizes = [round(value, max(_decimals(value), span)) for value in values.tolist()]
+            return np.clip(np.array(sizes, np.float64), self.low, self.high)
+        last = math.floor((self.high - self.low) / self.step + 1e-9)
+        steps = np.clip(np.round((values - self.low) / self.step), 0, last)
+        return np.round(self.low + steps * self.step, 9)
+
+    def grid(self) -> NDArray[Any]:
+        """Values in a grid, in the order of the file; (n,) float64, int64 where they are whole, or objects (texts)."""
+        if self.values:
+            return self.at((np.arange(len(self.values)) + 0.5) / len(self.values))
+        steps = np.arange(self.count) / max(self.count - 1, 1)
+        if self.whole:
+            return np.unique(np.round(self.low + (self.high - self.low) * steps).astype(np.int64))
+        return self.at(steps)
+
+
+def _decimals(value: float) -> int:
+    """Decimals of a number that is rounded to significant digits."""
+    return _DIGITS - 1 - math.floor(math.log10(abs(value))) if value else 0
+
+
+def parameter_content(parameter: Parameter) -> dict[str, Any]:
+    """A parameter as plain values; a step that is not stated does not count, so that older results stay known."""
+    content = vars(parameter) | {"values": list(parameter.values)}
+    return {name: value for name, value in content.items() if name != "step" or value}

@@ -1,0 +1,112 @@
+"""Objects show themselves in a few lines, as text and as a table; designs are not changed in place."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from refusals import refused
+
+import acoustic_fem
+import geometry
+import localize
+import studies
+from geometry.ground.refusal import Kind
+from geometry.ground.shown import MOST_LINES, Shown
+
+DESIGN = geometry.prototype("array-2x6")
+
+
+class Many(Shown):
+    """An object with more facts than are shown, one of them long and one of several lines."""
+
+    def shown(self) -> tuple[str, dict[str, object]]:
+        return "Many <b>", {"empty": "", **{f"fact {k}": "x\ny" * (1 + 50 * k) for k in range(20)}}
+
+
+def test_a_text_has_at_most_twelve_lines_and_a_table_no_markup_of_its_facts() -> None:
+    lines = repr(Many()).splitlines()
+    assert len(lines) == MOST_LINES
+    assert lines[1] == "  fact 0: x y"
+    assert "empty" not in repr(Many())
+    assert max(map(len, lines)) <= 105
+    assert "<b>Many &lt;b&gt;</b>" in Many()._repr_html_()
+
+
+@pytest.fixture(scope="module")
+def objects(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Shown]:
+    study = studies.Study(DESIGN, {"tube.length": [12.0, 14.0]}, metrics=["volume", "mass"], fidelity="lumped")
+    library = acoustic_fem.solve(DESIGN, "1:500:500", "lumped")
+    decoder = localize.BayesDecoder(library, 1e-3)
+    return {
+        "design": DESIGN,
+        "library": library,
+        "study": study,
+        "sweep": studies.run_sweep(study, tmp_path_factory.mktemp("shown") / "r.zarr", workers=1),
+        "evaluation": localize.evaluate(decoder, library, 2, 1e-3),
+    }
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("design", "inner diameter 0.44 mm"),
+        ("library", "12 points, 2 microphones, 500 frequencies"),
+        ("study", "tube.length: 12.0, 14.0"),
+        ("sweep", "2: 2 done, 0 failed, 0 waiting"),
+        ("evaluation", "top-1 accuracy"),
+    ],
+)
+def test_an_object_says_what_it_is(name: str, words: str, objects: dict[str, Shown]) -> None:
+    text = repr(objects[name])
+    assert 3 <= len(text.splitlines()) <= MOST_LINES
+    assert words in text
+    assert words in objects[name]._repr_html_()
+
+
+def test_objects_draw_themselves(objects: dict[str, Shown], tmp_path: Path) -> None:
+    library, sweep, evaluation = (objects[name] for name in ("library", "sweep", "evaluation"))
+    assert isinstance(library, acoustic_fem.Library)
+    assert isinstance(sweep, studies.Sweep)
+    assert isinstance(evaluation, localize.Evaluation)
+    level = library.plot("level", microphones=["B"])
+    (axes,) = level.axes
+    assert len(axes.lines) == 12
+    h = library.transfer_function.sel(microphone="B").transpose("point", "frequency").values
+    np.testing.assert_allclose(axes.lines[3].get_ydata(), 20 * np.log10(np.abs(h[3])))
+    difference = library.plot("ipd").axes
+    assert len(difference) == 1
+    with refused(Kind.OUT_OF_RANGE, "quantity", "loudness"):
+        library.plot("loudness")  # type: ignore[arg-type]
+    with refused(Kind.UNKNOWN, "microphones", "C"):
+        library.plot("level", ["C"])
+    with refused(Kind.OUT_OF_RANGE, "microphones"):
+        library.plot("ild", ["A"])
+    effects = sweep.plot("mass")
+    assert effects.axes[0].get_xlabel() == "tube.length  (mm)"
+    assert len(sweep.plot("mass", "volume").axes[0].lines) == 2
+    with refused(Kind.UNKNOWN, "against", "cost"):
+        sweep.plot("mass", "cost")
+    confusion = evaluation.plot()
+    assert confusion.axes[0].images[0].get_array().shape == (12, 12)
+    plan = DESIGN.draw()
+    assert len(plan.axes[0].patches) == 12
+    for figure in (level, effects, confusion, plan):
+        figure.savefig(tmp_path / "figure.png")
+        assert (tmp_path / "figure.png").stat().st_size > 5000
+
+
+def test_a_design_lists_its_fields_and_our_methods_alone() -> None:
+    names = dir(DESIGN)
+    assert {"tube", "membrane", "with_values", "draw", "point_count"} <= set(names)
+    assert not [name for name in names if name.startswith(("_", "model_")) or name in ("copy", "json", "dict")]
+    assert {"length", "inner_diameter"} <= set(dir(DESIGN.tube))
+
+
+def test_a_field_that_is_set_in_place_is_refused_with_what_to_write() -> None:
+    with refused(Kind.UNSUITABLE, "tube.length", 3) as found:
+        DESIGN.tube.length = 3
+    assert 'with_values({"tube.length": 3})' in str(found.value)
+    with refused(Kind.UNSUITABLE, "name", "mine"):
+        DESIGN.name = "mine"
