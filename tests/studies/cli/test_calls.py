@@ -86,6 +86,7 @@ WORDS = {
     "live": "model",
     "bend": "--out x",
     "sweep": "study.toml --out x.zarr",
+    "dataset": "results.zarr --out x",
     "tolerance": "row.toml --out x",
     "optimize": "study.toml --out x",
     "report": "results.zarr --out x.html",

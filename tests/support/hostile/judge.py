@@ -186,7 +186,8 @@ def _fault_of_acceptance(case: Case, ended: Ended, undamaged: str) -> str:
 
 def _said(case: Case, ended: Ended) -> bool:
     """Whether what is damaged is named as such: in a note or warning, or in a table of what was left out."""
-    notes = [line for line in ended.err.splitlines() if "note" in line or "warning" in line.lower()]
+    lines = (ended.out + ended.err).splitlines()
+    notes = [line for line in lines if "note" in line or "warning" in line.lower()]
     return "left out" in ended.out or any(word in line for line in notes for word in case.named)
 
 

@@ -223,7 +223,7 @@ def outputs() -> Iterator[Variant]:
             suffix = {"solve": "r.nc", "locate": "r.csv", "convert": "r.npz"}.get(words[0], "r.zarr")
             out = f"{scheme}://bucket/{suffix}"
             yield Variant(f"{words[0]} --out {out}", (*words, "--out", out), "refused", untouched)
-    for name in ("p.csv", "p.wav", "p.nc", "p.jpeg", "p.png.toml", "design.toml"):
+    for name in ("p.csv", "p.wav", "p.nc", "p.txt", "p.png.toml", "design.toml"):
         for words in (
             LOCATE,
             ("check", "design.toml"),
@@ -347,7 +347,7 @@ def _table(text_of: str) -> Change:
 def recordings() -> Iterator[Variant]:
     """Wrong connections, headers of recorders that died or stream, tables of other programs."""
     connected = (*LOCATE[:-1], "20")  # the full scale of the example
-    named = ("reversed", "exchanged", "late", "no point explains", "silent", "level", "channel")
+    named = ("reversed", "exchanged", "late", "no point explains", "louder", "silent", "dead channel")
     for what, options in (
         ("reversed", {}),
         ("exchanged", {}),
