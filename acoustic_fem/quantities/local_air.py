@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from acoustic_fem.quantities.medium import Medium
-from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
-from geometry.schema.array_fields import Air
+
+if TYPE_CHECKING:
+    from geometry.design.array_design import ArrayDesign
 
 #: m, between which :func:`standard_pressure` stays within what :class:`acoustic_fem.Medium` takes.
 ALTITUDES = (-1000.0, 5500.0)
@@ -99,8 +100,9 @@ def medium_of(air: AirLike, design: ArrayDesign | None = None) -> Medium:
     if isinstance(air, Medium):
         return air
     checked_air(air, gas=True)
-    stated = Air() if design is None else design.air
-    values = {"air.temperature": stated.temperature, "air.humidity": stated.humidity, "air.pressure": stated.pressure}
+    values: dict[str, float] = {"air.temperature": 20.0, "air.humidity": 0.5, "air.pressure": 101325.0}
+    if design is not None:
+        values = {name: getattr(design.air, name.removeprefix("air.")) for name in values}
     values |= air.design_values if air else {}
     return Medium.at(*values.values())
 

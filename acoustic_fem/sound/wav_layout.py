@@ -21,6 +21,8 @@ _MOST_CHUNKS = 1000
 _UNKNOWN = 0x7FFF0000
 #: Bytes by which the stated length of a file may be too large: the header of RIFF counted in, and a pad byte.
 _COUNTED_IN = 9
+#: Samples behind those that are stated are read if they last at least so long, s.
+_FEWEST_SECONDS = 0.1
 #: Names of chunks of samples, formats and what recorders add, to tell a chunk from samples.
 _NAMES = frozenset(
     b"fmt |data|fact|LIST|INFO|bext|iXML|JUNK|junk|PAD |FLLR|PEAK|cue |plst|labl|note|smpl|inst|ID3 |id3 |ds64|axml|"
@@ -155,6 +157,8 @@ class _Reader:
         behind = self._bytes(place + stated, rest)
         if behind.startswith(b"TAG") or not behind.strip(b"\0"):
             return stated  # a title of the old kind, or room that was not used
+        if rest < _FEWEST_SECONDS * int.from_bytes(found.format[8:12], found.order):
+            return stated  # too few to be what a recorder has left out of its header: of a write that was cut off
         self._note(
             found,
             f"states {stated} bytes of samples and holds {there}; all are read, because recorders that are cut off "

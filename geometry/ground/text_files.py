@@ -16,6 +16,8 @@ from geometry.ground.refusal import Kind, Refusal
 LARGEST_TEXT = 1_000_000
 """Most bytes of a text; a design of a hundred lines has ten thousand."""
 _DEEPEST = 32  # levels of lists and tables in a file, and parts of a dotted key; designs and studies have five
+#: Most parts of all dotted keys of a file together: our largest designs have a few hundred.
+_MOST_PARTS = 50_000
 #: What no text of a file may hold: controls but for tab and line ends, marks that turn the line, halves of a letter.
 _UNSEEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 #: Pieces of TOML by which dotted keys are found: remarks, texts, dots, what no dotted key goes across, and the quotes
@@ -92,19 +94,22 @@ def _parsed(parse: Callable[[Any], Any], text: object, what: str, source: str, r
 
 def _check_dotted_keys(text: str, source: str, refusal: type[Refusal]) -> None:
     """Refuse a key of very many parts before it is parsed: the parser takes memory by the square of their number."""
-    if all(line.count(".") < _DEEPEST for line in text.split("\n")):
+    if text.count(".") <= _MOST_PARTS and all(line.count(".") < _DEEPEST for line in text.split("\n")):
         return
-    parts = 1
+    parts, total = 1, 0
     for piece in _PIECES.finditer(text):
         if piece["open"]:  # up to the end of the file: the parser says so
             return
         if piece["end"]:
             parts = 1
         elif piece["dot"]:
-            parts += 1
+            parts, total = parts + 1, total + 1
             if parts > _DEEPEST:
                 line = text.count("\n", 0, piece.start()) + 1
                 problem = f"has a key of more than {_DEEPEST} parts in line {line}"
+                raise refusal(problem, kind=Kind.UNREADABLE, file=source)
+            if total > _MOST_PARTS:
+                problem = f"has dotted keys of more than {_MOST_PARTS} parts together"
                 raise refusal(problem, kind=Kind.UNREADABLE, file=source)
 
 

@@ -23,6 +23,10 @@ class ArraySource(Protocol):
         """Numbers of the cases that have an array, ascending; (n_case,) int64."""
 
     @property
+    def case_keys(self) -> tuple[str, ...]:
+        """Text of each case, in the order of their numbers; equal designs have equal ones, and are of one split."""
+
+    @property
     def parameter_names(self) -> tuple[str, ...]:
         """Names of the numbers that tell one case from another."""
 
@@ -55,6 +59,11 @@ class OneArray:
     def case_numbers(self) -> NDArray[np.int64]:
         """Case 0 alone; (1,) int64."""
         return np.zeros(1, np.int64)
+
+    @property
+    def case_keys(self) -> tuple[str, ...]:
+        """Name of the array."""
+        return (self.response.name,)
 
     @property
     def parameter_names(self) -> tuple[str, ...]:

@@ -1,18 +1,19 @@
 """Splits by design: a case is of the training, the validation or the test set, never of two of them.
 
-The split of a case depends on the seed and its number alone: it stays the same when cases are added, and whatever was
-drawn before.
+The split of a case depends on a seed and on the key of its design alone: it stays the same when cases are added, and
+equal designs are always of one split.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from geometry.ground.argument_checks import check_choice
+from geometry.ground.record import sha256
 from geometry.ground.refusal import Kind, Refusal
 from localize.signals.random_streams import Purpose
 
@@ -25,11 +26,11 @@ DEFAULT_SHARES: Mapping[Split, float] = {"train": 0.8, "validation": 0.1, "test"
 PURPOSE_OF: Mapping[Split, Purpose] = {"train": "training", "validation": "held-out", "test": "evaluation"}
 
 
-def split_of(cases: ArrayLike, seed: int = 0, shares: Mapping[Split, float] = DEFAULT_SHARES) -> NDArray[np.str_]:
-    """Split of each case, by its number and the seed alone.
+def split_of(keys: Sequence[str], seed: int = 0, shares: Mapping[Split, float] = DEFAULT_SHARES) -> NDArray[np.str_]:
+    """Split of each case, by the key of its design and the seed alone.
 
     Args:
-        cases: (n,) numbers of cases, whole, zero or above.
+        keys: text of each case; equal designs have equal ones.
         seed: any non-negative integer.
         shares: fraction of the cases in each split, one in all.
 
@@ -41,8 +42,8 @@ def split_of(cases: ArrayLike, seed: int = 0, shares: Mapping[Split, float] = DE
     """
     check_shares(shares)
     part = np.array([shares.get(name, 0.0) for name in SPLITS], np.float64)
-    drawn = [np.random.SeedSequence(seed, spawn_key=(int(case),)).generate_state(1)[0] for case in np.ravel(cases)]
-    place = np.searchsorted(np.cumsum(part[:-1]), np.array(drawn, np.float64) / 2.0**32, "right")
+    drawn = [int(sha256(f"{seed}\n{key}")[:8], 16) / 2.0**32 for key in keys]
+    place = np.searchsorted(np.cumsum(part[:-1]), drawn, "right")
     return np.array(SPLITS)[place]
 
 

@@ -2,7 +2,7 @@
 
 Sample ``index`` of a case depends on the seed, the split, the case and the index alone. The samples of a case are made
 in visits of 256, because what a visit needs of the case is worked out once. The visits of an epoch are drawn in random
-order, those of four neighbouring cases together. Sixteen are shuffled together, and the batches of these go to one
+order, those of four neighbouring cases together. At most sixteen are shuffled together, and their batches go to one
 worker: no two workers, on whatever machines, make the same batch, and batches hold the same samples however many
 workers there are. Only the order in which batches arrive depends on the number of workers.
 """
@@ -20,7 +20,7 @@ from torch import Tensor
 from torch.utils.data import IterableDataset, get_worker_info
 
 from acoustic_fem import Library
-from geometry.ground.argument_checks import check_choice, check_range
+from geometry.ground.argument_checks import check_choice, check_range, check_type
 from geometry.ground.refusal import Kind, Refusal
 from localize.datasets.array_source import ArraySource, source_of
 from localize.datasets.splits import DEFAULT_SHARES, PURPOSE_OF, SPLITS, Split, check_shares, split_of
@@ -81,7 +81,8 @@ class TouchDataset(IterableDataset[TouchBatch]):
             has it in all splits, which then differ in their touches only. None takes all cases, with the touches of
             "train".
         shares: fraction of the cases in each split.
-        seed: of touches, order and splits; any non-negative integer.
+        seed: of touches and order; any non-negative integer.
+        split_seed: of the splits; data sets that are compared must have the same.
         batch_size: samples of a batch; give the ``DataLoader`` ``batch_size=None`` then, which is several times as
             fast. None yields single samples.
         features: maps in place of signals, as of :class:`localize.learned.PairFeatures`, of the last 250 samples of
@@ -107,6 +108,7 @@ class TouchDataset(IterableDataset[TouchBatch]):
         split: Split | None = None,
         shares: Mapping[Split, float] = DEFAULT_SHARES,
         seed: int = 0,
+        split_seed: int = 0,
         batch_size: int | None = None,
         features: FeatureChoice | None = None,
         microphone_noise: NoiseChoice = "design",
@@ -118,6 +120,7 @@ class TouchDataset(IterableDataset[TouchBatch]):
     ) -> None:
         check_range("touches", touches, 1, 2**31, whole=True)
         check_range("seed", seed, 0, 2**63 - 1, whole=True)
+        check_range("split_seed", split_seed, 0, 2**63 - 1, whole=True)
         check_range("machines", machines, 1, 2**20, whole=True)
         check_range("rank", rank, 0, machines - 1, whole=True)
         check_noise_choice(microphone_noise)
@@ -127,14 +130,14 @@ class TouchDataset(IterableDataset[TouchBatch]):
         if ambient is not None:
             check_ambient(ambient)
         self.source = source_of(source)
-        self.parameter_names = self.source.parameter_names
+        self.parameter_names, self.parameter_units = self.source.parameter_names, self.source.parameter_units
         #: Names of the kinds of touches.
         self.kinds = tuple(mix)
         #: Share of each of them, relative to the others.
         self.mix_shares = tuple(float(share) for share in mix.values())
         self._mixture = _mixture(mix)
         #: Numbers of the cases of this split; (n_case,) int64.
-        self.cases = cases_of(self.source, split, seed, shares)
+        self.cases = cases_of(self.source, split, split_seed, shares)
         self.touches, self.seed, self.batch_size, self.shuffle = touches, seed, batch_size, shuffle
         self.features, self.microphone_noise, self.ambient = features, microphone_noise, ambient
         self.rank, self.machines = rank, machines
@@ -154,6 +157,13 @@ class TouchDataset(IterableDataset[TouchBatch]):
             self._maps = PairFeatures(self.most_microphones, features)
         self._ready: dict[int, tuple[TouchGenerator, dict[str, Tensor]]] = {}
         self._open([int(self.cases[0])])  # refuses noise or sound that the arrays do not allow before any work
+
+    def __repr__(self) -> str:
+        """Cases, touches and what they are made of."""
+        return (
+            f"TouchDataset({len(self.cases)} cases, {self.touches} touches each, {', '.join(self.kinds)}; "
+            f"{self.most_points} points, {self.most_microphones} microphones, epoch {self.epoch})"
+        )
 
     def set_epoch(self, epoch: int) -> None:
         """Take the touches of another epoch, from 0; with persistent workers, before these are started."""
@@ -208,9 +218,10 @@ class TouchDataset(IterableDataset[TouchBatch]):
         first sample and the number of samples.
         """
         each, visits = math.ceil(self.touches / VISIT), self._visits()
-        for place in range(first, math.ceil(len(visits) / TOGETHER), step):
+        together = min(TOGETHER, max(1, len(visits) // TOGETHER))  # small sets too are spread over many workers
+        for place in range(first, math.ceil(len(visits) / together), step):
             chunk = []
-            for visit in visits[place * TOGETHER : (place + 1) * TOGETHER].tolist():
+            for visit in visits[place * together : (place + 1) * together].tolist():
                 start = visit % each * VISIT
                 count = min(VISIT, self.touches - start)
                 chunk.append((int(self.cases[visit // each]), self.epoch * self.touches + start, count))
@@ -324,6 +335,7 @@ def _row(batch: TouchBatch, rows: int | slice | Tensor) -> TouchBatch:
 
 
 def _mixture(mix: Mapping[str, float]) -> Mixture:
+    check_type("mix", mix, (Mapping,), "kinds of touches with their shares, such as {'taps': 0.5, 'slides': 0.5}")
     for name in mix:
         check_choice("mix", name, STIMULI)
     if not mix or not all(0 < share < math.inf for share in mix.values()):
@@ -348,7 +360,7 @@ def cases_of(source: ArraySource, split: Split | None, seed: int, shares: Mappin
     check_choice("split", split, SPLITS)
     if len(cases) == 1:
         return cases
-    own = cases[split_of(cases, seed, shares) == split]
+    own = cases[split_of(source.case_keys, seed, shares) == split]
     if not len(own):
         raise Refusal(
             f"gets none of the {len(cases)} cases", kind=Kind.UNSUITABLE, field="split", value=split,

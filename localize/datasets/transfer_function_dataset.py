@@ -46,7 +46,7 @@ class TransferFunctionDataset(Dataset[DesignSample]):
         source: a sweep that keeps libraries, as-built sensors, or an :class:`ArraySource` of your own.
         split: "train", "validation" or "test"; None takes all cases.
         shares: fraction of the cases in each split.
-        seed: of the splits, as of :class:`localize.TouchDataset`.
+        split_seed: of the splits, as of :class:`localize.TouchDataset`.
         form: "complex", or "two channels" for real and imaginary part.
 
     Raises:
@@ -59,18 +59,23 @@ class TransferFunctionDataset(Dataset[DesignSample]):
         *,
         split: Split | None = None,
         shares: Mapping[Split, float] = DEFAULT_SHARES,
-        seed: int = 0,
+        split_seed: int = 0,
         form: ComplexForm = "complex",
     ) -> None:
         check_choice("form", form, FORMS)
         self.source = source_of(source)
         self.form = form
-        self.parameter_names = self.source.parameter_names
+        self.parameter_names, self.parameter_units = self.source.parameter_names, self.source.parameter_units
         #: Numbers of the cases of this split; (n_case,) int64.
-        self.cases = cases_of(self.source, split, seed, shares)
+        self.cases = cases_of(self.source, split, split_seed, shares)
         #: (n_freq,) float64, Hz.
         self.frequency = self.source.arrays([int(self.cases[0])])[0].frequency
         self._size = np.asarray(self.source.array_sizes, np.int64).max(0).tolist()
+
+    def __repr__(self) -> str:
+        """Designs, parameters and shape of a transfer function."""
+        shape = (*self._size, len(self.frequency))
+        return f"TransferFunctionDataset({len(self)} designs, {len(self.parameter_names)} parameters, {shape})"
 
     def __len__(self) -> int:
         """Number of designs."""

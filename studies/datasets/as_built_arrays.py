@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from acoustic_fem.library.solving import solve
-from acoustic_fem.quantities.checks import frequency_grid
-from acoustic_fem.quantities.local_air import LocalAir, checked_air, design_air
+from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
+from acoustic_fem.quantities.local_air import AirLike, LocalAir, checked_air, medium_of
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidelity
 from acoustic_fem.scatter.tolerances import QUANTITIES, ScatteredDesign, Tolerance, tolerances_of
 from geometry.design.array_design import ArrayDesign
@@ -67,6 +67,11 @@ class AsBuiltArrays:
         return np.arange(self._count)
 
     @property
+    def case_keys(self) -> tuple[str, ...]:
+        """Number of each sensor as a text."""
+        return tuple(map(str, range(self._count)))
+
+    @property
     def parameter_units(self) -> tuple[str, ...]:
         """Standard deviations, all of them."""
         return ("standard deviations",) * len(self.parameter_names)
@@ -107,9 +112,9 @@ def as_built(
     seed: int = 0,
     *,
     tolerances: PathLike | Sequence[Tolerance] | None = None,
-    frequency: ArrayLike | str = FREQUENCIES,
+    frequency: FrequencyLike = FREQUENCIES,
     fidelity: str | None = None,
-    air: LocalAir | None = None,
+    air: AirLike = None,
 ) -> AsBuiltArrays:
     """As-built sensors of a design, drawn by manufacturing tolerances, for :class:`localize.TouchDataset` and others.
 
@@ -121,7 +126,7 @@ def as_built(
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
         fidelity: one of :data:`acoustic_fem.FIDELITIES`; by default ``atlas`` where it covers the design and all
             sensors about it, and 3-D elsewhere.
-        air: of the place where the sensors are used; by default the design's.
+        air: of the place where the sensors are used, or a gas of its own; by default the design's.
 
     Raises:
         Refusal: a count, a frequency or a tolerance out of range; a design that cannot be built; at fidelity
@@ -131,10 +136,10 @@ def as_built(
     check_range("count", count, 1, 1_000_000, whole=True)
     check_range("seed", seed, 0, 2**63 - 1, whole=True)
     grid = frequency_grid(frequency)
-    checked_air(air)
-    if air is not None:
+    checked_air(air, gas=True)
+    if isinstance(air, LocalAir):
         design = design.with_values(air.design_values)
-    medium = design_air(design)
+    medium = medium_of(air, design)
     scattered = ScatteredDesign(design, tolerances_of(tolerances))
     name = as_built_fidelity(scattered, grid, medium).name if fidelity is None else fidelity
     nominal = response_of(solve(design, grid, name, medium))

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 import localize
 from geometry.ground.refusal import counted
 from localize.datasets.array_source import ArraySource
 from localize.datasets.splits import Split
-from studies.datasets.columns import COLUMNS
+from studies.datasets.columns import COLUMNS, columns_of
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+    from localize.datasets.touch_dataset import TouchBatch
 
 #: Cases whose parameters are looked at for their ranges: reading thousands would take longer than it tells.
 _LOOKED_AT = 256
@@ -56,7 +62,8 @@ def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset],
     """
     split, data = next(iter(parts.items()))
     first = f"{split}.zarr" if request["format"] == "zarr" else f"{split}-00000{_SUFFIX[request['format']]}"
-    sample = data.sample(int(data.cases[0]), 0)
+    single = cast("dict[str, Tensor]", data.sample(int(data.cases[0]), 0))
+    sample = columns_of(cast("TouchBatch", {name: values[None] for name, values in single.items()}))
     mapped = request["features"] is not None
     noise = request["microphone_noise"]
     lines = [
@@ -95,7 +102,7 @@ def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset],
         "",
         "| column | shape | type | unit | what |",
         "|---|---|---|---|---|",
-        *(_column(name, sample, mapped) for name in COLUMNS if sample[name].numel()),  # type: ignore[literal-required]
+        *(_column(name, sample[name][0], mapped) for name in sample),
         "",
         f"Kinds, in the order of `kind`: {', '.join(request['kinds'])}, from 0. A sample of an array with fewer points "
         "or microphones than the largest is filled up with zeros; `points` and `microphones` say what is there.",
@@ -103,10 +110,10 @@ def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset],
         "## How to read it",
         "",
         "```python",
-        _READ[request["format"]].format(first=first, shape=tuple(sample["signals"].shape)).rstrip(),
+        _READ[request["format"]].format(first=first, shape=sample["signals"].shape[1:]).rstrip(),
         "```",
         "",
-        "`sha256sum -c SHA256SUMS` checks every file.",
+        "`sha256sum -c SHA256SUMS` checks every shard.",
         "",
         "## Origin and licence",
         "",
@@ -148,10 +155,10 @@ def _parameters(arrays: ArraySource) -> list[str]:
     ]
 
 
-def _column(name: str, sample: Mapping[str, Any], mapped: bool) -> str:
-    column, values = COLUMNS[name], sample[name]
+def _column(name: str, values: NDArray[Any], mapped: bool) -> str:
+    column = COLUMNS[name]
     axes, unit, text = column.axes, column.unit, column.text
     if name == "signals" and mapped:
         axes, unit, text = ("map", "frequency", "time"), "1", "maps of level, phase and power"
     sizes = " x ".join(f"{axis} {size}" for axis, size in zip(axes, values.shape, strict=True)) or "one number"
-    return f"| `{name}` | {sizes} | {str(values.dtype).removeprefix('torch.')} | {unit} | {text} |"
+    return f"| `{name}` | {sizes} | {values.dtype} | {unit} | {text} |"

@@ -27,7 +27,7 @@ from geometry.ground.record import sha256
 from geometry.ground.refusal import Field, Kind, Refusal, counted
 from geometry.ground.text_files import parse_json, read_text
 from geometry.ground.typed import PathLike
-from geometry.ground.whole_files import write_text
+from geometry.ground.whole_files import leftovers, write_text
 from localize.datasets.array_source import ArraySource, source_of
 from localize.datasets.splits import DEFAULT_SHARES, SPLITS, Split, check_shares
 from localize.datasets.touch_dataset import DEFAULT_MIX, TouchBatch
@@ -125,6 +125,8 @@ def export_dataset(
     request = _request(parts, file_format, samples_per_shard, shares, licence)
     with claimed_folder(folder, "dataset", DESCRIPTION), (display or Display()).stage("dataset") as report:
         _claim(folder, request)
+        for left in leftovers(folder / SUMS):  # of a writer that was killed
+            left.unlink()
         sums = _written(folder)
         total = sum(math.ceil(len(data) / samples_per_shard) for data in parts.values())
         done = continued = 0
@@ -205,6 +207,7 @@ def _request(
     """Request that the bytes of a data set depend on, as JSON holds it."""
     data = next(iter(parts.values()))
     arrays, made = data.source, versions(data.seed, ("numpy", "scipy", "torch"))
+    values = [arrays.parameter_values(int(case)).tobytes() for case in arrays.case_numbers]
     first = arrays.arrays([int(arrays.case_numbers[0])])[0]
     return {
         "format": file_format,
@@ -222,6 +225,7 @@ def _request(
         "microphones": list(first.microphones),
         "design": first.name,
         "first_array_sha256": sha256(first.transfer_function.tobytes(), first.frequency.tobytes()),
+        "designs_sha256": sha256(*arrays.case_keys, *values),
         "licence": licence,
         "versions": {"acoustic-fem": made["code_version"], "python": made["python"], **made["libraries"]},
     }

@@ -194,7 +194,7 @@ def read_dense(content: bytes, variable: Variable, block: int) -> NDArray[Any]:
         block: rows of a chunk.
 
     Returns:
-        (block, ...) float64 or float32, as the variable is; rows beyond the last of the variable hold its fill value.
+        (block, n) or of more axes, float64 or float32, as the variable is; rows beyond the last hold its fill value.
     """
     values = np.frombuffer(blosc.decompress(content[:-_CHECKSUM]), np.dtype(variable.dtype).newbyteorder("<"))
     return values.reshape(min(block, variable.shape[0]), *variable.shape[1:])

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from geometry.ground.file_checks import read_bytes
+from geometry.ground.file_checks import check_local, read_bytes
 from geometry.ground.record import is_sealed, sealed
-from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import LARGEST_TEXT, parse_json
 from geometry.ground.typed import PathLike
 from studies.output.folders import MANIFEST, write_json
@@ -76,11 +76,12 @@ def verify_run(folder: PathLike) -> FolderCheck:
     Raises:
         Refusal: there is no such folder, its list is missing, damaged, or of another version, or a file cannot be read.
     """
+    check_local(folder, field="folder")
     folder = Path(folder)
     if not folder.is_dir():
-        problem = "must be a folder" if folder.exists() else "no such folder"
+        problem = "is a file, must be the folder of a run" if folder.exists() else "there is no such folder"
         kind = Kind.WRONG_TYPE if folder.exists() else Kind.MISSING
-        raise Refusal(problem, kind=kind, file=folder, field=Field("folder"))
+        raise Refusal(problem, kind=kind, file=folder)
     listed = _read_manifest(folder)
     found = {name: path for name, path in _entries(folder) if name != MANIFEST}
     common = sorted(listed.keys() & found.keys())

@@ -223,7 +223,7 @@ class Study(Shown):
                 groups.append(_table(group))
             document.add("together", groups)
         if not known:
-            document.add("base", tomlkit.item(tomlkit.parse(write_design(self.base)).unwrap()))
+            document.add("base", tomlkit.item(parse_toml(write_design(self.base), "base", StudyError)))
         return tomlkit.dumps(document)
 
     def shown(self) -> tuple[str, Mapping[str, object]]:

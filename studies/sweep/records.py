@@ -166,8 +166,8 @@ class BlockResult:
     reason: tuple[str, ...]
     """Reason why a case failed, empty where it did not."""
     responses: Mapping[int, Mapping[str, NDArray[np.complex128]]] = field(default_factory=dict)
-    """Responses of cases by number and name, where the study keeps them, of the axes and units of
-    :data:`acoustic_fem.library.transfer_functions.VARIABLES`; complex128."""
+    """Responses of cases by number and name, where the study keeps them; (n_point, n_microphone, n_freq) complex128
+    and others, of the axes and units of :data:`acoustic_fem.library.transfer_functions.VARIABLES`."""
     solid: tuple[int, ...] = ()
     """Numbers of the cases outside the atlas that were solved in 3-D."""
     about: Mapping[int, Mapping[str, Any]] = field(default_factory=dict)

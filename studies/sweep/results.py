@@ -288,6 +288,11 @@ class Sweep(Shown):
         return np.flatnonzero(self.done).astype(np.int64)
 
     @property
+    def case_keys(self) -> tuple[str, ...]:
+        """Values of the parameters of each case that was computed, as JSON."""
+        return tuple(json.dumps(self.case(int(number))) for number in self.case_numbers)
+
+    @property
     def parameter_names(self) -> tuple[str, ...]:
         """Names of the parameters, as :attr:`parameters`."""
         return self.parameters

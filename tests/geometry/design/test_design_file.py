@@ -407,7 +407,7 @@ def designs(draw: st.DrawFn) -> ArrayDesign:
     cavity = draw(size)
     thickness = draw(st.floats(max(0.05, 0.01 * cavity / 2), min(10.0, 2 * cavity / 2)))
     values: dict[str, Any] = {
-        "description": draw(st.text(st.characters(codec="utf-8", exclude_categories=("Cs",)), max_size=60)),
+        "description": draw(st.text(st.characters(codec="utf-8", exclude_categories=("Cs", "Cc")), max_size=60)),
         "resonator.cavity_diameter": cavity,
         "resonator.cavity_height": draw(st.floats(1.5, 20.0)),
         "resonator.wall_thickness": draw(st.floats(1.5, 3.0)),

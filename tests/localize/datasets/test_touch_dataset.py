@@ -34,6 +34,10 @@ class Family:
         return np.arange(len(self._points))
 
     @property
+    def case_keys(self):
+        return tuple(map(str, self.case_numbers))
+
+    @property
     def array_sizes(self):
         return np.column_stack([self._points, self._microphones])
 
@@ -157,8 +161,8 @@ def test_splits_are_by_design_and_stay_when_cases_are_added(array):
     assert sum(map(len, of.values())) == 60
     larger = localize.TouchDataset(Family(array, [12] * 90), split="test", touches=1)
     assert {case for case in larger.cases.tolist() if case < 60} == of["test"]
-    assert not np.array_equal(split_of(np.arange(60), 0), split_of(np.arange(60), 1))
-    counts = {name: int((split_of(np.arange(20_000)) == name).sum()) for name in SPLITS}
+    assert not np.array_equal(split_of(map(str, range(60)), 0), split_of(map(str, range(60)), 1))
+    counts = {name: int((split_of(list(map(str, range(20_000)))) == name).sum()) for name in SPLITS}
     assert counts["train"] == pytest.approx(16_000, abs=250)
     assert counts["test"] == pytest.approx(2_000, abs=200)
 
@@ -214,6 +218,7 @@ def test_a_loader_of_torch_batches_single_samples(array):
         ({"rank": 2, "machines": 2}, Kind.OUT_OF_RANGE, "rank"),
         ({"mix": {"stabs": 1}}, Kind.OUT_OF_RANGE, "mix"),
         ({"mix": {}}, Kind.OUT_OF_RANGE, "mix"),
+        ({"mix": ["taps"]}, Kind.WRONG_TYPE, "mix"),
         ({"mix": {"taps": 0.0}}, Kind.OUT_OF_RANGE, "mix"),
         ({"split": "dev"}, Kind.OUT_OF_RANGE, "split"),
         ({"shares": {"train": 0.5}, "split": "train"}, Kind.OUT_OF_RANGE, "shares"),
@@ -259,3 +264,18 @@ def test_transfer_functions_by_design(array):
     assert [batch["case"].tolist() for batch in batches] == [[0, 1], [2]]
     with refused(Kind.OUT_OF_RANGE, "form", "polar"):
         localize.TransferFunctionDataset(Family(array, [12]), form="polar")
+
+
+def test_equal_designs_are_of_one_split(array):
+    family = Family(array, [12] * 60)
+    family.__class__ = type("Repeated", (Family,), {"case_keys": property(lambda self: ("a", "b", "c") * 20)})
+    shares = {"train": 0.5, "validation": 0.25, "test": 0.25}
+    splits = split_of(family.case_keys, 0, shares)
+    assert all(len(set(splits[k::3])) == 1 for k in range(3))
+
+
+def test_small_sets_are_spread_over_workers_and_machines(array):
+    data = localize.TouchDataset(array, touches=4096, batch_size=256)
+    assert len(data.group_sizes()) == 16
+    counts = [len(localize.TouchDataset(array, touches=4096, batch_size=256, rank=k, machines=4)) for k in range(4)]
+    assert counts == [4, 4, 4, 4]

@@ -107,15 +107,15 @@ WRONG_PARAMETERS = {
     '"membrane.material" = {from = 1, to = 2, count = 3}': (Kind.WRONG_TYPE, "vary.membrane.material"),
     "": (Kind.MISSING, "vary"),
     '[[together]]\n"tube.length" = [9, 10]\n"tube.inner_diameter" = [0.3, 0.4, 0.5]': (Kind.CONFLICT, "together.0"),
-    '"tube.length" = [9, 10, 9]': (Kind.CONFLICT, "parameters.tube.length"),
-    '"tube.length" = [9, 9.0]': (Kind.CONFLICT, "parameters.tube.length"),
-    '"lines.0.points" = [6, 12, 6]': (Kind.CONFLICT, "parameters.lines.0.points"),
+    '"tube.length" = [9, 10, 9]': (Kind.CONFLICT, "vary.tube.length"),
+    '"tube.length" = [9, 9.0]': (Kind.CONFLICT, "vary.tube.length"),
+    '"lines.0.points" = [6, 12, 6]': (Kind.CONFLICT, "vary.lines.0.points"),
     '"membrane.material" = ["silicone-shore-a-10", "silicone-shore-a-10"]': (
         Kind.CONFLICT,
-        "parameters.membrane.material",
+        "vary.membrane.material",
     ),
-    '"tube.length" = {from = 9, to = 10, step = 0.5, count = 9}': (Kind.CONFLICT, "parameters.tube.length"),
-    '"tube.length" = {from = 9, to = 10, count = 5000}': (Kind.CONFLICT, "parameters.tube.length"),
+    '"tube.length" = {from = 9, to = 10, step = 0.5, count = 9}': (Kind.CONFLICT, "vary.tube.length"),
+    '"tube.length" = {from = 9, to = 10, count = 5000}': (Kind.CONFLICT, "vary.tube.length"),
     '[[together]]\n"tube.length" = [9, 10, 9]\n"tube.inner_diameter" = [0.3, 0.4, 0.3]': (Kind.CONFLICT, "together.0"),
     '"tube.length" = [9]\n[[together]]\n"tube.length" = [9]': (Kind.CONFLICT, "together.0.tube.length"),
 }
@@ -139,7 +139,7 @@ def test_the_messages_of_wrong_studies() -> None:
 @pytest.mark.parametrize(
     ("text", "value"),
     [
-        ('[parameters]\n"tube.length" = [9, 10, 9.0]\n', 9.0),
+        ('[vary]\n"tube.length" = [9, 10, 9.0]\n', 9.0),
         ('[[together]]\n"tube.length" = [9, 10, 10]\n"tube.inner_diameter" = [0.3, 0.4, 0.4]\n', [10.0, 0.4]),
     ],
 )

@@ -10,8 +10,8 @@ from refusals import refused
 
 import acoustic_fem
 from acoustic_fem.batch.network import batch_transfer_function
-from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry import ArrayDesign, prototype
 from geometry.design.design_file import save_design

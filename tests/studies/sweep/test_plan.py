@@ -84,8 +84,8 @@ def test_costly_cases_are_worth_workers(monkeypatch: pytest.MonkeyPatch) -> None
 
 @pytest.mark.parametrize("fidelity", ["lumped", "navier-stokes"])
 def test_a_dry_run_of_a_study_without_a_buildable_case_says_so(fidelity: str, tmp_path: Path) -> None:
-    text = CELLS.replace("navier-stokes", fidelity).split("[parameters]")[0]
-    (tmp_path / "study.toml").write_text(text + '[parameters]\n"tube.length" = [0.5, 0.6, 0.7]\n')
+    text = CELLS.replace("navier-stokes", fidelity).split("[vary]")[0]
+    (tmp_path / "study.toml").write_text(text + '[vary]\n"tube.length" = [0.5, 0.6, 0.7]\n')
     result = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--dry-run"])
     assert result.exit_code == 0, result.output
     assert "not valid: 3, which" in result.stdout
@@ -96,9 +96,9 @@ def test_a_dry_run_of_a_study_without_a_buildable_case_says_so(fidelity: str, tm
 LARGE = """
 base = "array-2x6"
 fidelity = "navier-stokes"
-frequencies = "1:100:4"
+frequency = "1:100:4"
 metrics = ["distance_smallest"]
-[parameters]
+[vary]
 "tube.length" = {from = 8, to = 40, step = 0.1}
 "tube.inner_diameter" = [0.3, 0.35, 0.4, 0.45]
 """
@@ -136,7 +136,7 @@ def test_ten_million_cases_are_planned_without_drawing_them(monkeypatch: pytest.
         f'"{name}" = {{from = {low}, to = {high}, count = 100}}'
         for name, low, high in (("tube.length", 8, 40), ("membrane.rim_width", 1.0, 2.0))
     )
-    text = f'{LARGE.split("[parameters]")[0]}[parameters]\n{ranges}\n"resonator.cavity_height" = '
+    text = f'{LARGE.split("[vary]")[0]}[vary]\n{ranges}\n"resonator.cavity_height" = '
     found = plan_sweep(read_study(text + "{from = 2.0, to = 12.0, count = 1000}\n"))
     assert (found.cases, found.sampled) == (10_000_000, 50)
 
@@ -153,8 +153,8 @@ def test_a_sample_without_a_case_that_meets_the_constraints_says_that_it_is_one(
 
 @pytest.mark.parametrize(("values", "said"), [("[9, 10]", True), ("{from = 9, to = 30}", False)])
 def test_samples_with_equal_cases_are_said_by_plan_and_sweep(values: str, said: bool, tmp_path: Path) -> None:
-    head = LARGE.split("[parameters]")[0].replace("navier-stokes", "lumped").replace("1:100:4", "1:100:12")
-    study = read_study(f'sampling = "random"\ncases = 6\n{head}[parameters]\n"tube.length" = {values}\n')
+    head = LARGE.split("[vary]")[0].replace("navier-stokes", "lumped").replace("1:100:4", "1:100:12")
+    study = read_study(f'sampling = "random"\ncases = 6\n{head}[vary]\n"tube.length" = {values}\n')
     words = "4 of 6 cases repeat the values of an earlier one"
     assert (plan_sweep(study).note == words) == said
     assert (words in run_sweep(study, tmp_path / "r.zarr", workers=1).notes) == said
