@@ -37,7 +37,7 @@ def modulus_ratio(frequency: NumpyOrTorch, loss: Any, slope: Any, reference: Any
     """Complex modulus by the stated one; NumPy arrays or torch tensors, float64, whose shapes are broadcast.
 
     Args:
-        frequency: array or tensor, (...), above 0, Hz.
+        frequency: (n_freq,) or of any other shape, array or tensor, above 0, Hz.
         loss: loss factor eta, without that of the relaxations.
         slope: exponent of frequency, 0 to 1; 0 beside a loss is not causal.
         reference: frequency of the stated modulus, Hz; without a slope it does not matter.

@@ -21,7 +21,7 @@ _MOST_CHUNKS = 1000
 _UNKNOWN = 0x7FFF0000
 #: Bytes by which the stated length of a file may be too large: the header of RIFF counted in, and a pad byte.
 _COUNTED_IN = 9
-#: Samples behind those that are stated are read if they last at least so long, s.
+#: Samples behind those that are stated are read if they last at least so long, s, or are half as many as these.
 _FEWEST_SECONDS = 0.1
 #: Names of chunks of samples, formats and what recorders add, to tell a chunk from samples.
 _NAMES = frozenset(
@@ -157,7 +157,7 @@ class _Reader:
         behind = self._bytes(place + stated, rest)
         if behind.startswith(b"TAG") or not behind.strip(b"\0"):
             return stated  # a title of the old kind, or room that was not used
-        if rest < _FEWEST_SECONDS * int.from_bytes(found.format[8:12], found.order):
+        if rest < min(stated / 2, _FEWEST_SECONDS * int.from_bytes(found.format[8:12], found.order)):
             return stated  # too few to be what a recorder has left out of its header: of a write that was cut off
         self._note(
             found,

@@ -131,11 +131,11 @@ class TouchDataset(IterableDataset[TouchBatch]):
             check_ambient(ambient)
         self.source = source_of(source)
         self.parameter_names, self.parameter_units = self.source.parameter_names, self.source.parameter_units
+        self._mixture = _mixture(mix)
         #: Names of the kinds of touches.
         self.kinds = tuple(mix)
         #: Share of each of them, relative to the others.
         self.mix_shares = tuple(float(share) for share in mix.values())
-        self._mixture = _mixture(mix)
         #: Numbers of the cases of this split; (n_case,) int64.
         self.cases = cases_of(self.source, split, split_seed, shares)
         self.touches, self.seed, self.batch_size, self.shuffle = touches, seed, batch_size, shuffle

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 import localize
 from geometry.ground.refusal import counted
 from localize.datasets.array_source import ArraySource
-from localize.datasets.splits import Split
+from localize.datasets.splits import SPLITS, Split
 from studies.datasets.columns import COLUMNS, columns_of
 
 if TYPE_CHECKING:
@@ -78,6 +78,7 @@ def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset],
         *(f"| {name} | {len(each.cases):,} | {len(each):,} |" for name, each in parts.items()),
         "",
         "No design is in two splits."
+        + "".join(f" None fell into {name}." for name in SPLITS if name not in parts and request["shares"].get(name))
         if len(arrays.case_numbers) > 1
         else "There is one design, so all splits have the same array; no touch is in two of them.",
         "",

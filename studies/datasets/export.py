@@ -29,7 +29,7 @@ from geometry.ground.text_files import parse_json, read_text
 from geometry.ground.typed import PathLike
 from geometry.ground.whole_files import leftovers, write_text
 from localize.datasets.array_source import ArraySource, source_of
-from localize.datasets.splits import DEFAULT_SHARES, SPLITS, Split, check_shares
+from localize.datasets.splits import DEFAULT_SHARES, SPLITS, Split, check_shares, split_of
 from localize.datasets.touch_dataset import DEFAULT_MIX, TouchBatch
 from localize.learned.features import FeatureChoice
 from localize.signals.array_response import ArrayResponse
@@ -185,13 +185,12 @@ def _needs_library(source: str) -> Refusal:
 def _parts(
     arrays: ArraySource, touches: int, shares: Mapping[Split, float], **more: Any
 ) -> dict[Split, localize.TouchDataset]:
-    """Data set of each split that has anything."""
+    """Data set of each split that has anything; of few designs a split may have none."""
     single = len(arrays.case_numbers) == 1
+    of_case = split_of(arrays.case_keys, 0, shares)
     parts = {}
     for split in SPLITS:
-        if not shares.get(split, 0.0):
-            continue
-        count = round(touches * shares[split]) if single else touches
+        count = round(touches * shares.get(split, 0.0)) if single else touches * int((of_case == split).any())
         if count:
             parts[split] = localize.TouchDataset(arrays, touches=count, split=split, shares=shares, **more)
     return parts

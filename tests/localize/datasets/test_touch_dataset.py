@@ -111,10 +111,10 @@ def test_machines_share_an_epoch_without_overlap(array):
 
 def test_a_sample_is_made_again_by_its_case_and_index(array):
     data = localize.TouchDataset(Family(array, [12] * 5), touches=130, batch_size=32, seed=8, ambient=(40.0, 60.0))
-    for batch in list(data)[::7]:
-        alone = data.sample(int(batch["case"][3]), int(batch["index"][3]))
+    for batch in list(data)[::3]:
+        alone = data.sample(int(batch["case"][1]), int(batch["index"][1]))
         for name, value in alone.items():
-            torch.testing.assert_close(value, batch[name][3], rtol=0, atol=1e-6, equal_nan=True)
+            torch.testing.assert_close(value, batch[name][1], rtol=0, atol=1e-6, equal_nan=True)
     other = localize.TouchDataset(Family(array, [12] * 5), touches=130, batch_size=32, seed=9)
     assert not torch.equal(other.sample(1, 4)["signals"], data.sample(1, 4)["signals"])
 
@@ -173,8 +173,8 @@ def test_touches_of_two_splits_on_one_array_are_not_the_same(array):
 
 
 def test_arrays_of_several_sizes_are_padded_with_masks(array):
-    data = localize.TouchDataset(Family(array, [12, 5, 9]), touches=60, batch_size=180)
-    (batch,) = data
+    batches = list(localize.TouchDataset(Family(array, [12, 5, 9]), touches=60, batch_size=180))
+    batch = {name: torch.cat([each[name] for each in batches]) for name in batches[0]}
     assert batch["points"].shape == (180, 12)
     assert [int(batch["points"][batch["case"] == case][0].sum()) for case in range(3)] == [12, 5, 9]
     assert all(int(batch["point"][batch["case"] == case].max()) == size for case, size in ((0, 12), (1, 5), (2, 9)))
@@ -183,8 +183,8 @@ def test_arrays_of_several_sizes_are_padded_with_masks(array):
 
 def test_missing_microphones_are_silent_and_masked(wide):
     whole = len(wide.microphones)
-    data = localize.TouchDataset(Family(wide, [12, 12], [whole, 2]), touches=20, batch_size=40)
-    (batch,) = data
+    batches = list(localize.TouchDataset(Family(wide, [12, 12], [whole, 2]), touches=20, batch_size=40))
+    batch = {name: torch.cat([each[name] for each in batches]) for name in batches[0]}
     few = batch["signals"][batch["case"] == 1]
     assert few.shape[1] == whole > 2
     assert (few[:, 2:] == 0).all()

@@ -40,7 +40,7 @@ def test_touches_are_drawn_on_them_and_split_by_sensor(sensors):
     data = localize.TouchDataset(sensors, touches=30, batch_size=64, ambient=(40.0, 50.0))
     batches = list(data)
     assert sum(len(batch["point"]) for batch in batches) == 180
-    assert batches[0]["parameters"].shape == (64, len(sensors.parameter_names))
+    assert batches[0]["parameters"].shape == (30, len(sensors.parameter_names))
     nominal = localize.TouchDataset(sensors.nominal, touches=30, mix={"taps": 1}, microphone_noise=0.0)
     of_one = localize.TouchDataset(sensors, touches=30, mix={"taps": 1}, microphone_noise=0.0)
     assert nominal.sample(0, 2)["signals"].shape == of_one.sample(0, 2)["signals"].shape

@@ -89,7 +89,14 @@ def test_hugging_face_and_webdataset_read_their_formats(sensors, tmp_path):
     datasets = pytest.importorskip("datasets")
     webdataset = pytest.importorskip("webdataset")
     for name in ("npz", "parquet", "webdataset"):
-        studies.export_dataset(sensors, tmp_path / name, file_format=name, touches=20, samples_per_shard=64)
+        studies.export_dataset(
+            sensors,
+            tmp_path / name,
+            file_format=name,
+            touches=20,
+            samples_per_shard=64,
+            shares={"train": 0.5, "test": 0.5},
+        )
     with np.load(tmp_path / "npz/train-00000.npz") as shard:
         signals, point = shard["signals"], shard["point"]
     files = {"train": str(tmp_path / "parquet/train-*.parquet"), "test": str(tmp_path / "parquet/test-*.parquet")}

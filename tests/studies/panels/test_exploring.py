@@ -70,7 +70,7 @@ def test_a_search_wants_the_best_of_its_figures(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("ranges", "metrics", "designs", "field"),
     [
-        ({}, FIGURES, 8, "parameters"),
+        ({}, FIGURES, 8, "vary"),
         ({"tube.width": [1, 2]}, FIGURES, 8, "tube.width"),
         ({"tube.length": [1, 5000]}, FIGURES, 8, "tube.length"),
         ({"tube.length": [20, 10]}, FIGURES, 8, "tube.length"),

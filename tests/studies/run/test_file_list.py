@@ -86,10 +86,10 @@ def test_missing_and_extra_files_are_named(folder: Path) -> None:
 def test_a_folder_without_a_list_is_not_accepted(tmp_path: Path) -> None:
     with refused(Kind.MISSING, file=MANIFEST):
         verify_run(tmp_path)
-    with refused(Kind.MISSING, "folder"):
+    with refused(Kind.MISSING, file="nowhere"):
         verify_run(tmp_path / "nowhere")
     (tmp_path / "file").touch()
-    with refused(Kind.WRONG_TYPE, "folder"):
+    with refused(Kind.WRONG_TYPE, file="file"):
         verify_run(tmp_path / "file")
 
 

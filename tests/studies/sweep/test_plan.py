@@ -157,7 +157,7 @@ def test_samples_with_equal_cases_are_said_by_plan_and_sweep(values: str, said: 
     study = read_study(f'sampling = "random"\ncases = 6\n{head}[vary]\n"tube.length" = {values}\n')
     words = "4 of 6 cases repeat the values of an earlier one"
     assert (plan_sweep(study).note == words) == said
-    assert (words in run_sweep(study, tmp_path / "r.zarr", workers=1).notes) == said
+    assert (words in run_sweep(study, tmp_path / "r.zarr", workers=1).summary.notes) == said
 
 
 class _Asked(Exception):
