@@ -36,6 +36,10 @@ class OutsideAtlas(Refusal):
     """A cell, its air or a frequency lies outside the bounds of the atlas; the message says which and where."""
 
 
+TOUCHES_UP_TO = 500.0
+"""Highest frequency of the signals of touches, Hz: half their sample rate."""
+
+
 @dataclass(frozen=True, eq=False)
 class Opening:
     """Shapes of openings of tubes into cavities, as arrays or tensors that broadcast with each other."""
@@ -87,12 +91,15 @@ class CellAtlas:
         return float(self.provenance["held-out designs"]["highest"])
 
     def warn_above(self, frequency: Array) -> None:
-        """Warn that errors are not known at the highest of frequencies.
+        """Warn that errors are not known at the highest of frequencies, where that is above those of touches.
+
+        The default grid of libraries ends at 500 Hz, half the sample rate of touches, and the band of use at 100 Hz:
+        there the provenance of a library states up to where errors are known, and nobody is warned.
 
         Args:
             frequency: (n_freq,) Hz, ascending.
         """
-        if frequency[-1] > self.known_up_to:
+        if frequency[-1] > max(self.known_up_to, TOUCHES_UP_TO):
             warn_caller(
                 f"atlas of cells: its errors were found up to {self.known_up_to:g} Hz; above they are not known",
             )

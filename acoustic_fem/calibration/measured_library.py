@@ -19,6 +19,7 @@ from acoustic_fem.calibration.recording_checks import (
     check_estimate,
     check_signals,
     check_steady,
+    largest_changes,
 )
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
@@ -34,6 +35,9 @@ MAINS = (50.0, 60.0)
 _HUM = 15.0
 #: Half width of what is taken away around the mains and its harmonics, Hz.
 _HUM_WIDTH = 0.1
+#: Largest change of the delay that is left after clocks were brought together, s. Good recordings of the virtual rig
+#: change by less than 0.25 ms.
+_STEADY = 4e-4
 
 
 class CalibrationError(Refusal):
@@ -143,11 +147,13 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
         progress: called with what is being done and the fraction done.
 
     Raises:
-        Refusal: a model of another design.
+        Refusal: a model of another design, or a response of the reference that does not cover the frequencies.
         CalibrationError: no recording can be used; says why the first cannot.
     """
     frequency = model.frequency
     _check_model(model, manifest, frequency)
+    if manifest.response is not None:
+        manifest.response.at(frequency)  # refused before any work if it does not cover them
     report = progress or (lambda message, fraction: None)
     expected = model.transfer_function.transpose("point", "microphone", "frequency").values
     estimates: dict[int, TransferEstimate] = {}
@@ -229,9 +235,15 @@ def _without_drift(
         own = [name for name in names if files[name] == file and name not in manifest.clock_ppm]
         rows = [1 + names.index(name) for name in own]
         drift = clock_difference(signals[[0, *rows]], rate, frequency) if own else 0.0
-        if drift:
-            for row in rows:
-                corrected[row] = at_nominal_times(signals[row], drift)
+        if not drift:
+            continue
+        own_rows = [at_nominal_times(signals[row], drift) for row in rows]
+        shortest = min(len(signals[0]), *map(len, own_rows))
+        together = np.stack([row[:shortest] for row in (signals[0], *own_rows)])
+        # Lost samples are a step, which no difference of clocks takes away.
+        if largest_changes(together, rate, frequency)[1].max() <= _STEADY:
+            for row, values in zip(rows, own_rows, strict=True):
+                corrected[row] = values
             notes += (
                 f"the clock of {', '.join(own)} is {abs(drift):.1f} ppm {'faster' if drift > 0 else 'slower'} than "
                 "that of the reference; this was corrected, or give it as clock_ppm",

@@ -4,6 +4,5 @@ from .features import (
     GRID as GRID,
     TAIL as TAIL,
     PairFeatures as PairFeatures,
-    wavelet_transform as wavelet_transform,
 )
 from .recorded_frames import RecordedFrames as RecordedFrames

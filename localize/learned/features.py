@@ -80,24 +80,6 @@ def map_count(microphones: int, choice: FeatureChoice = "phasors") -> int:
     return MAPS_PER_PAIR[choice] * microphones * (microphones - 1) // 2 + OF_POWER[choice]
 
 
-def wavelet_transform(frames: NDArray[np.float64]) -> NDArray[np.complex128]:
-    """Wavelet transform by the direct route: continue, transform, multiply, transform back.
-
-    The wavelet is exp(-(2 pi b (f/f0 - 1))^2 / 2) in frequency, an analytic Morlet wavelet of b = ``BANDWIDTH``
-    periods (Torrence and Compo 1998, table 1, with another scale).
-
-    Args:
-        frames: (..., 250) float64, Pa.
-
-    Returns:
-        (..., 64, 47) complex128, Pa: the last 47 samples of the frame.
-    """
-    last = np.repeat(frames[..., -1:], CONTINUATION, axis=-1)
-    spectrum = np.fft.fft(np.concatenate([frames, last], axis=-1), GRID, axis=-1)
-    product = spectrum[..., None, :] * _wavelet_spectra()
-    return np.fft.ifft(product, axis=-1)[..., FRAME - TAIL : FRAME]
-
-
 class PairFeatures(nn.Module):
     """Module that makes maps (n, n_map, 64, 32) of a batch of frames (n, n_microphone, 250).
 

@@ -244,6 +244,9 @@ def show_library(path: Path, library: Library) -> None:
     tell(
         f"{path}: {counted(points, 'point')}, {counted(microphones, 'microphone')}, {counted(frequencies, 'frequency')}"
     )
+    cells = library.provenance.get("cells") or [{}]
+    if (known := cells[0].get("errors_up_to_hz")) is not None and library.frequency[-1] > known:
+        tell(f"fidelity atlas: errors are known up to {known:g} Hz, the library ends at {library.frequency[-1]:g} Hz")
 
 
 def show_parts(made: MadeParts) -> None:

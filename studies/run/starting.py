@@ -157,6 +157,10 @@ def new_design(
 
     _from_base({"name": name}, prototype(usual.base).layout.model_dump(), usual.base)
     path = Path(f"{name}.toml" if out is None else out)
+    if out is None and path.exists():
+        problem = "exists, and a design is never overwritten"
+        remedy = ("name another file with ", Field("out"), ", or remove this one")
+        raise Refusal(problem, kind=Kind.EXISTS, file=path, remedy=remedy)
     check_new_file(path, ".toml", kept="a design")
     asked = _Asked(name, usual, points, pitch, microphones, diameter)
     design = _buildable(asked)

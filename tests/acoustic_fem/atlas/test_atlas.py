@@ -72,9 +72,12 @@ def test_a_library_says_that_it_is_of_the_atlas_and_what_its_errors_are(design):
         assert 0 < cell["errors"]["transfer function by 1 + |ln H|"] < 0.01
 
 
-def test_frequencies_above_those_at_which_its_errors_were_found_are_told(design):
+def test_frequencies_above_those_of_touches_are_told_and_those_of_errors_are_stated(design, recwarn):
+    library = acoustic_fem.solve(design, "1:500:5", "atlas")
+    assert not recwarn.list  # the default grid of libraries
+    assert library.provenance["cells"][0]["errors_up_to_hz"] == 200
     with pytest.warns(UserWarning, match="its errors were found up to 200 Hz; above they are not known"):
-        acoustic_fem.solve(design, [1.0, 201.0], "atlas")
+        acoustic_fem.solve(design, [1.0, 501.0], "atlas")
 
 
 def test_corners_sharper_than_those_at_which_its_errors_were_found_are_told(recwarn):

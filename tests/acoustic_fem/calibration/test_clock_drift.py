@@ -98,6 +98,18 @@ def test_a_calibration_allows_for_the_clocks_and_says_so(tmp_path: Path, rig: Ri
         calibrate(read_manifest(path), model)
 
 
+def test_lost_samples_are_not_taken_for_a_difference_of_clocks(
+    tmp_path: Path, rig: Rig, model: acoustic_fem.Library
+) -> None:
+    path = rig.record(tmp_path, [2], RECORDER)
+    for name in DESIGN.microphones:
+        file = tmp_path / f"point-2-{name}.wav"
+        samples = read_wav(file).channels["1"]
+        write_wav(file, np.concatenate([samples[:20_000], samples[20_002:]])[None], RECORDER.rate, 32)
+    with refused(Kind.UNSUITABLE, "points.2", error=CalibrationError):
+        calibrate(read_manifest(path), model)
+
+
 def test_the_response_of_the_calibration_microphone_is_taken_out(
     tmp_path: Path, rig: Rig, model: acoustic_fem.Library
 ) -> None:

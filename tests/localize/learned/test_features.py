@@ -21,9 +21,21 @@ def tone(frequency: float, level_db: float = 0.0, phase: float = 0.0) -> torch.T
     return torch.tensor(np.array([[10 ** (level_db / 20) * np.cos(angle + phase), np.cos(angle)]]), dtype=torch.float32)
 
 
+def wavelet_transform(x: np.ndarray) -> np.ndarray:
+    """(..., 250) to (..., 64, 47) by the direct route: continue, transform, multiply by the wavelets, transform back.
+
+    The wavelet is exp(-(2 pi b (f/f0 - 1))^2 / 2) in frequency, an analytic Morlet wavelet of b = ``BANDWIDTH``
+    periods (Torrence and Compo 1998, table 1, with another scale).
+    """
+    last = np.repeat(x[..., -1:], features.CONTINUATION, axis=-1)
+    spectrum = np.fft.fft(np.concatenate([x, last], axis=-1), features.GRID, axis=-1)
+    product = spectrum[..., None, :] * features._wavelet_spectra()
+    return np.fft.ifft(product, axis=-1)[..., frames.FRAME - features.TAIL : frames.FRAME]
+
+
 def test_two_factors_give_the_wavelet_transform_of_the_direct_route():
     x = noise_frames(20)
-    direct = features.wavelet_transform(x)
+    direct = wavelet_transform(x)
     analysis, synthesis = features._factors()
     real, imag = (x @ analysis @ synthesis).reshape(20, 2, 2, 64, 47).transpose(2, 0, 1, 3, 4)
     size = np.sqrt((np.abs(direct) ** 2).mean((0, 1, 3)))[:, None]
@@ -43,7 +55,7 @@ def test_the_direct_route_is_a_convolution_with_a_morlet_wavelet():
     time = np.arange(-600, 600) / 1000
     wavelet = np.exp(-0.5 * (time / spread) ** 2 + 2j * np.pi * centre * time) / (spread * np.sqrt(2 * np.pi)) / 1000
     expected = np.convolve(continued, wavelet)[600 : 600 + 500][203:250]
-    assert np.abs(features.wavelet_transform(x)[row] - expected).max() < 1e-6 * np.abs(expected).max()
+    assert np.abs(wavelet_transform(x)[row] - expected).max() < 1e-6 * np.abs(expected).max()
 
 
 @pytest.mark.parametrize(("level", "phase"), [(0.0, 0.0), (6.0, 0.4), (-20.0, -2.0), (3.0, np.pi)])
@@ -230,7 +242,7 @@ def test_the_fcwt_package_finds_the_same_above_its_lowest_frequencies(monkeypatc
     # Its grid runs downwards and leaves out 100 Hz; its circular one of 512 samples wraps around below some 30 Hz.
     assert (frequency[0] < 99, frequency[-1]) == (True, 1.0)
     monkeypatch.setattr(features, "wavelet_frequencies", lambda: frequency.astype(float))
-    ours = np.sqrt(2) * np.pi**0.25 * features.wavelet_transform(x)
+    ours = np.sqrt(2) * np.pi**0.25 * wavelet_transform(x)
     error = np.abs(found[:, 203:250] - ours).max(1) / np.abs(ours).max(1)
     assert error[frequency > 30].max() < 0.03
     assert error[frequency < 5].min() > 0.3

@@ -174,7 +174,11 @@ def test_a_file_that_stands_where_the_result_would_go_names_the_option(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "out").write_text("")
     assert command("new", "mine").code == 0
-    assert command("new", "mine").refusal().startswith("acoustic-fem: mine.toml: --out exists")
+    assert (
+        command("new", "mine")
+        .refusal()
+        .startswith("acoustic-fem: mine.toml: exists, and a design is never overwritten; name another file with --out")
+    )
     assert command("new", "other", "--out", "out").refusal().startswith("acoustic-fem: out: --out exists")
 
 
