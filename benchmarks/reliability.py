@@ -53,7 +53,7 @@ def inputs(count: int, good: Path, work: Path, runner: Commands) -> Iterator[Row
 
 def kills(count: int, good: Path, work: Path) -> Row:
     """Sweeps killed at a random moment and begun again; bad is one that then differs from a sweep left alone."""
-    alone = studies.open_sweep(good / "results.zarr").dataset.load()
+    alone = studies.open_sweep(good / "results.zarr").to_xarray().load()
     draw = np.random.default_rng(0)
     study, bad = good / "study.toml", 0
     command = [sys.executable, "-m", "studies.cli", "sweep", str(study), "--workers", "1", "--out"]
@@ -73,7 +73,7 @@ def kills(count: int, good: Path, work: Path) -> Row:
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
         survived = begun(store).wait() == 0
-        bad += not (survived and studies.open_sweep(store).dataset.load().equals(alone))
+        bad += not (survived and studies.open_sweep(store).to_xarray().load().equals(alone))
     return "sweeps killed at a random moment and begun again", count, bad
 
 

@@ -167,7 +167,7 @@ def _damaged() -> Iterator[Case]:
     """Bits turned, blocks of noise, ends cut off, members missing: drawn, of every kind of file."""
     for name, words, ending, output, count in _FILES:
         kind = f"damaged {name}" + (", continued" if output == "results.zarr" else "")
-        named = (name.split("/")[0], name.split("/")[-1], "parts = {}")  # that of a process that is well
+        named = (name.split("/")[0], name.split("/")[-1], "parts is empty")  # that of a process that is well
         for number in range(count):
             damage: tuple[str, Change]
             if number % 4 == 3:

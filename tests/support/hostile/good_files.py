@@ -38,7 +38,7 @@ keep = "responses"
 SEARCH = (
     STUDY.replace("sampling", "#")
     .replace("cases", "#")
-    .replace("transfer", "#")
+    .replace("keep", "#")
     .replace(
         "[vary]",
         '[optimize]\ntrials = 8\nbatch = 4\n[[optimize.objectives]]\nmetric = "distance_smallest"\n\n[vary]',

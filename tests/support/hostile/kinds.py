@@ -89,7 +89,7 @@ def bombs() -> Iterator[Variant]:
         "",
     ):
         for name, words, output in TOML_READERS[1:3]:
-            change = replaced(name, "[parameters]", f"constraints = [{text!r}]\n[parameters]")
+            change = replaced(name, "[vary]", f"constraints = [{text!r}]\n[vary]")
             ending = "sane" if text.endswith("1e999") else "refused"  # infinity, which no length exceeds
             yield Variant(f"constraint {text[:40]} in {name}", words, ending, change, (), output)
 
