@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 _MEMORY = 1_500_000_000
 _LENGTH = 8  # bytes ahead of each shape
 #: Numbers that are none, or too large to be a length, at which the CAD kernel loops for ever; texts are stepped over.
-_NUMBERS = re.compile(rb"'[^']*+'|[(,]\s*(?P<no_length>[-+]?(?:nan|inf|infinity|\d++(?:\.\d*+)?e\+?\d{3,}))\s*(?=[,)])", re.I)
+_NUMBERS = re.compile(
+    rb"'[^']*+'|[(,]\s*(?P<no_length>[-+]?(?:nan|inf|infinity|\d++(?:\.\d*+)?e\+?\d{3,}))\s*(?=[,)])", re.IGNORECASE
+)
 
 
 def read_step(path: str | os.PathLike[str]) -> list[cadquery.Shape]:

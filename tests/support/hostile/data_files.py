@@ -229,7 +229,7 @@ def _gone(member: str) -> Change:
 _STORE_ATTRIBUTES = ("study", "study_content", "base_design", "fidelity", "acoustic_fem_sweep")
 #: Changes to what is kept of a sweep, and to the Zarr store that is written from it, which changes no result.
 RECORD_CHANGES: tuple[tuple[str, Change], ...] = (
-    *((f"{name} gone", _gone(f"records/{name}")) for name in ("study", "000000.metrics", "000000.responses")),
+    *((f"{name} gone", _gone(f"records/{name}")) for name in ("study", "000000.metrics", "000011.metrics")),
     ("records gone", _gone("records")),
     ("a text for the study", written("results.zarr/records/study", "study")),
     ("a text for the metrics", written("results.zarr/records/000000.metrics", "acoustic-fem sweep 99\n")),
@@ -250,10 +250,10 @@ STORE_CHANGES: tuple[tuple[str, Change], ...] = (
             "reason",
             "distance_smallest",
             "tube.length",
-            "frequency",
+            "responses/frequency",
             "zarr.json",
             "state/zarr.json",
-            "transfer_function_real",
+            "responses/transfer_function_real",
         )
     ),
     ("another type of node", _metadata(lambda held: held.update(node_type="array"))),
