@@ -17,6 +17,7 @@ from geometry.ground.record import sha256
 from geometry.ground.refusal import Kind, Refusal
 from localize.signals.random_streams import Purpose
 
+#: Name of a split.
 Split = Literal["train", "validation", "test"]
 SPLITS: tuple[Split, ...] = get_args(Split)
 """Names of the splits, in the order of their shares."""

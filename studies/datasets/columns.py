@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from localize.datasets.touch_dataset import TouchBatch
 
+#: Format of the shards of a data set.
 FileFormat = Literal["npz", "parquet", "webdataset", "zarr"]
 Columns = Mapping[str, NDArray[Any]]
 """Samples by column, (n_sample, ...) each."""

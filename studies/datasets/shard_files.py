@@ -19,6 +19,7 @@ from geometry.ground.whole_files import whole_file
 from studies.datasets.columns import COLUMNS, Columns, FileFormat
 from studies.output.zarr_files import Layout, Variable, ZarrFiles
 
+#: Formats of shards.
 FORMATS: tuple[FileFormat, ...] = get_args(FileFormat)
 
 
