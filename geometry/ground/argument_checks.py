@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sized
-from typing import Any
-
-import numpy as np
-from numpy.typing import ArrayLike
+from typing import TYPE_CHECKING, Any
 
 from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.typed import Array
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from geometry.ground.typed import Array
 
 _MOST_DIGITS = 9  # of a number that counts or numbers something
 
@@ -66,6 +67,8 @@ def real_numbers(field: str, values: ArrayLike, error: type[Refusal] = Refusal, 
     Raises:
         Refusal: no real numbers: complex numbers, texts, rows of unequal length.
     """
+    import numpy as np
+
     try:
         array = np.asarray(values)
     except ValueError:
@@ -86,6 +89,8 @@ def positive_numbers(
     Raises:
         Refusal: no real numbers; or the first value that is not finite or not above 0.
     """
+    import numpy as np
+
     array = real_numbers(field, values, error, **more)
     bad = ~(np.isfinite(array) & (array > 0))
     if bad.any():
@@ -111,7 +116,7 @@ def check_choice(
 ) -> None:
     """Reject a value that is not one of the choices, which the refusal lists."""
     allowed = tuple(choices)
-    if isinstance(value, np.ndarray) or value not in allowed:
+    if hasattr(value, "__array__") or value not in allowed:
         raise error(**{"kind": Kind.OUT_OF_RANGE, "field": field, "value": value, "allowed": allowed, **more})
 
 

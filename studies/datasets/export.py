@@ -185,7 +185,7 @@ def _needs_library(source: str) -> Refusal:
 def _parts(
     arrays: ArraySource, touches: int, shares: Mapping[Split, float], **more: Any
 ) -> dict[Split, localize.TouchDataset]:
-    """Data set of each split that has anything; of few designs a split may have none."""
+    """Data set of each split that has a case; with few designs a split may be empty."""
     single = len(arrays.case_numbers) == 1
     of_case = split_of(arrays.case_keys, 0, shares)
     parts = {}

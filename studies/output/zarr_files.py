@@ -194,8 +194,7 @@ def read_dense(content: bytes, variable: Variable, block: int) -> NDArray[Any]:
         block: rows of a chunk.
 
     Returns:
-        (block, n_point, n_microphone, n_freq) float64 or float32, or of other axes; rows beyond the last hold the fill
-        value.
+        (n, n_freq) float64 or float32, or any shape of more axes; rows beyond the last hold the fill value.
     """
     values = np.frombuffer(blosc.decompress(content[:-_CHECKSUM]), np.dtype(variable.dtype).newbyteorder("<"))
     return values.reshape(min(block, variable.shape[0]), *variable.shape[1:])

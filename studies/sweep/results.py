@@ -24,7 +24,6 @@ from geometry.ground.argument_checks import check_choice, check_range, check_typ
 from geometry.ground.file_checks import check_local, read_bytes
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
-from localize.signals.array_response import ArrayResponse, response_of, response_of_design
 from studies.output.zarr_files import METADATA
 from studies.study.metric_registry import METRICS
 from studies.study.parameter import StudyError
@@ -36,6 +35,8 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
     from matplotlib.figure import Figure
+
+    from localize.signals.array_response import ArrayResponse
 
 #: Most bytes of what a store of an older version says of itself.
 _MOST_METADATA = 2**26
@@ -344,6 +345,9 @@ class Sweep(Shown):
         return [found[case] for case in cases]
 
     def _array(self, case: int, sound: bool) -> ArrayResponse:
+        # Lists of the best cases need none of it.
+        from localize.signals.array_response import response_of, response_of_design
+
         if sound:
             return response_of(self.library(case))
         number, arrays, _ = self._computed(case)
