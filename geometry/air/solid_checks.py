@@ -28,12 +28,14 @@ def sound_solid(shape: cadquery.Shape) -> cadquery.Solid:
         Refusal: none or several solids, a corner or an extent that is not finite, an extent too large or too small, no
             volume, too many faces, an edge or a face too small, or one that the CAD kernel finds fault with.
     """
+    from OCP.Standard import Standard_Failure
+
     solids = shape.Solids()
     if len(solids) != 1:
         raise Refusal(f"has {counted(len(solids), 'solid')}; it must have one", kind=Kind.UNSUITABLE, field="shape")
     try:
         problem = next(_problems(solids[0]), "")
-    except Exception as error:  # of the CAD kernel, such as an edge without an end
+    except (Standard_Failure, ValueError, RuntimeError) as error:  # such as an edge without an end
         problem = f"cannot be measured by the CAD kernel: {said_by(error)}"
     if problem:
         raise Refusal(problem, kind=Kind.UNSUITABLE, field="solid")

@@ -10,14 +10,13 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.ground.child import Child
-from geometry.ground.file_checks import library_reads, not_as_written
-from geometry.ground.process_messages import ChildError, Limits
-from geometry.ground.refusal import Kind, Refusal, said_by
+from geometry.ground.file_checks import library_reads
+from geometry.ground.foreign_files import read_apart
+from geometry.ground.refusal import Kind, Refusal
 
 _SIGN = b"MATLAB 7.3 MAT-file"
-#: Time and memory that the process may take in which a file is tried, s and bytes.
-_PATIENCE, _MEMORY = 20.0, 4_000_000_000
+#: Memory that the process may take in which a file is tried, bytes.
+_MEMORY = 4_000_000_000
 
 
 def is_hdf5_mat(path: Path) -> bool:
@@ -39,17 +38,10 @@ def read_hdf5_mat(path: Path, what: str, refusal: type[Refusal], most_numbers: i
     Raises:
         Refusal: by ``refusal``: not HDF5, damaged, of more numbers, or one that takes too long to read.
     """
-    try:
-        with Child("the reader", limits=Limits(memory=_MEMORY), quiet=True, trusted=False) as child:
-            said = child.call(_trial, f"{most_numbers} {path}", seconds=_PATIENCE).decode()
-    except ChildError as error:
-        said = "it ends what reads it" if error.status is not None else f"it cannot be read in {_PATIENCE:g} s"
-    if said.startswith("more"):
+    if read_apart(_trial, path, what, refusal, _MEMORY, arguments=(most_numbers,)):
         raise refusal(
             f"holds more than {most_numbers} numbers, the most that are read", kind=Kind.OUT_OF_RANGE, file=path
         )
-    if said:
-        raise not_as_written(path, what, refusal, said)
     with library_reads(path, what, refusal), h5py.File(path, "r") as file:
         return {name: np.asarray(one[()]).T for name, one in _arrays(file)}
 
@@ -67,16 +59,12 @@ def _arrays(file: h5py.File) -> list[tuple[str, h5py.Dataset]]:
     ]
 
 
-def _trial(given: str) -> bytes:
-    """Read every array; what is wrong, if anything."""
-    most, path = given.split(" ", 1)
-    try:
-        with h5py.File(path, "r") as file:
-            arrays = _arrays(file)
-            if sum(math.prod(one.shape) for _, one in arrays) > int(most):
-                return b"more"
-            for _, one in arrays:
-                one[()]
-    except Exception as error:
-        return said_by(error).encode(errors="replace")
+def _trial(path: str, most_numbers: int) -> bytes:
+    """In the process: read every array; something where they hold more numbers than may be, nothing else."""
+    with h5py.File(path, "r") as file:
+        arrays = _arrays(file)
+        if sum(math.prod(one.shape) for _, one in arrays) > most_numbers:
+            return b"more"
+        for _, one in arrays:
+            one[()]
     return b""

@@ -96,7 +96,9 @@ class Section(BaseModel):
         if name not in type(self).model_fields:
             super().__setattr__(name, value)
             return
-        place = "" if "microphones" in type(self).model_fields else f"{type(self).__name__.lower()}."
+        section = type(self).__name__.lower()
+        # A line and others stand in lists, by numbers that they do not know themselves.
+        place = "" if "microphones" in type(self).model_fields else f"{'lines.0' if section == 'line' else section}."
         raise DesignError(
             "cannot be changed in place",
             kind=Kind.UNSUITABLE,

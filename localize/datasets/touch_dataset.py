@@ -329,9 +329,10 @@ class TouchDataset(IterableDataset[TouchBatch]):
         }
 
 
-def _row(batch: TouchBatch, rows: int | slice | Tensor) -> TouchBatch:
+def _row(batch: TouchBatch, rows: int | slice) -> TouchBatch:
     """One sample, or some, of a batch."""
-    return {name: values[rows] for name, values in batch.items()}  # type: ignore[return-value,index]
+    tensors = cast("dict[str, Tensor]", batch)
+    return cast("TouchBatch", {name: values[rows] for name, values in tensors.items()})
 
 
 def _mixture(mix: Mapping[str, float]) -> Mixture:

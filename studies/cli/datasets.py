@@ -79,7 +79,7 @@ def dataset(
     licence: Annotated[
         str | None, typer.Option(help="Licence of the data, for the data card.", show_default=False)
     ] = None,
-    seed: Annotated[int, typer.Option(help="Seed of designs, touches, order and splits.")] = SEED,
+    seed: Annotated[int, typer.Option(help="Seed of as-built sensors, touches and order.")] = SEED,
 ) -> None:
     """Write a data set of touches to train networks of your own, readable without this program.
 
@@ -89,11 +89,6 @@ def dataset(
 
     Example: [bold]acoustic-fem dataset array-2x6 --as-built 500 --touches 1000 --format parquet --out touches[/bold]
     """
-    given: dict[str, object] = {}
-    if mix is not None:
-        given["mix"] = _shares("mix", mix)
-    if shares is not None:
-        given["shares"] = cast("dict[Split, float]", _shares("shares", shares))
     with display_on_stderr() as display:
         made = studies.export_dataset(
             source,
@@ -101,6 +96,8 @@ def dataset(
             as_built_sensors=as_built_sensors,
             file_format=cast("FileFormat", file_format),
             touches=touches,
+            mix=None if mix is None else _shares("mix", mix),
+            shares=None if shares is None else cast("dict[Split, float]", _shares("shares", shares)),
             samples_per_shard=samples_per_shard,
             features=cast("FeatureChoice | None", features),
             microphone_noise=noise_choice(noise),
@@ -108,7 +105,6 @@ def dataset(
             licence=licence or "",
             seed=seed,
             display=display,
-            **given,  # type: ignore[arg-type]
         )
     samples = ", ".join(f"{count:,} {split}" for split, count in made.samples.items())
     kept = f", {made.continued} of them from before" if made.continued else ""

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from localize.datasets.touch_dataset import TouchBatch
+
+if TYPE_CHECKING:
+    from torch import Tensor
 
 #: Format of the shards of a data set.
 FileFormat = Literal["npz", "parquet", "webdataset", "zarr"]
@@ -47,8 +50,9 @@ def columns_of(batch: TouchBatch) -> dict[str, NDArray[Any]]:
     Integers have 4 bytes, but for the number of the sample, and masks are bytes.
     """
     kept = {"case": np.int32, "point": np.int32, "kind": np.int32, "points": np.uint8, "microphones": np.uint8}
+    tensors = cast("dict[str, Tensor]", batch)
     return {
-        name: np.ascontiguousarray(values.numpy(), dtype=kept.get(name))
-        for name, values in ((name, batch[name]) for name in COLUMNS)  # type: ignore[literal-required]
-        if values[:1].numel()
+        name: np.ascontiguousarray(tensors[name].numpy(), dtype=kept.get(name))
+        for name in COLUMNS
+        if tensors[name][:1].numel()
     }

@@ -13,6 +13,7 @@ from geometry.ground.refusal import counted
 from localize.datasets.array_source import ArraySource
 from localize.datasets.splits import SPLITS, Split
 from studies.datasets.columns import COLUMNS, columns_of
+from studies.datasets.shard_files import ONE_FILE
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -61,7 +62,7 @@ def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset],
         request: what was asked for, of :data:`studies.datasets.export.DESCRIPTION`.
     """
     split, data = next(iter(parts.items()))
-    first = f"{split}.zarr" if request["format"] == "zarr" else f"{split}-00000{_SUFFIX[request['format']]}"
+    first = f"{split}.zarr" if request["format"] == "zarr" else f"{split}-00000{ONE_FILE[request['format']][0]}"
     single = cast("dict[str, Tensor]", data.sample(int(data.cases[0]), 0))
     sample = columns_of(cast("TouchBatch", {name: values[None] for name, values in single.items()}))
     mapped = request["features"] is not None
@@ -126,9 +127,6 @@ def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset],
         "",
     ]
     return "\n".join(lines)
-
-
-_SUFFIX = {"npz": ".npz", "parquet": ".parquet", "webdataset": ".tar"}
 
 
 def _parameters(arrays: ArraySource) -> list[str]:

@@ -9,10 +9,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import torch
+from torch import Tensor
 
 import acoustic_fem
 import localize
@@ -71,8 +72,8 @@ def export_dataset(
     as_built_sensors: int | None = None,
     file_format: FileFormat = DATASET_FORMAT,
     touches: int = TOUCHES,
-    mix: Mapping[str, float] = DEFAULT_MIX,
-    shares: Mapping[Split, float] = DEFAULT_SHARES,
+    mix: Mapping[str, float] | None = None,
+    shares: Mapping[Split, float] | None = None,
     seed: int = SEED,
     samples_per_shard: int = SAMPLES_PER_SHARD,
     features: FeatureChoice | None = None,
@@ -95,9 +96,9 @@ def export_dataset(
         out: new folder, or that of the same data set, which is finished.
         file_format: "npz", "parquet", "webdataset" (tar files) or "zarr".
         touches: samples of every design; of a single array of all splits together.
-        mix: share of each kind of touch.
-        shares: fraction of the designs, or of the touches on a single array, in each split.
-        seed: of touches, order and splits.
+        mix: share of each kind of touch; by default mostly those of fingers.
+        shares: fraction of the designs, or of the touches on a single array, in each split; by default 0.8, 0.1, 0.1.
+        seed: of as-built sensors, touches and order.
         samples_per_shard: samples of every shard but the last of a split, 1 to 65,536.
         features: maps in place of signals, as of :class:`localize.TouchDataset`.
         microphone_noise: as of the same.
@@ -112,6 +113,8 @@ def export_dataset(
     check_choice("file_format", file_format, FORMATS)
     check_range("samples_per_shard", samples_per_shard, 1, 65_536, whole=True)
     check_range("touches", touches, 1, 2**31, whole=True)
+    mix = DEFAULT_MIX if mix is None else mix
+    shares = DEFAULT_SHARES if shares is None else shares
     check_shares(shares)
     if file_format == "parquet":
         check_extras("what writes Parquet", "parquet")
@@ -238,10 +241,7 @@ def _claim(folder: Path, request: Mapping[str, Any]) -> None:
     """
     described = folder / DESCRIPTION
     if described.exists():
-        try:
-            found = parse_json(read_text(described, "a description of a data set", Refusal), str(described), Refusal)
-        except ValueError:
-            found = None
+        found = parse_json(read_text(described, "a description of a data set", Refusal), str(described), Refusal)
         if not isinstance(found, dict):
             raise Refusal("is not the description of a data set", kind=Kind.DAMAGED, file=described)
         for name, value in json.loads(json.dumps(request)).items():
@@ -285,13 +285,13 @@ class _Rows:
 
     def __call__(self, start: int, stop: int) -> TouchBatch:
         parts = list(self._parts(start, stop))
-        return {name: torch.cat([part[name] for part in parts]) for name in parts[0]}  # type: ignore[literal-required,return-value]
+        return cast("TouchBatch", {name: torch.cat([part[name] for part in parts]) for name in parts[0]})
 
-    def _parts(self, start: int, stop: int) -> Iterator[TouchBatch]:
+    def _parts(self, start: int, stop: int) -> Iterator[dict[str, Tensor]]:
         place = int(np.searchsorted(self._ends, start, "right"))
         while start < stop:
             begin = int(self._ends[place - 1]) if place else 0
             end = min(stop, int(self._ends[place]))
-            group = self._group(place)
-            yield {name: values[start - begin : end - begin] for name, values in group.items()}  # type: ignore[misc,index]
+            group = cast("dict[str, Tensor]", self._group(place))
+            yield {name: values[start - begin : end - begin] for name, values in group.items()}
             start, place = end, place + 1

@@ -8,6 +8,7 @@ from __future__ import annotations
 import io
 import json
 import tarfile
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, Protocol, get_args
 
@@ -33,81 +34,71 @@ class ShardWriter(Protocol):
         """Write a shard, each file whole or not at all; hands out the SHA-256 of each of its files, by name."""
 
 
-class _OneFileAShard:
+class OneFileShards:
     """Shards that are a file each, such as ``train-00003.npz``."""
 
-    suffix = ""
-
-    def __init__(self, folder: Path, split: str) -> None:
+    def __init__(self, file_format: FileFormat, folder: Path, split: str) -> None:
+        self.suffix, self._content = ONE_FILE[file_format]
         self.folder, self.split = folder, split
 
     def files(self, number: int) -> list[str]:
+        """Name of the file of a shard."""
         return [f"{self.split}-{number:05d}{self.suffix}"]
 
     def write(self, number: int, columns: Columns) -> dict[str, str]:
+        """Write the file of a shard."""
         (name,) = self.files(number)
-        content = self.content(columns)
+        content = self._content(columns)
         with whole_file(self.folder / name) as beside:
             beside.write_bytes(content)
         return {name: sha256(content)}
 
-    def content(self, columns: Columns) -> bytes:
-        """Bytes of a shard."""
-        raise NotImplementedError
+
+def npz_bytes(columns: Columns) -> bytes:
+    """NumPy archive, an array for each column; not compressed, because signals with noise cannot be."""
+    buffer = io.BytesIO()
+    arrays: dict[str, Any] = dict(columns)
+    np.savez(buffer, **arrays)
+    return buffer.getvalue()
 
 
-class NpzShards(_OneFileAShard):
-    """NumPy archives, an array for each column; not compressed, for signals with noise cannot be."""
+def parquet_bytes(columns: Columns) -> bytes:
+    """Parquet file; a column of several numbers a sample is a flat list of fixed length, in C order."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
 
-    suffix = ".npz"
-
-    def content(self, columns: Columns) -> bytes:
-        """Bytes of a shard."""
-        buffer = io.BytesIO()
-        arrays: dict[str, Any] = dict(columns)
-        np.savez(buffer, **arrays)
-        return buffer.getvalue()
-
-
-class ParquetShards(_OneFileAShard):
-    """Parquet files; a column of more than one number a sample is a flat list of fixed length, C order."""
-
-    suffix = ".parquet"
-
-    def content(self, columns: Columns) -> bytes:
-        """Bytes of a shard."""
-        import pyarrow as pa
-        import pyarrow.parquet as pq
-
-        made = {}
-        for name, values in columns.items():
-            flat = pa.array(np.ascontiguousarray(values).reshape(-1))
-            made[name] = flat if values.ndim == 1 else pa.FixedSizeListArray.from_arrays(flat, _width(values))
-        shapes = {name: json.dumps(values.shape[1:]) for name, values in columns.items()}
-        table = pa.table(made).replace_schema_metadata({f"shape of {name}": shape for name, shape in shapes.items()})
-        buffer = io.BytesIO()
-        pq.write_table(table, buffer, compression="zstd")
-        return buffer.getvalue()
+    made = {}
+    for name, values in columns.items():
+        flat = pa.array(np.ascontiguousarray(values).reshape(-1))
+        made[name] = flat if values.ndim == 1 else pa.FixedSizeListArray.from_arrays(flat, _width(values))
+    shapes = {name: json.dumps(values.shape[1:]) for name, values in columns.items()}
+    table = pa.table(made).replace_schema_metadata({f"shape of {name}": shape for name, shape in shapes.items()})
+    buffer = io.BytesIO()
+    pq.write_table(table, buffer, compression="zstd")
+    return buffer.getvalue()
 
 
-class TarShards(_OneFileAShard):
-    """Tar files as WebDataset reads them: of each sample ``CASE-INDEX.signals.npy`` and ``CASE-INDEX.json``."""
+def tar_bytes(columns: Columns) -> bytes:
+    """Tar file as WebDataset reads it: of each sample ``CASE-INDEX.signals.npy`` and ``CASE-INDEX.json``."""
+    buffer = io.BytesIO()
+    facts = [name for name in columns if name != "signals"]
+    with tarfile.open(fileobj=buffer, mode="w", format=tarfile.USTAR_FORMAT) as tar:
+        for row, signals in enumerate(columns["signals"]):
+            key = f"{int(columns['case'][row]):07d}-{int(columns['index'][row]):010d}"
+            array = io.BytesIO()
+            np.save(array, signals)
+            _add(tar, f"{key}.signals.npy", array.getvalue())
+            about = {name: _plain(columns[name][row]) for name in facts}
+            _add(tar, f"{key}.json", json.dumps(about).encode())
+    return buffer.getvalue()
 
-    suffix = ".tar"
 
-    def content(self, columns: Columns) -> bytes:
-        """Bytes of a shard."""
-        buffer = io.BytesIO()
-        facts = [name for name in columns if name != "signals"]
-        with tarfile.open(fileobj=buffer, mode="w", format=tarfile.USTAR_FORMAT) as tar:
-            for row, signals in enumerate(columns["signals"]):
-                key = f"{int(columns['case'][row]):07d}-{int(columns['index'][row]):010d}"
-                array = io.BytesIO()
-                np.save(array, signals)
-                _add(tar, f"{key}.signals.npy", array.getvalue())
-                about = {name: _plain(columns[name][row]) for name in facts}
-                _add(tar, f"{key}.json", json.dumps(about).encode())
-        return buffer.getvalue()
+#: Formats with a file for each shard: suffix, and function that makes its content.
+ONE_FILE: Mapping[str, tuple[str, Callable[[Columns], bytes]]] = {
+    "npz": (".npz", npz_bytes),
+    "parquet": (".parquet", parquet_bytes),
+    "webdataset": (".tar", tar_bytes),
+}
 
 
 class ZarrShards:
@@ -155,8 +146,7 @@ def writer_of(
     """
     if file_format == "zarr":
         return ZarrShards(folder, split, rows, count, columns)
-    one = {"npz": NpzShards, "parquet": ParquetShards, "webdataset": TarShards}[file_format]
-    return one(folder, split)
+    return OneFileShards(file_format, folder, split)
 
 
 def _width(values: NDArray[Any]) -> int:

@@ -148,7 +148,7 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
         )
     except (OSError, MemoryError):
         raise
-    except Exception as error:  # at lines of others, beyond what was sealed
+    except Exception as error:  # of Optuna alone, which raises anything at lines that are not its own
         problem = f"is not the journal of a search: {type(error).__name__}: {said_by(error)}"
         raise StudyError(problem, kind=Kind.UNREADABLE, file=path) from None
 

@@ -13,6 +13,7 @@ import shutil
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -171,7 +172,7 @@ def check_drawing() -> None:
         if os.path.exists(path) and not os.path.isdir(path) and path != os.devnull:
             ordinary_file(path, "a matplotlibrc", Refusal, LARGEST_TEXT)
     try:
-        import matplotlib as mpl  # noqa: F401
+        import_module("matplotlib")
     except ValueError as error:
         field = "MPLBACKEND" if "backend" in str(error) else "matplotlibrc"
         problem = f"keeps matplotlib from starting: {said_by(error)}"

@@ -332,3 +332,15 @@ def test_a_rate_by_another_name_is_refused_not_read_over(tmp_path: Path, name: s
     np.savez(path, signals=SAMPLES, **{name: 48000.0})
     with refused(Kind.UNKNOWN, name, file=path, error=SoundFileError):
         read_sound(path, 1000.0)
+
+
+@pytest.mark.parametrize("behind", [b"\xff" * 97, b"LIST\x1a\0\0\0INFO cut off", bytes(range(1, 60))])
+def test_a_few_bytes_behind_the_samples_are_no_samples(behind: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "given.wav"
+    write_wav(path, np.full((2, 2000), 0.25), 8000)
+    with path.open("ab") as end:
+        end.write(behind)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", SoundFileWarning)
+        found = read_wav(path)
+    assert {len(each) for each in found.channels.values()} == {2000}

@@ -157,3 +157,10 @@ def test_control_characters_in_json_are_refused(text: str) -> None:
 def test_texts_of_several_lines_and_of_all_scripts_are_read() -> None:
     text = 'a = """one\ttwo\n\\r\\nשלום \u200f नमस्ते\u200d 👩\u200d🔬"""'
     assert parse_toml(text, "a.toml", Refusal)["a"].endswith("🔬")
+
+
+def test_dotted_keys_are_counted_over_the_whole_file() -> None:
+    key = ".".join("abcdefghij")
+    parse_toml("".join(f"{key}{n} = 1\n" for n in range(100)), "a.toml", Refusal)
+    with refused(Kind.UNREADABLE, file="a.toml"):
+        parse_toml("".join(f"{key}{n} = 1\n" for n in range(6000)), "a.toml", Refusal)

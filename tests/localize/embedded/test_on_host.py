@@ -1,15 +1,17 @@
 """The exported C, built with every warning an error and all sanitizers on, decides what Python decides."""
 
+import subprocess
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from embedded_bench import LARGEST, UNEVEN, assert_agree, build, decided_in_c, needs_compiler
+from embedded_bench import COMPILER, LARGEST, UNEVEN, assert_agree, build, decided_in_c, needs_compiler
 from refusals import refused
 from small_run import small_design
 
 import acoustic_fem
+import localize
 from benchmarks.embedded_touches import LIMIT, STATES, array_of, calibrated, decided_in_python, decided_of, touches
 from geometry import Kind
 from localize.embedded import embed
@@ -101,3 +103,21 @@ def test_a_minute_of_touches_is_decided_as_by_the_stream_in_python(tmp_path: Pat
     response = array_of("array-2x6", True)
     found = decided_in_c(build(embed(response), tmp_path / "bench", UNEVEN), samples, response.point_count, 0)
     assert_agree(found, expected, samples, 1e-4, 1e-3)
+
+
+@needs_compiler
+@pytest.mark.parametrize("option", ["-ffast-math", "-Ofast", "-ffinite-math-only"])
+def test_options_that_assume_lost_samples_away_are_refused_by_the_compiler(option, tmp_path):
+    sources = Path(localize.embedded.__file__).parent / "sources"
+    for name in ("touch_decoder.c", "touch_decoder.h"):
+        (tmp_path / name).write_bytes((sources / name).read_bytes())
+    (tmp_path / "touch_tables.h").touch()  # what they hold does not count: the file is preprocessed alone
+
+    def preprocessed(*options):
+        command = [str(COMPILER), *options, "-E", "touch_decoder.c"]
+        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+
+    assert preprocessed("-O2").returncode == 0
+    refused_by = preprocessed("-O2", option)
+    assert refused_by.returncode != 0
+    assert "without -ffast-math" in refused_by.stderr

@@ -49,7 +49,7 @@ def test_numpy_alone_reads_what_the_data_set_yields(array, tmp_path):
     rows = 0
     for number in range(3):
         with np.load(tmp_path / f"touches/train-{number:05d}.npz", allow_pickle=False) as shard:
-            assert "parameters" not in shard.files  # a single library has none
+            assert "parameters" not in shard.files  # a single library is not varied
             for row, (case, index) in enumerate(zip(shard["case"], shard["index"], strict=True)):
                 sample = wanted.pop((int(case), int(index)))
                 np.testing.assert_array_equal(shard["signals"][row], sample["signals"])
@@ -202,3 +202,12 @@ def test_a_bad_argument_is_refused_before_a_folder_is_made(array, tmp_path, argu
     with refused(Kind.OUT_OF_RANGE, field):
         studies.export_dataset(array, tmp_path / "new", **arguments)
     assert not (tmp_path / "new").exists()
+
+
+def test_a_folder_of_other_designs_is_not_finished(tmp_path):
+    grid = np.arange(1.0, 121.0)
+    first, second = (studies.as_built("array-2x6", count, 2, frequency=grid, fidelity="lumped") for count in (12, 14))
+    studies.export_dataset(first, tmp_path / "a", touches=10)
+    (tmp_path / "a" / "train-00000.npz").unlink()
+    with refused(Kind.EXISTS, "out", file="a"):
+        studies.export_dataset(second, tmp_path / "a", touches=10)
