@@ -235,7 +235,7 @@ def test_parts_that_were_killed_are_made_by_the_next_call(place: Path, end: sign
         time.sleep(0.02)
     killed.send_signal(end)
     assert killed.wait(PATIENCE) != 0
-    again = subprocess.run(words, check=False, capture_output=True, text=True, timeout=PATIENCE)
+    again = subprocess.run(words, check=False, capture_output=True, encoding="utf-8", timeout=PATIENCE)
     assert again.returncode == 0, again.stderr
     made = {path.name for path in Path("made").iterdir()}
     assert made == set(Path("made", "files.txt").read_text(encoding="utf-8").split())

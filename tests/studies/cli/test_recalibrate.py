@@ -42,7 +42,7 @@ def test_the_command_makes_the_library_of_the_sensor_from_recordings_of_touches(
     files = sorted((tmp_path / "touches").glob("*.wav"))
     arguments = (tmp_path / "last.nc", *files, "--full-scale", 2, "--out", tmp_path / "now.nc")
     assert run(monkeypatch, *arguments) == 0
-    assert "frames with touches; " in capsys.readouterr().out
+    assert "frames with touches" in capsys.readouterr().out
     made = acoustic_fem.load(tmp_path / "now.nc")
     assert made.provenance["self_calibration"]["high_pass"] == HIGH_PASS
     touched = replace(truth(), transfer_function=rig.transfer_function(GRID))

@@ -222,7 +222,7 @@ def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
     )
     run_sweep(study, tmp_path / "whole.zarr", workers=1)
 
-    def deadly(study: Study, drawn: Cases, numbers: list[int]) -> Cases:
+    def deadly(study: Study, drawn: Cases, *_: object) -> Cases:
         return DeadlyCases(drawn.base, drawn.names, drawn.columns)
 
     monkeypatch.setattr(survey, "kept_cases", deadly)
