@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.sound.clipping import clipped_samples
 from acoustic_fem.sound.sound_file import MATRIX, SCALED, Sound, SoundFileError, read_sound
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.recordings.channel_choice import check_count, chosen_channels
 from localize.signals.frames import FRAME
@@ -195,15 +196,7 @@ def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequenc
 
 
 def _check_rate(path: Path, rate: float) -> None:
-    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
-        raise RecordingError(
-            kind=Kind.OUT_OF_RANGE,
-            file=path,
-            field="sample rate",
-            value=rate,
-            unit="Hz",
-            allowed=f"between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz",
-        )
+    check_range("sample rate", rate, LOWEST_RATE, HIGHEST_RATE, "Hz", error=RecordingError, file=path)
 
 
 def _check_apart(

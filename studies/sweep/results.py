@@ -384,11 +384,7 @@ class Sweep(Shown):
     def _checked(self, number: int) -> int:
         """The number of a case of the study, as a plain whole number."""
         check_type("case", number, (int, np.integer), "a whole number")
-        if not 0 <= number < len(self):
-            allowed = f"between 0 and {len(self) - 1}, the cases of the study"
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE, file=self.records.path, field="case", value=int(number), allowed=allowed
-            )
+        check_range("case", number, 0, len(self) - 1, whole=True, why="the cases of the study", file=self.records.path)
         return int(number)
 
 
