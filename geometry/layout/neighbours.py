@@ -32,7 +32,7 @@ def near_pairs(first: Array, second: Array, reach: float) -> NDArray[np.intp]:
     order = np.argsort(number)
     found = []
     for shift in product((-1, 0, 1), repeat=2):
-        middle = (cell + [*shift, 0]) @ strides
+        middle = cell @ strides + np.dot(shift, strides[:2])
         low = np.searchsorted(number, middle - 1, sorter=order)
         count = np.searchsorted(number, middle + 1, "right", sorter=order) - low
         i = np.repeat(np.arange(len(first)), count)
