@@ -30,7 +30,7 @@ class FarEnd(StrEnum):
 
 
 def bend(
-    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.")],
     bore: Annotated[float, typer.Option(help="Inner diameter of the tube, mm.")] = BendingRig.bore,
     length: Annotated[float, typer.Option(help="Length of the tube along its centre line, mm.")] = BendingRig.length,
     diameter: Annotated[
@@ -44,8 +44,7 @@ def bend(
         FarEnd, typer.Option(help="Far end: the microphone of array-2x6 in its chamber, or closed.")
     ] = FarEnd[BendingRig.end],
     fidelity: Annotated[
-        Fidelity,
-        typer.Option(help="navier-stokes is the reference; helmholtz makes the change 13 times too large."),
+        Fidelity, typer.Option(help="navier-stokes is the reference; helmholtz makes the change 13 times too large.")
     ] = ONE_DESIGN,
     frequencies: Frequencies = FREQUENCIES,
 ) -> None:

@@ -25,22 +25,15 @@ def dataset(
         typer.Argument(
             metavar="SOURCE",
             help="Library, sweep that keeps libraries, or, with --as-built, a design file or prototype.",
-            show_default=False,
         ),
     ],
-    out: Annotated[
-        Path, typer.Option(help="New folder, or that of the same data set, which is finished.", show_default=False)
-    ],
+    out: Annotated[Path, typer.Option(help="New folder, or that of the same data set, which is finished.")],
     file_format: Annotated[
         str, typer.Option("--format", help="Files of the shards: npz, parquet, webdataset or zarr.")
     ] = DATASET_FORMAT,
     as_built_sensors: Annotated[
         int | None,
-        typer.Option(
-            "--as-built",
-            help="Number of sensors to draw about a design by manufacturing tolerances.",
-            show_default=False,
-        ),
+        typer.Option("--as-built", help="Number of sensors to draw about a design by manufacturing tolerances."),
     ] = None,
     touches: Annotated[int, typer.Option(help="Samples of every design.")] = TOUCHES,
     mix: Annotated[
@@ -49,7 +42,6 @@ def dataset(
             metavar="KIND=SHARE,...",
             help="Kinds of touches and their shares: taps, presses, slides, multi-sines, friction, pulse-wave. "
             "Default: mostly those of fingers.",
-            show_default=False,
         ),
     ] = None,
     shares: Annotated[
@@ -58,27 +50,18 @@ def dataset(
             "--split",
             metavar="NAME=SHARE,...",
             help="Fraction of the designs in train, validation and test. Default: train=0.8,validation=0.1,test=0.1.",
-            show_default=False,
         ),
     ] = None,
     samples_per_shard: Annotated[int, typer.Option(help="Samples of a shard.")] = SAMPLES_PER_SHARD,
     features: Annotated[
-        str | None,
-        typer.Option(help="Maps in place of signals: phasors, paper or rooms. Default: signals.", show_default=False),
+        str | None, typer.Option(help="Maps in place of signals: phasors, paper or rooms. Default: signals.")
     ] = None,
     noise: Noise = None,
     ambient: Annotated[
         str | None,
-        typer.Option(
-            "--sound",
-            metavar="LOW:HIGH",
-            help="Levels of the sound outside, dB SPL. Default: silence.",
-            show_default=False,
-        ),
+        typer.Option("--sound", metavar="LOW:HIGH", help="Levels of the sound outside, dB SPL. Default: silence."),
     ] = None,
-    licence: Annotated[
-        str | None, typer.Option(help="Licence of the data, for the data card.", show_default=False)
-    ] = None,
+    licence: Annotated[str | None, typer.Option(help="Licence of the data, for the data card.")] = None,
     seed: Annotated[int, typer.Option(help="Seed of as-built sensors, touches and order.")] = SEED,
 ) -> None:
     """Write a data set of touches to train networks of your own, readable without this program.
