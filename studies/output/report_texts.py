@@ -8,8 +8,6 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-import jinja2
-
 import studies
 from geometry.ground.refusal import counted
 from studies.output.display import number
@@ -22,6 +20,8 @@ def rendered_page(template: str, **values: Any) -> str:
         template: name of the template, which can use the filters ``number`` and ``counted``.
         values: values by the names that the template uses; each of these needs one.
     """
+    import jinja2
+
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("studies"),
         autoescape=True,
