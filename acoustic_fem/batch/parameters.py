@@ -318,6 +318,33 @@ class _Common:
         return cast(DiscSolution, self._once(key, lambda: design_disc(design, known=self._known)))
 
 
+def fits_batch(design: ArrayDesign) -> bool:
+    """True if a batch can hold the design: its cavities are cylinders, and no membrane with loss is pre-stretched."""
+    return all(_outside(design.of_kind(kind)) is None for kind in design.kinds)
+
+
+def _outside(design: ArrayDesign) -> Refusal | None:
+    """The refusal of a design, all points of which are alike, that a batch cannot hold."""
+    if design.membrane.stretch != 1 and not design_rubber(design).elastic:
+        return Refusal(
+            f"must be 1 in a batch: the tension has no loss, so the modes do not share that of "
+            f"{design.membrane.material!r}",
+            kind=Kind.OUT_OF_RANGE,
+            field="membrane.stretch",
+            value=design.membrane.stretch,
+            remedy="solve() takes it",
+        )
+    if design.resonator.shape != "cylinder":
+        return Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="resonator.shape",
+            value=design.resonator.shape,
+            allowed="'cylinder' in a batch, which has closed forms only",
+            remedy="solve() takes it at every fidelity",
+        )
+    return None
+
+
 def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
     tubes = list(tubes_in_use(design).values())
     sheaths = [(sheath_compliance(design, tube), soft_rubber(design, tube.sheath_material)) for tube in tubes]
@@ -341,24 +368,10 @@ def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
 
 def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
     """The numbers of one column of points, all of which are alike."""
+    problem = _outside(design)
+    if problem is not None:
+        raise problem
     air, disc, rubber = common.air(design), common.disc(design), design_rubber(design)
-    if np.any(disc.model.geometric) and not rubber.elastic:
-        raise Refusal(
-            f"must be 1 in a batch: the tension has no loss, so the modes do not share that of "
-            f"{design.membrane.material!r}",
-            kind=Kind.OUT_OF_RANGE,
-            field="membrane.stretch",
-            value=design.membrane.stretch,
-            remedy="solve() takes it",
-        )
-    if design.resonator.shape != "cylinder":
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="resonator.shape",
-            value=design.resonator.shape,
-            allowed="'cylinder' in a batch, which has closed forms only",
-            remedy="solve() takes it at every fidelity",
-        )
     leak, floor = design_leak(design, air), floor_compliance(design)
     floor_rubber = soft_rubber(design, design.resonator.floor_material)
     share = disc.model.swept**2 / disc.model.eigenvalues
