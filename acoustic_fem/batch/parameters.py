@@ -345,6 +345,21 @@ def _outside(design: ArrayDesign) -> Refusal | None:
     return None
 
 
+def opening_sizes(design: ArrayDesign) -> dict[str, list[float]]:
+    """Bores, cavities and chambers of a design by the names of :class:`ArrayParameters`, m, one value a column."""
+    resonators = [design.of_kind(kind).resonator for kind in design.kinds]
+    microphone = design.microphone
+    return {
+        "tube_radius": [metres(tube.acoustic_diameter) / 2 for tube in tubes_in_use(design).values()],
+        "cavity_radius": [metres(resonator.cavity_diameter) / 2 for resonator in resonators],
+        "cavity_height": [metres(resonator.cavity_height) for resonator in resonators],
+        "port_height": [metres(resonator.port_axis_height) for resonator in resonators],
+        "chamber_radius": [metres(microphone.chamber_diameter) / 2],
+        "chamber_height": [metres(microphone.chamber_height)],
+        "hole_radius": [metres(microphone.sound_hole_diameter) / 2],
+    }
+
+
 def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
     tubes = list(tubes_in_use(design).values())
     sheaths = [(sheath_compliance(design, tube), soft_rubber(design, tube.sheath_material)) for tube in tubes]
@@ -352,13 +367,10 @@ def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
     microphone = design.microphone
     diaphragm, vent = common.microphone(design)
     return {
-        "tube_radius": [metres(tube.acoustic_diameter) / 2 for tube in tubes],
+        **opening_sizes(design),
         "tube_length": [metres(tube.acoustic_length(design.printing.port_lip)) for tube in tubes],
         **_columns([{"sheath_compliance": compliance, **_law("sheath", rubber)} for compliance, rubber in sheaths]),
         **_columns(points),
-        "chamber_radius": [metres(microphone.chamber_diameter) / 2],
-        "chamber_height": [metres(microphone.chamber_height)],
-        "hole_radius": [metres(microphone.sound_hole_diameter) / 2],
         "hole_length": [metres(microphone.sound_hole_length)],
         "diaphragm_compliance": [diaphragm],
         "back_volume": [cubic_metres(microphone.back_volume)],
@@ -377,9 +389,6 @@ def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
     share = disc.model.swept**2 / disc.model.eigenvalues
     mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)
     return {
-        "cavity_radius": metres(design.resonator.cavity_diameter) / 2,
-        "cavity_height": metres(design.resonator.cavity_height),
-        "port_height": metres(design.resonator.port_axis_height),
         "membrane_compliance": float(share.sum()) * disc.opening**3 / disc.modulus,
         **_law("membrane", rubber),
         "membrane_fraction": share / share.sum(),

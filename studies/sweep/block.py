@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from acoustic_fem import Medium
 from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
 from acoustic_fem.batch.network import batch_response, each_alone
-from acoustic_fem.batch.openings import designs_outside
+from acoustic_fem.batch.openings import OpeningSizes, designs_outside
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, fits_batch
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import kept_cell, solve_cells
@@ -266,7 +266,7 @@ def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> tupl
     joined = parameters[0] if len(parameters) == 1 else _in_order(parameters, designs, list(states))
     inside = np.ones(len(designs), dtype=bool)
     if job.fidelity == "atlas":
-        inside = ~designs_outside(joined, topology, job.frequency, medium)
+        inside = ~designs_outside(OpeningSizes.of(joined), topology, job.frequency, medium)
     if not inside.any():
         return inside, None
     if not inside.all():
