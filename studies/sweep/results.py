@@ -320,16 +320,22 @@ class Sweep(Shown):
         sizes = np.column_stack([points, np.full(len(self), len(self.base.microphones))])
         return np.asarray(sizes[self.done])
 
+    def texts(self, name: str) -> tuple[str, ...]:
+        """Texts that the numbers of a parameter stand for in :meth:`parameter_values`, from 0; none if it is a number.
+
+        Args:
+            name: of the parameter.
+        """
+        column = self.values[name]
+        return tuple(np.unique(column.astype(str)).tolist()) if column.dtype == object else ()
+
     def parameter_values(self, case: int) -> NDArray[np.float64]:
         """Values of the parameters of one case, in the units of :attr:`parameter_units`; (n_parameter,) float64."""
         case = self._checked(case)
-        columns = [self.values[name] for name in self.parameters]
         return np.array(
             [
-                np.unique(column.astype(str)).searchsorted(str(column[case]))
-                if column.dtype == object
-                else column[case]
-                for column in columns
+                self._texts[name].index(str(self.values[name][case])) if self._texts[name] else self.values[name][case]
+                for name in self.parameters
             ],
             np.float64,
         )
@@ -381,6 +387,10 @@ class Sweep(Shown):
             self._last.update(first=first, block=(responses, self.records.block(first).about))
         found: tuple[dict[str, NDArray[np.complex128]], Mapping[int, Mapping[str, Any]]] = self._last["block"]
         return found
+
+    @cached_property
+    def _texts(self) -> dict[str, tuple[str, ...]]:
+        return {name: self.texts(name) for name in self.parameters}
 
     @cached_property
     def _last(self) -> dict[str, Any]:
