@@ -28,7 +28,7 @@ from studies.output.zarr_files import METADATA
 from studies.study.metric_registry import METRICS
 from studies.study.parameter import StudyError
 from studies.sweep.plots import plot_effects, plot_trade_off
-from studies.sweep.records import DONE, FAILED, FOLDER, FORMAT, MARK, WAITING, Records
+from studies.sweep.records import DONE, FAILED, FOLDER, FORMAT, MARK, SPLIT, WAITING, Records, case_key
 from studies.sweep.summary import Summary
 
 if TYPE_CHECKING:
@@ -152,7 +152,7 @@ class Sweep(Shown):
         return pd.DataFrame(columns, index=pd.RangeIndex(len(self), name="case"))
 
     def to_xarray(self) -> xr.Dataset:
-        """Results as one data set along ``case``, with the parameters as coordinates.
+        """Results as one data set along ``case``, with the parameters and the ``split`` of each case as coordinates.
 
         Its variables are the metrics, ``status``, ``reason`` and the responses that are kept, complex, which are read
         when they are used. NaN stands where a case is waiting, failed or has fewer points.
@@ -165,7 +165,7 @@ class Sweep(Shown):
             return ("case",), self.values[name], variables[name].attributes
 
         coordinates: dict[str, Any] = {"case": np.arange(len(self))}
-        coordinates |= {name: column(name) for name in self.parameters}
+        coordinates |= {name: column(name) for name in (SPLIT, *self.parameters)}
         rows: dict[str, Any] = {name: column(name) for name in self.metrics}
         rows |= {"status": (("case",), _STATUS[self.values["state"]]), "reason": column("reason")}
         for name in self.records.kept:
@@ -291,7 +291,12 @@ class Sweep(Shown):
     @property
     def case_keys(self) -> tuple[str, ...]:
         """Values of the parameters of each case that was computed, as JSON."""
-        return tuple(json.dumps(self.case(int(number))) for number in self.case_numbers)
+        return tuple(case_key(self.case(int(number))) for number in self.case_numbers)
+
+    @property
+    def splits(self) -> NDArray[np.object_]:
+        """Split of each case, "train", "validation" or "test", as data sets deal it by default; (n_case,) texts."""
+        return self.values[SPLIT]
 
     @property
     def parameter_names(self) -> tuple[str, ...]:
@@ -315,16 +320,22 @@ class Sweep(Shown):
         sizes = np.column_stack([points, np.full(len(self), len(self.base.microphones))])
         return np.asarray(sizes[self.done])
 
+    def texts(self, name: str) -> tuple[str, ...]:
+        """Texts that the numbers of a parameter stand for in :meth:`parameter_values`, from 0; none if it is a number.
+
+        Args:
+            name: of the parameter.
+        """
+        column = self.values[name]
+        return tuple(np.unique(column.astype(str)).tolist()) if column.dtype == object else ()
+
     def parameter_values(self, case: int) -> NDArray[np.float64]:
         """Values of the parameters of one case, in the units of :attr:`parameter_units`; (n_parameter,) float64."""
         case = self._checked(case)
-        columns = [self.values[name] for name in self.parameters]
         return np.array(
             [
-                np.unique(column.astype(str)).searchsorted(str(column[case]))
-                if column.dtype == object
-                else column[case]
-                for column in columns
+                self._texts[name].index(str(self.values[name][case])) if self._texts[name] else self.values[name][case]
+                for name in self.parameters
             ],
             np.float64,
         )
@@ -376,6 +387,10 @@ class Sweep(Shown):
             self._last.update(first=first, block=(responses, self.records.block(first).about))
         found: tuple[dict[str, NDArray[np.complex128]], Mapping[int, Mapping[str, Any]]] = self._last["block"]
         return found
+
+    @cached_property
+    def _texts(self) -> dict[str, tuple[str, ...]]:
+        return {name: self.texts(name) for name in self.parameters}
 
     @cached_property
     def _last(self) -> dict[str, Any]:
