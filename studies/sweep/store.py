@@ -150,7 +150,8 @@ def check_store(path: Path) -> None:
     """Refuse a path that no sweep may write to; nothing is touched.
 
     Raises:
-        StudyError: it holds something else than the results of a sweep, or those of another version.
+        StudyError: it holds something else than the results of a sweep, those of another version, or a pipe, a device
+            or a link.
         Refusal: it cannot be written.
     """
     check_folder(path)
@@ -158,6 +159,8 @@ def check_store(path: Path) -> None:
         try:
             check_sweep(path)
         except StudyError as error:
+            if error.kind is not Kind.MISMATCH:
+                raise
             raise StudyError.of(
                 error, remedy=(Field("out"), " must be new, or the results of the same study")
             ) from None
