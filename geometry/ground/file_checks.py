@@ -46,10 +46,12 @@ def check_local(path: str | os.PathLike[str], refusal: type[Refusal] = Refusal, 
     Raises:
         Refusal: of that class: it begins like ``s3://`` or ``file://``.
     """
-    if _ADDRESS.match(os.fspath(path)):
+    found = _ADDRESS.match(os.fspath(path))
+    if found:
+        slashes = "///" if found[0].lower() == "file:/" else "//"
         raise refusal(
             kind=Kind.OUT_OF_RANGE,
-            file=path,
+            file=found[0][:-1] + slashes + os.fspath(path)[found.end() :].lstrip("/"),  # as it was before pathlib
             field=Field(field),
             allowed="a path on this machine, not an address",
             remedy="copy between this machine and a store with the tool of the store, or mount the store as a folder",
@@ -128,7 +130,7 @@ def check_own_file(path: Path, what: str, refusal: type[Refusal]) -> None:
         raise refusal(problem, kind=Kind.EXISTS, file=path, remedy="remove it, or name another place")
 
 
-def check_entries(folder: Path, refusal: type[Refusal], remedy: str | None = None) -> None:
+def check_entries(folder: Path, refusal: type[Refusal], remedy: str = "") -> None:
     """Reject a folder that holds a pipe, a device or a link, at any depth; none of its files is opened.
 
     Args:

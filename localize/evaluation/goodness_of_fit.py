@@ -280,7 +280,11 @@ def sensor_fit(
         Refusal: as :meth:`localize.BayesDecoder.locate`, or noise of another number of microphones.
     """
     expected, given = decoder.largest_misfit, np.asarray(frames)
-    if only_faults and expected is None and not np.isnan(decoder.misfit(np.zeros((1, len(decoder.microphones), FRAME)))[0]):
+    if (
+        only_faults
+        and expected is None
+        and not np.isnan(decoder.misfit(np.zeros((1, len(decoder.microphones), FRAME)))[0])
+    ):
         expected = 0.0
     if expected is None or len(given) < options.fewest:
         return None
@@ -295,7 +299,8 @@ def sensor_fit(
     search = _FaultSearch(decoder, loudest, expected, options, only_faults)
     # Of more microphones one that is off may leave less than sensors of some designs do.
     found = search.found(misfit > min(expected, options.least_suspect))
-    return SensorFit(misfit, expected, decoder.microphones, *(found or (None, None)), only_faults)
+    fault, left = found or (None, None)
+    return SensorFit(misfit, expected, decoder.microphones, fault, left, only_faults)
 
 
 class _FaultSearch:
@@ -309,7 +314,9 @@ class _FaultSearch:
         only_faults: as of :func:`sensor_fit`.
     """
 
-    def __init__(self, decoder: Locator, frames: Array, expected: float, options: FitOptions, only_faults: bool) -> None:
+    def __init__(
+        self, decoder: Locator, frames: Array, expected: float, options: FitOptions, only_faults: bool
+    ) -> None:
         self._decoder, self._frames, self._expected, self._options = decoder, frames, expected, options
         self._only_faults = only_faults
         self._few = frames[:: max(1, len(frames) // options.late_frames)]

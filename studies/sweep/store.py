@@ -88,7 +88,8 @@ class SweepStore:
                     self._show(first)
                     continue
                 except StudyError as error:
-                    notes.append(f"{error}; cases {first} to {stop - 1} are computed again")
+                    which = f"case {first} is" if stop == first + 1 else f"cases {first} to {stop - 1} are"
+                    notes.append(f"{error}; {which} computed again")
             self._records.forget(first)
             self._files.drop(first)
         more = f"{self._records.path}: {len(notes) - _TOLD} more blocks are damaged and computed again"

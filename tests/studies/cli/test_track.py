@@ -103,7 +103,9 @@ def test_track_names_a_wrong_connection_and_says_nothing_of_a_right_one(folder: 
     array = response_of(library)
     assert array.position is not None
     time = np.arange(8000) / 1e3
-    place = array.position[2] + 0.5 * (1 - np.cos(2 * np.pi * time / 8))[:, None] * (array.position[0] - array.position[2])
+    place = array.position[2] + 0.5 * (1 - np.cos(2 * np.pi * time / 8))[:, None] * (
+        array.position[0] - array.position[2]
+    )
     signals = record(Contact(time, place, np.full(8000, 5e-3), 5.0, 0.2), array, microphone_noise=1e-3).signals
     a, b = signals / 100
     late = np.concatenate([np.zeros(30), b[:-30]])
