@@ -28,6 +28,7 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.sound_test import SoundTest
 from localize.decoders.surroundings import sound_levels
 from localize.decoders.tolerant import decoder_of, unknown_tolerances
+from localize.evaluation.fit_watch import FitWatch
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
 from localize.graphs.onnx_localizer import OnnxLocalizer
 from localize.live.events import HOP, Decision, Fault
@@ -274,6 +275,8 @@ class Model(Shown):
     ) -> LiveListener:
         """Listener that reports touches while they happen; iterate over it for its events.
 
+        It also reports once, as a :class:`localize.live.Notice`, if the sensor does not fit the model.
+
         Args:
             source: where samples come from, such as :class:`localize.live.ReplaySource`.
             recorder: writes them as they come in.
@@ -284,7 +287,8 @@ class Model(Shown):
         """
         places = () if contact_radius_mm is None else (GestureTracker(self.tracker(contact_radius_mm)),)
         stream = self.stream(source.limit, frames=True)
-        return LiveListener(source, stream, recorder, trackers=(TouchTracker(self.locator.array), *places))
+        trackers = (FitWatch(stream), TouchTracker(self.locator.array), *places)
+        return LiveListener(source, stream, recorder, trackers=trackers)
 
 
 ModelSource: TypeAlias = str | os.PathLike[str] | Library | Locator | Model

@@ -314,6 +314,8 @@ def track(
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")
     tell(f"the decoder assumes {found.assumptions}")
+    if found.warning is not None:
+        tell(f"warning: {found.warning}; the paths are wrong, so correct the wiring or the order of --channels")
     if not found.force_is_known:
         tell(f"forces assume the membranes of the design {found.design}, which were not measured on this sensor")
 

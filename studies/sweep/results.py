@@ -21,7 +21,7 @@ from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign
 from geometry.design.design_file import read_completed
 from geometry.ground.argument_checks import check_choice, check_range, check_type
-from geometry.ground.file_checks import check_local, read_bytes
+from geometry.ground.file_checks import check_entries, check_local, read_bytes
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
 from studies.output.zarr_files import METADATA
@@ -412,7 +412,8 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     """Results of a study, opened, also while it runs; responses are read when they are used.
 
     Raises:
-        StudyError: the folder is not the results of a sweep, or they are damaged; names the record, and what to do.
+        StudyError: the folder is not the results of a sweep, it holds a pipe, a device or a link, or a record is
+            damaged; names the file, and what to do.
     """
     check_local(path, StudyError, "results")
     path = Path(path)
@@ -448,8 +449,9 @@ def is_sweep(path: Path) -> bool:
 
 
 def check_sweep(path: Path) -> None:
-    """Refuse a path that is not the results of a sweep of this version."""
+    """Refuse a path that is not the results of a sweep of this version, or that holds a pipe, a device or a link."""
     if (path / FOLDER).is_dir():
+        check_entries(path, StudyError, "remove it, then run the same sweep again, which writes what is missing")
         return
     older = None
     with suppress(ValueError, KeyError, TypeError, RecursionError):
