@@ -27,7 +27,8 @@ def train(
     seconds: Annotated[
         float | None,
         typer.Option(
-            help="Time limit of training. A run cut short depends on the machine. Default: no limit.",
+            help="Time limit of the training. If it is reached, the result depends on the speed of the machine. "
+            "Default: no limit.",
             show_default=False,
         ),
     ] = None,
@@ -36,7 +37,7 @@ def train(
         typer.Option(
             help="usual: 200 new touches of every point in each epoch, in room sound of 30 to 95 dB SPL. paper: 14,000 "
             "touches of every point in short windows, the paper's network, no noise; takes hours. The options below "
-            "change either."
+            "override both."
         ),
     ] = PLANS[0],
     epochs: Annotated[
@@ -185,7 +186,7 @@ def evaluate(
     is for multi-sine touches on the nominal sensor. The lines below it are for taps, and for multi-sine touches on
     as-built sensors.
 
-    Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
+    Example: [bold]acoustic-fem evaluate localizer library.nc --out evaluation[/bold]
     """
     level = noise_choice(noise)
     with display_on_stderr() as display:

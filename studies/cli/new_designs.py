@@ -22,7 +22,9 @@ def prototypes(
     name: Annotated[
         str | None, typer.Argument(metavar="[NAME]", help="Prototype whose design file is printed.", show_default=False)
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="File to write it to instead.", show_default=False)] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Write the design file to this file instead.", show_default=False)
+    ] = None,
 ) -> None:
     """List the designs that come with the program, or print the file of one.
 
@@ -52,7 +54,9 @@ def new(
     pitch: Annotated[
         float | None,
         typer.Option(
-            metavar="MM", help="Distance of neighbouring points. Default: usual at the place.", show_default=False
+            metavar="MM",
+            help="Distance between neighbouring points. Default: depends on the place.",
+            show_default=False,
         ),
     ] = None,
     microphones: Annotated[

@@ -1,4 +1,4 @@
-"""Evaluation of a localizer beside the model-based decoder, under conditions that are not those of training."""
+"""Evaluation of a localizer beside the Bayes decoder, under conditions that are not those of training."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A localizer evaluated on touches that it was not trained on, the model-based decoder beside it."""
+"""A localizer evaluated on touches that it was not trained on, the Bayes decoder beside it."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def evaluate_localizer(
 
     Returns:
         Each localizer's evaluation by its name: ``"network"``, or the kind of an ONNX file, ``"Bayes decoder"``,
-        and where the library is not that of a measured sensor ``"tolerant decoder"``.
+        and where the library is not that of a measured sensor ``"tolerance-aware decoder"``.
 
     Raises:
         Refusal: no library for a model without one, a folder that cannot be written, a file that cannot be read, a

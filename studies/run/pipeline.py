@@ -247,7 +247,7 @@ def _solved(
 def _trained_localizer(
     library: Library, plan: TrainingPlan, folder: Path, show: Display
 ) -> tuple[Localizer, Headline, Headline, Headline | None]:
-    """The trained localizer, and evaluations of it, the model-based decoder and the tolerance-aware one."""
+    """The trained localizer, and evaluations of it, the Bayes decoder and the tolerance-aware one."""
     from studies.evaluation.headline import TOLERANT, evaluate_headlines
 
     with show.stage("Localizer", of=_STAGES) as report:

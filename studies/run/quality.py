@@ -75,7 +75,7 @@ class DesignQuality:
         """Rows of a table: what, value, and what the value is of."""
         first, second = self.hardest
         made = f"{100 * self.as_built:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
-        of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "told by acoustic-fem tolerance"
+        of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "use acoustic-fem tolerance"
         fidelities = {"nominal sensor": self.fidelity, "as-built sensors": self.as_built_fidelity}
         return (
             (
