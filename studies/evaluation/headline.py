@@ -96,8 +96,8 @@ def evaluate_headlines(
         touches: held-out touches per point; beside the headline so many that all points together have 600, if they
             may be as many.
         microphone_noise: of the microphones.
-        seed: of the touches.
-        progress: called with what is being done and the fraction done.
+        seed: seed of the touches.
+        progress: function that is called with the name of the step and the fraction done.
     """
     progress("as-built sensors", 0.0)
     made, unscattered = scattered_sensors(library, response, SENSOR_SEED, SENSORS, (WHOLE,))
