@@ -38,7 +38,7 @@ class ArrayFacts:
     def assumptions(self) -> str:
         """Assumptions of a decoder without tolerances about the sensor, in words."""
         if self.provenance.get("fidelity", MEASURED) == MEASURED:
-            return f"that the sensor is as its library has it{self.in_air}"
+            return f"that the sensor is as its library describes it{self.in_air}"
         return f"that the sensor is exactly as it was designed{self.in_air}, without manufacturing tolerances"
 
     @property

@@ -125,7 +125,7 @@ def wiring(
     """
     found = studies.wiring_table(microphones, points, out)
     table = table_of(
-        "lines", "points", "against one transducer per point", "against rows + columns", numbers=(0, 1, 2, 3)
+        "lines", "points", "compared with one transducer per point", "with rows + columns", numbers=(0, 1, 2, 3)
     )
     for counts in found:
         table.add_row(

@@ -122,7 +122,7 @@ class DesignCheck(Shown):
     @property
     def covered(self) -> str:
         """Line on the fraction of the area in which a finger reaches a membrane."""
-        return f"coverage {self.coverage:.0%}: there a contact of {FINGER:g} mm radius touches a membrane"
+        return f"coverage {self.coverage:.0%}: area where a contact of {FINGER:g} mm radius touches a membrane"
 
     @property
     def fidelities(self) -> tuple[str, ...]:
@@ -300,16 +300,16 @@ def _drawn(
 def fidelity_lines(design: ArrayDesign, cells: Sequence[Cell]) -> tuple[str, ...]:
     """Lines on what each fidelity costs for the distinct cells of a design, and how far from the default it was."""
     lumped, helmholtz = (
-        "; ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
+        ", ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
         for measured in (LUMPED_IS_OFF, HELMHOLTZ_IS_OFF)
     )
     seconds = SECONDS_PER_CELL * len(cells)
     return (
-        f"lumped: milliseconds; from navier-stokes, {BAND[0]:g} to {BAND[1]:g} Hz, it was at most {lumped}",
+        f"lumped: milliseconds; differs from navier-stokes by up to {lumped} ({BAND[0]:g} to {BAND[1]:g} Hz)",
         f"atlas: milliseconds; {_of_atlas(design, cells)}",
-        f"helmholtz, a cross-check: as long as navier-stokes; from it at most {helmholtz}",
-        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s of one processor per distinct cell, here "
-        f"{len(cells)}: {seconds:g} s; then from the cache",
+        f"helmholtz, a cross-check: as long as navier-stokes; differs from it by up to {helmholtz}",
+        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s of one processor per distinct cell, {seconds:g} s "
+        f"for the {len(cells)} of this design; later from the cache",
     )
 
 
@@ -323,7 +323,7 @@ def _of_atlas(design: ArrayDesign, cells: Sequence[Cell]) -> str:
         return f"not for this design: {error}"
     off = 100 * atlas.errors["transfer function by 1 + |ln H|"]
     band = f"1 to {atlas.known_up_to:g} Hz"
-    return f"from navier-stokes, {band}, it was at most {off:.2g} % x (1 + |ln H|) on 40 random designs"
+    return f"differs from navier-stokes by up to {off:.2g} % x (1 + |ln H|) on 40 random designs ({band})"
 
 
 def cell_uses(design: ArrayDesign, layout: ArrayLayout) -> tuple[tuple[Cell, int], ...]:
