@@ -20,7 +20,7 @@ the one that was computed from its design. The microphones are assumed to have a
 
 | resource | at most | used for |
 |---|---|---|
-| flash | {flash} ({flash_bytes} bytes) | tables ({tables_share:.0f} %), and code with the parts of newlib that it needs |
+| flash | {flash} ({flash_bytes} bytes) | tables ({tables_share:.0f} %), code and the parts of newlib that it needs |
 | RAM | {ram} ({ram_bytes} bytes) | `touch_decoder`; newlib needs 1.1 kB more for `errno`, newlib-nano 0.1 kB |
 | stack | {stack_bytes} bytes | the deepest call of `touch_push` |
 | instructions | {instructions} | one decision, whatever the signal; {per_second} in a second |
