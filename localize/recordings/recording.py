@@ -79,8 +79,8 @@ def read_recording(
     Args:
         path: of the file; its suffix says what it is.
         microphones: names of the array's microphones.
-        full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others the pressure at which they
-            clip. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
+        full_scale: pressure at full scale of WAV files, Pa, by default 1 Pa. For other files, the pressure at which the
+            recorder clipped. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
         fallback: whether one channel may be clipped, or silent all the time or from some time on: for what goes on with
             the others.
         channels: microphone -> channel of the file, counted from 1 without a column of times; the file may then have
