@@ -171,13 +171,13 @@ class Bill:
 def bill_of_materials(
     design: DesignLike, parts: PartSet | None = None, prices: Prices | None = None, layout: ArrayLayout | None = None
 ) -> Bill:
-    """Resin, silicone, spring, sheath, microphones, gaskets and glue that one array takes.
+    """Resin, silicone, springs, sheaths, microphones, gaskets and glue that one array needs, with their cost.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
-        parts: of :func:`geometry.build_parts`, where they exist already.
-        prices: instead of the assumed ones.
-        layout: where its parts lie, where it is known already.
+        parts: parts from :func:`geometry.build_parts`, if you have them already.
+        prices: prices in place of the assumed ones.
+        layout: layout of the array, if you have it already.
     """
     design = resolve_design(design)
     parts = build_parts(design, layout) if parts is None else parts

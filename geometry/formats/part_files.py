@@ -92,11 +92,11 @@ def export(
 
     Args:
         parts: name to workplane with one solid, mm.
-        folder: made if it does not exist.
+        folder: a folder, created if needed.
         formats: of ``stl``, ``step``, ``3mf``.
         tolerance: largest distance of facets from the surface, mm; default: see :func:`tessellation_tolerance`.
         progress: called with what of which part is being made, and the fraction done.
-        shapes: of :func:`tessellate_distinct`, where they exist already; they have a tolerance of their own.
+        shapes: shapes from :func:`tessellate_distinct`, if you have them already; they have their own tolerance.
 
     Returns:
         One record per file, parts in their order, formats in the order given.

@@ -39,7 +39,7 @@ def refuse_overlaps(design: DesignLike, layout: ArrayLayout | None = None) -> No
 
     Args:
         design: the array.
-        layout: where its parts lie, where it is known already.
+        layout: layout of the array, if you have it already.
 
     Raises:
         OverlapError: see :func:`overlaps`.

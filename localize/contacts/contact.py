@@ -33,9 +33,9 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 @dataclass(frozen=True, eq=False)
 class Contact:
-    """Contact that moves over an array; before its first and after its last time nothing presses.
+    """Contact that moves over an array. Before its first time and after its last time it does not press.
 
-    Between its times path and force run straight.
+    Between its times, position and force are interpolated linearly.
 
     Raises:
         Refusal: times that do not ascend, shapes that do not fit them, values that are not finite or out of range.

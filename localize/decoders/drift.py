@@ -108,7 +108,7 @@ class DriftDecoder(LibraryDecoder):
     @property
     def assumptions(self) -> str:
         """Assumptions about the sensor, in words."""
-        return "that the sensor is as its library has it, but for a stiffness that is followed"
+        return "that the sensor is as its library describes it, except for its stiffness, which is followed"
 
     @one_thread()
     def follow(self, signals: ArrayLike | Tensor, state: Array) -> tuple[Array, Array]:

@@ -61,13 +61,12 @@ class ResidualTest:
     """Test of whether a touch of a given point can have made a signal.
 
     Args:
-        library: transfer functions of the array that was made. An error of them of 1 % leaves a residual 40 dB below
-            the signal, which stands above a noise that is lower.
+        library: transfer functions of the as-built array. If they are wrong by 1 %, the residual is 40 dB below the
+            signal, which may be far above the noise.
         microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
         loudest_touch_pa: pressure in the touched cavity up to which a true touch passes, Pa rms, 1e-3 to 1e3.
-        ambient: sound around up to this level in dB SPL, 0 to 140, passes with a touch; None for quiet. It takes as
-            many directions as there are lines below half the sample rate: with two microphones next to none is then
-            left to test. Needs a library with a design.
+        ambient: level of room sound in dB SPL, 0 to 140, up to which a touch in that sound passes; None for a quiet
+            room. With two microphones, next to nothing is then left to test. Needs a library with a design.
         options: numbers that tune it.
 
     Raises:
@@ -167,8 +166,8 @@ def judge(
         decoder: of the array.
         test: of the same array, with the noise that there is.
         signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
-        top: how many points to name, 1 to the number of points.
-        false_alarm: share of true touches that may be called none of these, above 0, below 1.
+        top: number of points to return, from 1 to the number of points.
+        false_alarm: fraction of true touches that may be rejected, above 0, below 1.
 
     Raises:
         Refusal: an argument out of range, or as :meth:`localize.BayesDecoder.locate`.

@@ -159,14 +159,15 @@ def short_window_waveform(
     window: int = PAPER_WINDOW,
     hop: int = PAPER_HOP,
 ) -> Array:
-    """Waveform in the paper's way: short-window transform, least squares over microphones (ours) per bin, and back.
+    """Waveform by the paper's method: short-window transform, then least squares over the microphones (our addition) in
+    each bin, then the inverse transform.
 
     The product with a transfer function is exact only for windows much longer than the impulse response. At the
     paper's 32 samples, 31 Hz between bins, the error is that of the window, whatever the noise.
 
     Args:
-        library: transfer functions that cover 1 to 100 Hz; there the waveform ends, for beyond them the array lets
-            nothing but noise through.
+        library: transfer functions that cover 1 to 100 Hz; there the waveform ends, because beyond them the array
+            transmits only noise.
         signals: (n, n_microphone, n_sample) or (n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
         point: from 1.
         window: samples, Hann window, 4 to 1000.

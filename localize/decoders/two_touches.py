@@ -61,7 +61,7 @@ class TwoTouches:
 class TwoTouchDecoder:
     """Maximum likelihood over all pairs of points.
 
-    Tables grow with the square of the number of points: 0.3 GB for 36 points and three microphones.
+    Its tables grow with the square of the number of points. They take 0.3 GB for 36 points and three microphones.
 
     Args:
         library: transfer functions that cover 1 to 100 Hz, of 2 to 64 points and at least two microphones.

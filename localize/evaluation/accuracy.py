@@ -89,7 +89,7 @@ class Reliability:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Evaluation(Shown):
-    """Results of a localizer over a set of touches; shares run from 0 to 1."""
+    """Results of a localizer over a set of touches; fractions run from 0 to 1."""
 
     top1: float
     """Share of touches whose most probable point is the right one."""
@@ -158,9 +158,10 @@ class Evaluation(Shown):
 
     @property
     def hardest_pair(self) -> tuple[int, int, float] | None:
-        """Two points most often taken for each other, numbered from 1, and how often, as a share of their touches.
+        """Two points that are confused most often, numbered from 1, and the fraction of their touches that is assigned
+        to the other point.
 
-        None where no touch was missed.
+        None if no touch was classified wrongly.
         """
         mistaken = self.confusion + self.confusion.T
         np.fill_diagonal(mistaken, 0)
@@ -201,9 +202,9 @@ def evaluate(
     stimuli: StimulusSource = multi_sines,
     ambient: float | None = None,
 ) -> Evaluation:
-    """Results of a localizer that names the points of held-out touches.
+    """Results of a localizer for held-out touches.
 
-    The stimuli come from a stream of their own: none was seen in training, whatever the seeds.
+    The touches come from a stream of their own, so none was used in training, whatever the seeds are.
 
     Args:
         localizer: network, graph or decoder.

@@ -70,13 +70,13 @@ def train_recognizer(
 
     Args:
         library: transfer functions that cover 1 to 100 Hz.
-        subject: what to tell: one of :data:`localize.recognition.takes.SUBJECTS`, "letters", or "labels" for those of a
-            manifest.
+        subject: what to recognize: one of :data:`localize.recognition.takes.SUBJECTS`, "letters", or "labels" for those
+            of a manifest.
         plan: by default one that takes about a minute for twelve kinds on one core.
         progress: called after every epoch.
         checkpoint: a file that keeps the state of the training, as of :func:`localize.train`.
         recordings: a manifest with labels (:mod:`localize.recordings.touch_manifest`), for "labels" and "letters".
-        making: called with the share of the simulated takes that are made.
+        making: function that is called with the fraction of the simulated signals that are made.
 
     Raises:
         Refusal: an unknown subject, or one that does not go with recordings; a library that does not cover 1 to 100 Hz.

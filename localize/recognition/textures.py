@@ -67,7 +67,7 @@ def felt_height(profile: Profile, place: Array, contact_radius_mm: float) -> Arr
     Args:
         profile: the ridges.
         place: (n,) float64, where the contact's middle is, mm.
-        contact_radius_mm: of the contact, mm.
+        contact_radius_mm: radius of the contact, mm.
 
     Returns:
         (n,) float64, mm.

@@ -37,14 +37,16 @@ def bend(
         float, typer.Option(help="Diameter of the cylinder on which the centre line is wound, mm.")
     ] = BendingRig.diameter,
     outside: Annotated[
-        float, typer.Option(help="Outer diameter of the tube, mm. The turns of a helix touch.")
+        float,
+        typer.Option(help="Outer diameter of the tube, mm, and so the pitch of the helix, because its turns touch."),
     ] = BendingRig.outside,
     angles: Annotated[str, typer.Option(metavar="ANGLES", help="Bending angles in degrees, with commas.")] = _ANGLES,
     end: Annotated[
         FarEnd, typer.Option(help="Far end: the microphone of array-2x6 in its chamber, or closed.")
     ] = FarEnd[BendingRig.end],
     fidelity: Annotated[
-        Fidelity, typer.Option(help="navier-stokes is the reference; helmholtz makes the change 13 times too large.")
+        Fidelity,
+        typer.Option(help="navier-stokes is the reference; with helmholtz the computed change is 13 times too large."),
     ] = ONE_DESIGN,
     frequencies: Frequencies = FREQUENCIES,
 ) -> None:

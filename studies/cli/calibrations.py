@@ -44,9 +44,11 @@ def rig(
     design: Design,
     out: Annotated[Path, typer.Option(help="Folder to write to.")],
     seed: Annotated[int, typer.Option(help="Seed of the simulated sensor.", min=0)] = SEED,
-    altitude: Annotated[float, typer.Option(metavar="M", help="Height of its place above the design's.")] = 0.0,
+    altitude: Annotated[
+        float, typer.Option(metavar="M", help="Altitude of the simulated sensor above that of the design.")
+    ] = 0.0,
     modulus: Annotated[
-        float, typer.Option(metavar="FACTOR", help="Modulus of its membranes relative to the design's; 0.85 is softer.")
+        float, typer.Option(metavar="FACTOR", help="Modulus of the membranes relative to the design; 0.85 is softer.")
     ] = 1.0,
     fidelity: Annotated[Fidelity, typer.Option(help="Fidelity of the sensor's transfer functions.")] = ONE_DESIGN,
 ) -> None:
@@ -90,10 +92,10 @@ def calibrate(
 
     Writes a library of measured transfer functions with their uncertainty. Record swept sines or noise at each point,
     with a calibration microphone at the touched cavity. Bad recordings are left out and listed. If a point has no good
-    recording, its transfer functions follow from a fit of the sensor's parts to the measured points. If no sensor
-    within the tolerances fits, you get a warning and these points keep the design's transfer functions.
+    recording, its transfer functions are computed with dimensions of the parts that are fitted to the measured points.
+    If no sensor within the tolerances fits, you get a warning and these points keep the design's transfer functions.
 
-    Decoders of the library take touches to be silent above the last of --frequencies.
+    A decoder of this library assumes that touches contain no sound above the last of --frequencies.
 
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
@@ -171,7 +173,7 @@ def recalibrate(
         typer.Argument(
             metavar="RECORDINGS",
             help="Touches, one at a time, spread over all points: WAV with a channel per microphone, CSV with their "
-            "names on top, or NPZ with 'signals'.",
+            "names in the first line, or NPZ with 'signals'.",
         ),
     ],
     out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file.")],

@@ -39,15 +39,20 @@ def studio(
         int | None, typer.Option(help="Port of the page; 0 for any. Default: 8765, or the next free one.")
     ] = None,
     host: Annotated[
-        str, typer.Option(metavar="ADDRESS", help="Address of the page; other machines can reach any but this.")
+        str,
+        typer.Option(
+            metavar="ADDRESS",
+            help="Address of this machine at which the page opens. Other machines can reach "
+            "the page unless you keep the default.",
+        ),
     ] = "127.0.0.1",
     browser: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
 ) -> None:
     """Edit a design in the browser and see at once what each change does.
 
-    The page shows curves, the array in 3-D, the accuracy of each point and the print rules. It rejects values that are
-    not possible, beside their field. Nothing leaves your machine, and nothing is written until you save. Press Ctrl-C
-    to end. Guide: docs/studio.md.
+    The page shows curves, the array in 3-D, the accuracy of each point and the print rules. If a value is not possible,
+    the message stands beside its field. Nothing leaves your machine, and nothing is written until you save. Press
+    Ctrl-C to end. Guide: docs/studio.md.
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
     """
@@ -94,15 +99,16 @@ def wiring(
         Path | None, typer.Option(help="File to draw the counts for 2 to MICROPHONES in: .png, .pdf or .svg.")
     ] = None,
 ) -> None:
-    """Compare how many points a number of microphones can serve, with other wirings.
+    """Compare how many points a given number of microphones can serve with different wirings.
 
-    Prints a row for every number of lines, beside one transducer per point and rows with columns.
+    Prints a row for every possible number of lines, and compares it with one transducer for each point and with rows
+    and columns.
 
     Example: [bold]acoustic-fem wiring 4 36 --out wiring.png[/bold]
     """
     found = studies.wiring_table(microphones, points, out)
     table = table_of(
-        "lines", "points", "against one transducer per point", "against rows + columns", numbers=(0, 1, 2, 3)
+        "lines", "points", "compared with one transducer per point", "with rows + columns", numbers=(0, 1, 2, 3)
     )
     for counts in found:
         table.add_row(
@@ -133,11 +139,12 @@ def solve(
 ) -> None:
     """Compute the transfer functions from every point to every microphone.
 
-    Writes a library. 3-D cells are kept on disk, so designs that share them find them solved. The default frequencies
-    are those that a localizer needs, because touches contain sound up to 500 Hz. Fewer save hardly any time.
+    Writes a library. 3-D cells are kept on disk, so a design does not solve a cell that an earlier design had. The
+    default frequencies are those that a localizer needs, because touches contain sound up to 500 Hz. You save hardly
+    any time with fewer frequencies.
 
     Give the altitude or the pressure of the place if it differs from the design's, because air matters: at 2000 m the
-    far microphone of array-2x6 changes by up to 63 %.
+    signal of the far microphone of array-2x6 changes by up to 63 %.
 
     Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped[/bold]
     """

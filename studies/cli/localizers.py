@@ -26,14 +26,17 @@ def train(
     out: Annotated[Path, typer.Option(help="Folder to write the network to.")],
     seconds: Annotated[
         float | None,
-        typer.Option(help="Time limit of training. A run cut short depends on the machine. Default: no limit."),
+        typer.Option(
+            help="Time limit of the training. If it is reached, the result depends on the speed of the machine. "
+            "Default: no limit.",
+        ),
     ] = None,
     plan: Annotated[
         str,
         typer.Option(
             help="usual: 200 new touches of every point in each epoch, in room sound of 30 to 95 dB SPL. paper: 14,000 "
             "touches of every point in short windows, the paper's network, no noise; takes hours. The options below "
-            "change either."
+            "override both."
         ),
     ] = PLANS[0],
     epochs: Annotated[int | None, typer.Option(help="Number of epochs. Default: 20, or 30 with --plan paper.")] = None,
@@ -170,7 +173,7 @@ def evaluate(
     is for multi-sine touches on the nominal sensor. The lines below it are for taps, and for multi-sine touches on
     as-built sensors.
 
-    Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
+    Example: [bold]acoustic-fem evaluate localizer library.nc --out evaluation[/bold]
     """
     level = noise_choice(noise)
     with display_on_stderr() as display:

@@ -53,16 +53,16 @@ DecoderAmbient = Annotated[
 ArrayLibrary = Annotated[
     Path | None,
     typer.Option(
-        help="Library of the array, which detects room sound and is needed by the options below. Default: MODEL, if it "
-        "is a library."
+        help="Library of the array. It is needed to detect room sound, and for --waveform, --ambient and --reject. "
+        "Default: MODEL, if it is a library.",
     ),
 ]
 RejectedFraction = Annotated[
     float | None,
     typer.Option(
         metavar="FRACTION",
-        help="Report frames that no single point explains as 'other'. The value is the fraction of true touches that "
-        "may be rejected, such as 1e-6. For a calibrated sensor. Default: the likeliest point is reported.",
+        help="Report as 'other' the frames that no single point explains. The value is the fraction of true touches "
+        "that may be rejected, such as 1e-6. For a calibrated sensor. Default: the likeliest point is reported.",
     ),
 ]
 FollowDrift = Annotated[
@@ -78,7 +78,10 @@ FollowDrift = Annotated[
 def onnx(
     model: Annotated[
         Path,
-        typer.Argument(metavar="MODEL", help="Trained localizer, a folder, or a library, whose decoder is exported."),
+        typer.Argument(
+            metavar="MODEL",
+            help="The folder of a trained localizer, or a library, whose Bayes decoder is then exported.",
+        ),
     ],
     out: Annotated[Path, typer.Option(help="File to write, such as localizer.onnx.")],
     noise: DecoderNoise = None,
@@ -104,7 +107,7 @@ def embed(
     precision: Annotated[
         str,
         typer.Option(
-            metavar="float32|int16", help="Numbers of the large tables. int16 takes three fifths of the flash."
+            metavar="float32|int16", help="Number type of the large tables. int16 needs three fifths of the flash."
         ),
     ] = PRECISION,
     budget: Annotated[
@@ -112,7 +115,8 @@ def embed(
         typer.Option(
             metavar="BUDGET",
             help="Limits of the chip, such as flash=512k,ram=16k,stack=4k,instructions=2.5M: bytes (k is 1024), and "
-            "instructions of a decision, every 16 ms. A decoder that needs more is an error. Default: no limits.",
+            "instructions of a decision, every 16 ms. If the decoder needs more, nothing is written. Default: no "
+            "limits.",
         ),
     ] = None,
     noise: DecoderNoise = None,
@@ -174,7 +178,8 @@ def locate(
 ) -> None:
     """Find where and when the array was touched, from a recording.
 
-    Prints a row for each touch. Files hold a channel for each microphone, in pascals or with --full-scale.
+    Prints a row for each touch. The recording has a channel for each microphone. Give --full-scale unless its values
+    are in pascals.
 
     Example: [bold]acoustic-fem locate localizer recording.wav --picture touches.png[/bold]
     """
@@ -314,6 +319,8 @@ def track(
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")
     tell(f"the decoder assumes {found.assumptions}")
+    if found.warning is not None:
+        tell(f"warning: {found.warning}; the paths are wrong, so correct the wiring or the order of --channels")
     if not found.force_is_known:
         tell(f"forces assume the membranes of the design {found.design}, which were not measured on this sensor")
 

@@ -22,7 +22,7 @@ def prototypes(
     name: Annotated[
         str | None, typer.Argument(metavar="[NAME]", help="Prototype whose design file is printed.")
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="File to write it to instead.")] = None,
+    out: Annotated[Path | None, typer.Option(help="Write the design file to this file instead.")] = None,
 ) -> None:
     """List the designs that come with the program, or print the file of one.
 
@@ -49,8 +49,13 @@ def new(
     ] = None,
     points: Annotated[int | None, typer.Option(help="Number of points. Default: 12.")] = None,
     pitch: Annotated[
-        float | None, typer.Option(metavar="MM", help="Distance of neighbouring points. Default: usual at the place.")
+        float | None,
+        typer.Option(
+            metavar="MM",
+            help="Distance between neighbouring points. Default: depends on the place.",
+        ),
     ] = None,
+    microphones: Annotated[int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.")] = None,
     microphones: Annotated[int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.")] = None,
     diameter: Annotated[
         float | None, typer.Option(metavar="MM", help=f"Diameter of the wrist. Default: {_DIAMETER:g}.")

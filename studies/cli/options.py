@@ -34,7 +34,8 @@ Tolerances = Annotated[
     typer.Option(help="TOML file of your workshop's tolerances: docs/tolerances.md. Default: assumed ones."),
 ]
 WorkerCount = Annotated[
-    int | None, typer.Option(help="Processes on this machine; 1 computes in this one. Default: one per core.")
+    int | None,
+    typer.Option(help="Number of worker processes on this machine; 1 starts none. Default: one per core."),
 ]
 Scheduler = Annotated[
     str | None, typer.Option(metavar="tcp://HOST:PORT", help="Dask scheduler whose workers are used.")
@@ -56,22 +57,23 @@ Model = Annotated[
     Path,
     typer.Argument(
         metavar="MODEL",
-        help="Library, whose decoder is used, a trained localizer (a folder), or an .onnx file. The decoder models "
-        "manufacturing tolerances unless the library is calibrated.",
+        help="A library, the folder of a trained localizer, or an .onnx file. With a library its Bayes decoder is "
+        "used, which is tolerance-aware unless the library is calibrated.",
     ),
 ]
 Recording = Annotated[
     Path,
     typer.Argument(
         metavar="RECORDING",
-        help="WAV, FLAC or AIFF with a channel per microphone, CSV with their names on top, NPZ or MAT with 'signals'.",
+        help="WAV, FLAC or AIFF with a channel per microphone, CSV with the microphones' names in the first line, "
+        "NPZ or MAT with 'signals'.",
     ),
 ]
 FullScale = Annotated[
     float | None,
     typer.Option(
-        help="Pressure at full scale of WAV files, Pa. In other files, the pressure at which they clip. Default: 1 Pa; "
-        "clipping is found by its flat tops."
+        help="Pressure at full scale of WAV files, Pa. For other files, the pressure at which the recorder clipped. "
+        "Default: 1 Pa for WAV files; in other files, clipping is detected by its flat tops.",
     ),
 ]
 Channels = Annotated[

@@ -41,10 +41,16 @@ def tolerance(
     out: Annotated[Path, typer.Option(help="Folder to write to.")],
     samples: Annotated[int, typer.Option(help="Number of as-built sensors.")] = SENSORS,
     base: Annotated[
-        int, typer.Option(help="Base samples of the Sobol indices; each costs ten sensors, 0 leaves them out.")
+        int,
+        typer.Option(
+            help="Base samples of the Sobol indices; each needs ten more sensors. With 0 there are no indices."
+        ),
     ] = BASE_SAMPLES,
     library: Annotated[
-        int, typer.Option(help="Sensors to store in OUT/library.zarr, for training; 0 leaves it out.")
+        int,
+        typer.Option(
+            help="Number of sensors to store in OUT/library.zarr, for training; 0 stores none.", show_default=True
+        ),
     ] = STORED_SENSORS,
     tolerances: Tolerances = None,
     noise: Noise = None,

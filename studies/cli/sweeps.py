@@ -36,7 +36,7 @@ def sweep(
     workers: Annotated[
         int | None,
         typer.Option(
-            help="Processes on this machine; 1 computes in this one. Default: one per core if that saves time."
+            help="Number of worker processes on this machine; 1 starts none. Default: one per core if that saves time.",
         ),
     ] = None,
     scheduler: Scheduler = None,
@@ -48,7 +48,7 @@ def sweep(
 
     Writes one store with all cases. If the sweep is killed, start it again to continue. The base design of the study
     must be valid. A case that cannot be built is stored with its reason and does not stop the others. The exit code is
-    1 if no case could be computed, or if one failed by a fault of the program.
+    1 if no case could be computed, or if one failed because of a bug in the program.
 
     Example: [bold]acoustic-fem sweep study.toml --out results.zarr[/bold]
     """
@@ -93,7 +93,8 @@ def best(
         str | None,
         typer.Option(
             metavar="METRIC",
-            help="Metric to sort by. Default: the first of the study, or of a sweep the first that includes noise.",
+            help="Metric to sort by. Default: the first metric of a search; of a sweep, the first metric that "
+            "includes noise.",
         ),
     ] = None,
     count: Annotated[int, typer.Option(help="Number of designs to list.")] = BEST_DESIGNS,

@@ -49,13 +49,13 @@ def read_pulse(
     """Pulse of an artery under a finger that rests on an array, from a recording of its microphones.
 
     Args:
-        library: of the array, with a design: a path, a library or an open model; its sensor is decoded as it is.
+        library: library of the array, with its design: a path, a library or an open model. Tolerances are not modelled.
         recording: see :func:`localize.read_recording`; at least 3 s.
-        out: a table of the waveform, ``.csv``; an earlier one of a pulse is replaced.
-        picture: of the waveform with its waves, ``.png`` by default; an earlier one is replaced.
-        point: under which it is felt, from 1; by default that which is named.
-        full_scale: as of :func:`studies.locate_recording`.
-        decoding: noise and air of the place.
+        out: a CSV file for the waveform; an earlier file of a pulse is replaced.
+        picture: a file for a picture of the waveform with its waves, ``.png`` by default; an earlier file is replaced.
+        point: number of the point under the finger, from 1; by default the point that the decoder finds.
+        full_scale: see :func:`studies.locate_recording`.
+        decoding: options for the noise and for the air of the place.
 
     Raises:
         Refusal: a file that cannot be written or read; no library, or one without a design; a recording that is too

@@ -1,4 +1,4 @@
-"""Touches on a design: simulated ones or those of a recording, and what the model-based decoder answers."""
+"""Touches on a design: simulated ones or those of a recording, and what the Bayes decoder answers."""
 
 from __future__ import annotations
 

@@ -113,18 +113,18 @@ def _assumptions(result: RunResult) -> list[str]:
     design = result.design
     membrane = design.material(design.membrane.material)
     return [
-        "Sound is small and linear; walls are at the temperature of the air, and rigid but for floors and "
-        "sheaths whose material is named.",
-        "A plane wave travels in the tubes; the grooves of a spring count as a wider bore, bends are left out.",
+        "Sound pressures are small, so all equations are linear. Walls are rigid and have the temperature of the air. "
+        "Only floors and sheaths move, if the design names their material.",
+        "Waves in tubes are plane. The grooves of a spring are modelled as a wider bore. Bends are ignored.",
         f"A membrane is {_MOUNTING[design.membrane.mounting]}, stretched by {design.membrane.stretch - 1:.3g}, and "
-        "pushes the air in the shape of its first mode; its material: "
-        f"{design.membrane.material}, {membrane.law_in_words} ({membrane.source}).",
+        "displaces the air in the shape of its first mode. Its material is "
+        f"{design.membrane.material}: {membrane.law_in_words} ({membrane.source}).",
         noise_sentence(result),
         "One point is touched at a time. The nominal sensor is exactly as designed. As-built sensors have the "
-        "tolerances of bores, lengths, cavities and membranes of a careful workshop. They are not calibrated: "
-        "calibration removes most of their loss. Virtual rigs are not calibrated either. Their rubber, microphones "
-        "and air also differ from the design in ways that no decoder is given.",
-        f"Multi-sine touches have 1 to 100 components from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are "
+        "tolerances of bores, lengths, cavities and membranes of a careful workshop. They are not calibrated. "
+        "Calibration would remove most of their loss of accuracy. Virtual rigs are not calibrated either. Their "
+        "rubber, microphones and air also differ from the design in ways that no decoder is given.",
+        f"Multi-sine touches have 1 to 100 sines from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are "
         "pulses of 5 to 100 ms. A network recognizes only the touches that it was trained on, here multi-sine touches.",
     ]
 

@@ -40,7 +40,8 @@ def wirings(microphones: int, points_per_line: int) -> tuple[WiringCounts, ...]:
 def wiring_table(
     microphones: int, points_per_line: int, out: str | os.PathLike[str] | None = None
 ) -> tuple[WiringCounts, ...]:
-    """Points that so many microphones serve, for every number of lines that connects them; drawn where asked.
+    """Number of points that a number of microphones can serve, for every number of lines that connects them; drawn if
+    you give ``out``.
 
     Args:
         microphones: M, 2 to 16.

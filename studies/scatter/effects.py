@@ -145,7 +145,7 @@ def scatter_effects(
         microphone_noise: white noise of every microphone, Pa rms over 0 to 500 Hz; by default the noise of the
             design's microphone.
         seed: seed of all draws.
-        progress: called with what is being done and the fraction done.
+        progress: function that is called with the name of the step and the fraction done.
 
     Raises:
         Refusal: a value out of range, or a design that the batch does not take.

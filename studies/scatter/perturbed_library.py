@@ -70,8 +70,8 @@ def write_perturbed_library(
         count: sensors, 1 to a million.
         frequency: (n_freq,), Hz, ascending.
         tolerances: what scatters.
-        seed: of the draws.
-        progress: called with what is being done and the fraction done.
+        seed: seed of the random deviations.
+        progress: function that is called with the name of the step and the fraction done.
 
     Raises:
         Refusal: a path that exists or cannot be written, a count or grid out of range, or a design that the
