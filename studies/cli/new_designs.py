@@ -50,12 +50,8 @@ def new(
     points: Annotated[int | None, typer.Option(help="Number of points. Default: 12.")] = None,
     pitch: Annotated[
         float | None,
-        typer.Option(
-            metavar="MM",
-            help="Distance between neighbouring points. Default: depends on the place.",
-        ),
+        typer.Option(metavar="MM", help="Distance between neighbouring points. Default: depends on the place."),
     ] = None,
-    microphones: Annotated[int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.")] = None,
     microphones: Annotated[int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.")] = None,
     diameter: Annotated[
         float | None, typer.Option(metavar="MM", help=f"Diameter of the wrist. Default: {_DIAMETER:g}.")
