@@ -356,9 +356,9 @@ def opened(source: ModelSource, decoding: Decoding | None = None, name: str = "m
     content = file_content(Path(source)) if isinstance(source, (str, os.PathLike)) else None
     is_library = isinstance(source, Library) or content is FileContent.LIBRARY
     library = open_library(source, given.air) if is_library else None
+    beside = library if given.library is None else open_library(given.library, given.air)
     reason = None if library is None else unknown_tolerances(library)
     locator = _network(source, content, given) if library is None else _decoder(library, source, given)
-    beside = library if given.library is None else open_library(given.library, given.air)
     response = locator.response if beside is None else response_of(beside)
     if beside is not None and beside is not library:
         check_same_design(locator.array, response_of(beside).array, _name(given.library))

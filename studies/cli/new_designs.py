@@ -50,10 +50,7 @@ def new(
     points: Annotated[int | None, typer.Option(help="Number of points. Default: 12.")] = None,
     pitch: Annotated[
         float | None,
-        typer.Option(
-            metavar="MM",
-            help="Distance between neighbouring points. Default: depends on the place.",
-        ),
+        typer.Option(metavar="MM", help="Distance between neighbouring points. Default: depends on the place."),
     ] = None,
     microphones: Annotated[int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.")] = None,
     diameter: Annotated[

@@ -48,9 +48,7 @@ def tolerance(
     ] = BASE_SAMPLES,
     library: Annotated[
         int,
-        typer.Option(
-            help="Number of sensors to store in OUT/library.zarr, for training; 0 stores none.", show_default=True
-        ),
+        typer.Option(help="Number of sensors to store in OUT/library.zarr, for training; 0 stores none."),
     ] = STORED_SENSORS,
     tolerances: Tolerances = None,
     noise: Noise = None,

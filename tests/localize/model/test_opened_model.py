@@ -108,6 +108,7 @@ def test_what_is_in_memory_answers_as_its_file_does(folder: Path) -> None:
     assert np.array_equal(localize.open_model(decoder).locate(frame), decoder.locate(frame))
 
 
+@pytest.mark.slow
 def test_tracks_pulses_and_exports_take_what_is_in_memory(folder: Path, tmp_path: Path) -> None:
     library = acoustic_fem.load(folder / "library.nc")
     model, touch = localize.open_model(library), folder / "touch.wav"
@@ -305,7 +306,7 @@ def test_a_radius_that_no_contact_has_is_refused(radius: Any) -> None:
     with refused(kind, "contact_radius_mm"):
         localize.tracking.PathTracker(library, radius)
     with refused(kind, "contact_radius_mm"):
-        localize.open_model(library).tracker(radius)
+        localize.open_model(library, tolerances=False).tracker(radius)
 
 
 def test_an_open_model_names_the_argument_that_comes_too_late() -> None:

@@ -34,6 +34,7 @@ def test_the_figures_are_those_of_the_metrics(tmp_path):
     assert json.loads(json.dumps(found.to_dict()))["hardest"] == list(found.hardest)
 
 
+@pytest.mark.slow
 def test_a_design_at_the_edge_of_the_atlas_is_solved_in_3d_as_built_and_says_so(monkeypatch):
     monkeypatch.setattr(quality, "SENSORS_UP_TO", 0.1)
     small = small_design()
