@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 from geometry.assembly.part_list import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_range
 from geometry.ground.whole_files import made_folder, write_text
 from geometry.layout.cutting import Cut, cutting_list
 from geometry.layout.placement import ArrayLayout
@@ -70,9 +70,8 @@ class Prices:
         """
         for each in fields(self):
             value, least = getattr(self, each.name), each.metadata.get("least", 0.0)
-            if isinstance(value, (int, float)) and not least <= value < math.inf:
-                field, allowed = f"prices.{each.name}", f"at least {least:g} and finite"
-                raise Refusal(kind=Kind.OUT_OF_RANGE, field=field, value=value, allowed=allowed)
+            if isinstance(value, (int, float)):
+                check_range(f"prices.{each.name}", value, least, math.inf, excluded="high")
 
 
 @dataclass(frozen=True)

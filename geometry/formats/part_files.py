@@ -16,7 +16,7 @@ import numpy as np
 import geometry
 from geometry.assembly.part_list import part_set
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
-from geometry.ground.argument_checks import check_choice
+from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.whole_files import made_folder, whole_file
 
@@ -115,8 +115,8 @@ def export(
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
             allowed = "a name of letters, digits, '.', '_' and '-', since files are called by it"
             raise Refusal(kind=Kind.OUT_OF_RANGE, field="parts", value=name, allowed=allowed)
-    if tolerance is not None and not 0 < tolerance < math.inf:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="tolerance", value=tolerance, unit="mm", allowed="above 0")
+    if tolerance is not None:
+        check_range("tolerance", tolerance, 0, math.inf, "mm", excluded="both")
     folder = made_folder(folder)
     shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
     parameters = part_set(parts).parameters

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Iterable, Mapping
 from enum import Enum, StrEnum
@@ -44,6 +45,17 @@ class Kind(StrEnum):
     """A computation found no answer that holds: not converged, outside its validity."""
     STOPPED = "stopped"
     """A process, worker, device or connection ended before its result was there."""
+
+
+#: Messages of Python, and what they say in plain words.
+_PLAIN_WORDS = (
+    (re.compile(r"could not convert string to float: (.*)"), "{} is not a number"),
+    (re.compile(r"invalid literal for int\(\) with base \d+: (.*)"), "{} is not a whole number"),
+    (re.compile(r"'[<>]=?' not supported between instances of .*"), "a text and a number cannot be compared"),
+    (re.compile(r"math domain error"), "the square root of a negative number"),
+    (re.compile(r"unexpected end of data"), "a quote does not end"),
+    (re.compile(r"Object arrays cannot be loaded.*"), "it holds Python objects, not numbers"),
+)
 
 
 class Field(str):
@@ -187,8 +199,26 @@ def in_one_line(text: str) -> str:
 
 
 def said_by(error: BaseException) -> str:
-    """Message of a library's error, to be quoted: its lines as one; the class of the error where it has no message."""
-    return " ".join(str(error).split()) or type(error).__name__
+    """Message of a library's error, to be quoted: its lines as one; the class of the error where it has no message.
+
+    What Python itself says is put in plain words.
+    """
+    match error:
+        case UnicodeDecodeError():
+            return f"byte {error.start} is not {error.encoding.upper()}"
+        case ZeroDivisionError():
+            return "a division by zero"
+        case OverflowError():
+            return "a number is too large"
+        case RecursionError():
+            return "it is nested too deeply"
+        case KeyError() if error.args:
+            return f"{error.args[0]!r} is missing"
+    text = " ".join(str(error).split())
+    for pattern, words in _PLAIN_WORDS:
+        if found := pattern.fullmatch(text):
+            return words.format(*found.groups())
+    return text or type(error).__name__
 
 
 def counted(count: int, noun: str) -> str:

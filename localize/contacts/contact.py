@@ -76,14 +76,7 @@ class Contact:
                     kind=Kind.WRONG_TYPE,
                     field=f"contact.{name}",
                 )
-        if self.force.min() < 0:
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="contact.force",
-                value=float(self.force.min()),
-                unit="N",
-                allowed="zero or above, because a contact does not pull",
-            )
+        check_range("contact.force", float(self.force.min()), 0, unit="N", why="because a contact does not pull")
         check_range("contact.contact_radius_mm", self.contact_radius_mm, *RADII, "mm")
         check_range("contact.roughness", self.roughness, 0.0, 2.0)
 

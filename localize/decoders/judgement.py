@@ -18,6 +18,7 @@ import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem import Library
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import ResidualOptions
@@ -82,11 +83,7 @@ class ResidualTest:
         ambient: float | None = None,
         options: ResidualOptions = ResidualOptions(),
     ) -> None:
-        if not 1e-3 <= loudest_touch_pa <= 1e3:
-            allowed = "between 1e-3 and 1e3 Pa"
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE, field="loudest_touch_pa", value=loudest_touch_pa, unit="Pa", allowed=allowed
-            )
+        check_range("loudest_touch_pa", loudest_touch_pa, 1e-3, 1e3, "Pa")
         check_noise(microphone_noise)
         response = response_of(library)
         check_level(response, ambient)
@@ -175,17 +172,8 @@ def judge(
     Raises:
         Refusal: an argument out of range, or as :meth:`localize.BayesDecoder.locate`.
     """
-    if not 1 <= top <= decoder.point_count:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="top",
-            value=top,
-            allowed=f"between 1 and {decoder.point_count}, the number of points",
-        )
-    if not 0 < false_alarm < 1:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="false_alarm", value=false_alarm, allowed="between 0 and 1, both excluded"
-        )
+    check_range("top", top, 1, decoder.point_count, whole=True, why="the number of points")
+    check_range("false_alarm", false_alarm, 0, 1, excluded="both")
     batch, _ = checked_signals(signals, decoder.microphones)
     score = decoder.log_probability(batch)
     order = np.argsort(-score, axis=1, kind="stable")

@@ -12,6 +12,7 @@ import scipy.stats
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
+from geometry.ground.argument_checks import check_range
 from geometry.ground.figures import new_figure
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.shown import Shown
@@ -255,17 +256,8 @@ def check_evaluation(
             f"microphones {', '.join(response.microphones)}",
             kind=Kind.MISMATCH,
         )
-    if not 1 <= touches_per_point <= MOST_TOUCHES:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="touches_per_point",
-            value=touches_per_point,
-            allowed=f"between 1 and {MOST_TOUCHES:,}",
-        )
-    if not FRAME <= samples <= SAMPLE_LENGTH:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="samples", value=samples, allowed=f"between {FRAME} and {SAMPLE_LENGTH}"
-        )
+    check_range("touches_per_point", touches_per_point, 1, MOST_TOUCHES, whole=True)
+    check_range("samples", samples, FRAME, SAMPLE_LENGTH, whole=True)
     response.noise(microphone_noise)
 
 

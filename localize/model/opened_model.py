@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -17,6 +17,7 @@ from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.shown import Shown
 from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder, check_drift
@@ -27,6 +28,7 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.sound_test import SoundTest
 from localize.decoders.surroundings import sound_levels
 from localize.decoders.tolerant import decoder_of, unknown_tolerances
+from localize.evaluation.fit_watch import FitWatch
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
 from localize.graphs.onnx_localizer import OnnxLocalizer
 from localize.live.events import HOP, Decision, Fault
@@ -92,15 +94,36 @@ class Decoding:
             StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
 
 
-@dataclass(frozen=True, eq=False)
-class Model:
+@dataclass(frozen=True, eq=False, repr=False)
+class Model(Shown):
     """Localizer with everything that it needs; made by :func:`open_model`. Decoding does not change it."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        array, decoding, library = self.locator.array, self.decoding, self.library
+        noise = decoding.microphone_noise
+        return f"Model of {array.design}", {
+            "decodes with": self.locator.kind,
+            "array": f"{len(array.line)} points, microphones {', '.join(self.locator.microphones)}",
+            "library": "none"
+            if library is None
+            else f"{library.fidelity}, {library.frequency[0]:g} to {library.frequency[-1]:g} Hz",
+            "assumes": self.assumptions,
+            "noise of the microphones": noise if isinstance(noise, str) else f"{noise:g} Pa rms",
+            "sound in the room": "" if decoding.ambient is None else f"up to {decoding.ambient:g} dB SPL",
+            "true touches that may be rejected": ""
+            if decoding.rejected_fraction is None
+            else f"{decoding.rejected_fraction:.2g}",
+            "follows drift": "yes" if decoding.follow_drift else "",
+            "warnings": f"{len(self.warnings)}, the first: {self.warnings[0]}" if self.warnings else "none",
+            "files": ", ".join(str(path) for path in self.files),
+        }
 
     locator: Locator
     """Localizer: a network, a graph, or the decoder of a library."""
     library: Library | None
     """Library of the array, in the air of the place; None where none was given."""
-    response: ArrayResponse | None = field(repr=False)
+    response: ArrayResponse | None
     """Transfer functions of the array, for tests and waveforms; None where nothing has them."""
     decoding: Decoding
     """Choices that it was opened with."""
@@ -252,6 +275,8 @@ class Model:
     ) -> LiveListener:
         """Listener that reports touches while they happen; iterate over it for its events.
 
+        It also reports once, as a :class:`localize.live.Notice`, if the sensor does not fit the model.
+
         Args:
             source: where samples come from, such as :class:`localize.live.ReplaySource`.
             recorder: writes them as they come in.
@@ -262,7 +287,8 @@ class Model:
         """
         places = () if contact_radius_mm is None else (GestureTracker(self.tracker(contact_radius_mm)),)
         stream = self.stream(source.limit, frames=True)
-        return LiveListener(source, stream, recorder, trackers=(TouchTracker(self.locator.array), *places))
+        trackers = (FitWatch(stream), TouchTracker(self.locator.array), *places)
+        return LiveListener(source, stream, recorder, trackers=trackers)
 
 
 ModelSource: TypeAlias = str | os.PathLike[str] | Library | Locator | Model

@@ -16,6 +16,7 @@ from torch import Tensor
 
 from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.stated_times import stated_seconds
 from localize.decoders.reconstruct import Reconstructor
@@ -84,8 +85,7 @@ def train_recognizer(
     """
     plan = plan or RecognitionPlan.of(subject)
     known = (*SUBJECTS, WRITTEN, RECORDED)
-    if subject not in known:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="subject", value=subject, allowed=known)
+    check_choice("subject", subject, known)
     if subject != WRITTEN and (subject == RECORDED) != (recordings is not None):
         raise Refusal(
             f"a manifest of recordings goes with {RECORDED!r} or {WRITTEN!r}, and {RECORDED!r} needs one",

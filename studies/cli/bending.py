@@ -30,7 +30,7 @@ class FarEnd(StrEnum):
 
 
 def bend(
-    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.")],
     bore: Annotated[float, typer.Option(help="Inner diameter of the tube, mm.")] = BendingRig.bore,
     length: Annotated[float, typer.Option(help="Length of the tube along its centre line, mm.")] = BendingRig.length,
     diameter: Annotated[

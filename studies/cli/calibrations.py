@@ -42,7 +42,7 @@ _NOTED_DELAY = 3e-4
 
 def rig(
     design: Design,
-    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.")],
     seed: Annotated[int, typer.Option(help="Seed of the simulated sensor.", min=0)] = SEED,
     altitude: Annotated[
         float, typer.Option(metavar="M", help="Altitude of the simulated sensor above that of the design.")
@@ -75,15 +75,10 @@ def calibrate(
     recordings: Annotated[
         Path,
         typer.Argument(
-            metavar="RECORDINGS",
-            help=f"Manifest, TOML, or a folder that contains {MANIFEST}: docs/calibration.md.",
-            show_default=False,
+            metavar="RECORDINGS", help=f"Manifest, TOML, or a folder that contains {MANIFEST}: docs/calibration.md."
         ),
     ],
-    out: Annotated[
-        Path,
-        typer.Option(help="Library to write, netCDF, a new file; a figure is written beside it.", show_default=False),
-    ],
+    out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file; a figure is written beside it.")],
     fidelity: Annotated[
         Fidelity, typer.Option(help="Fidelity of the design's transfer functions, used for points without a recording.")
     ] = ONE_DESIGN,
@@ -179,10 +174,9 @@ def recalibrate(
             metavar="RECORDINGS",
             help="Touches, one at a time, spread over all points: WAV with a channel per microphone, CSV with their "
             "names in the first line, or NPZ with 'signals'.",
-            show_default=False,
         ),
     ],
-    out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file.")],
     full_scale: FullScale = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Seed that chooses the held-out touches.", min=0)] = SEED,
@@ -224,14 +218,9 @@ def recalibrate(
 
 
 def convert(
-    library: Annotated[
-        Path, typer.Argument(metavar="LIBRARY", help="Library: .nc, .sofa, .npz or .csv.", show_default=False)
-    ],
+    library: Annotated[Path, typer.Argument(metavar="LIBRARY", help="Library: .nc, .sofa, .npz or .csv.")],
     out: Annotated[
-        Path,
-        typer.Option(
-            help="File to write; its suffix is the format. A measured library is never overwritten.", show_default=False
-        ),
+        Path, typer.Option(help="File to write; its suffix is the format. A measured library is never overwritten.")
     ],
 ) -> None:
     """Convert a library to netCDF, SOFA, NPZ or CSV, or back, without loss.

@@ -26,12 +26,11 @@ def dataset(
             metavar="SOURCE",
             help="A library, or the results of a sweep that keeps libraries. With --as-built, a design file or "
             "prototype.",
-            show_default=False,
         ),
     ],
     out: Annotated[
         Path,
-        typer.Option(help="New folder, or the folder of this data set if writing it was stopped.", show_default=False),
+        typer.Option(help="New folder, or the folder of this data set if writing it was stopped."),
     ],
     file_format: Annotated[
         str, typer.Option("--format", help="Format of the shards: npz, parquet, webdataset or zarr.")
@@ -41,7 +40,6 @@ def dataset(
         typer.Option(
             "--as-built",
             help="Number of as-built sensors to generate from a design.",
-            show_default=False,
         ),
     ] = None,
     touches: Annotated[int, typer.Option(help="Number of samples for each design.")] = TOUCHES,
@@ -51,7 +49,6 @@ def dataset(
             metavar="KIND=FRACTION,...",
             help="Kinds of touches and their fractions: taps, presses, slides, multi-sines, friction, pulse-wave. "
             "Default: mostly those of fingers.",
-            show_default=False,
         ),
     ] = None,
     shares: Annotated[
@@ -60,7 +57,6 @@ def dataset(
             "--split",
             metavar="NAME=FRACTION,...",
             help="Fraction of the designs in train, validation and test. Default: train=0.8,validation=0.1,test=0.1.",
-            show_default=False,
         ),
     ] = None,
     samples_per_shard: Annotated[int, typer.Option(help="Number of samples in a shard.")] = SAMPLES_PER_SHARD,
@@ -68,7 +64,6 @@ def dataset(
         str | None,
         typer.Option(
             help="Feature maps to write in place of signals: phasors, paper or rooms. Default: signals.",
-            show_default=False,
         ),
     ] = None,
     noise: Noise = None,
@@ -78,12 +73,9 @@ def dataset(
             "--sound",
             metavar="LOW:HIGH",
             help="Lowest and highest level of the room sound, dB SPL. Default: no sound.",
-            show_default=False,
         ),
     ] = None,
-    licence: Annotated[
-        str | None, typer.Option(help="Licence of the data, for the data card.", show_default=False)
-    ] = None,
+    licence: Annotated[str | None, typer.Option(help="Licence of the data, for the data card.")] = None,
     seed: Annotated[int, typer.Option(help="Seed of as-built sensors, touches and order.")] = SEED,
 ) -> None:
     """Write a data set of touches to train networks of your own, readable without this program.

@@ -13,14 +13,7 @@ import studies
 from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from geometry.formats.part_files import FORMATS
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
-from studies.cli.options import (
-    Altitude,
-    Design,
-    Frequencies,
-    Pressure,
-    Temperature,
-    display_on_stderr,
-)
+from studies.cli.options import Altitude, Design, Frequencies, Pressure, Temperature, display_on_stderr
 from studies.cli.terminal_tables import (
     say,
     show,
@@ -43,8 +36,7 @@ def studio(
         str, typer.Argument(metavar="[DESIGN]", help="A design file, or the name of a prototype.")
     ] = "array-2x6",
     port: Annotated[
-        int | None,
-        typer.Option(help="Port of the page; 0 for any. Default: 8765, or the next free one.", show_default=False),
+        int | None, typer.Option(help="Port of the page; 0 for any. Default: 8765, or the next free one.")
     ] = None,
     host: Annotated[
         str,
@@ -69,16 +61,12 @@ def studio(
 
 def check(
     design: Annotated[
-        str | None,
-        typer.Argument(metavar="DESIGN", help="A design file, or the name of a prototype.", show_default=False),
+        str | None, typer.Argument(metavar="DESIGN", help="A design file, or the name of a prototype.")
     ] = None,
     fields: Annotated[bool, typer.Option("--fields", help="List every field of a design file, then stop.")] = False,
-    out: Annotated[Path | None, typer.Option(help="JSON file to write the findings to.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="JSON file to write the findings to.")] = None,
     picture: Annotated[
-        Path | None,
-        typer.Option(
-            help="File to draw the predicted accuracy of each point in: .png, .pdf or .svg.", show_default=False
-        ),
+        Path | None, typer.Option(help="File to draw the predicted accuracy of each point in: .png, .pdf or .svg.")
     ] = None,
 ) -> None:
     """Validate a design and predict how well it will work.
@@ -105,15 +93,10 @@ def check(
 
 
 def wiring(
-    microphones: Annotated[
-        int, typer.Argument(metavar="MICROPHONES", help="Number of microphones, 2 to 16.", show_default=False)
-    ],
-    points: Annotated[
-        int, typer.Argument(metavar="POINTS", help="Points on each line, 1 to 1000.", show_default=False)
-    ],
+    microphones: Annotated[int, typer.Argument(metavar="MICROPHONES", help="Number of microphones, 2 to 16.")],
+    points: Annotated[int, typer.Argument(metavar="POINTS", help="Points on each line, 1 to 1000.")],
     out: Annotated[
-        Path | None,
-        typer.Option(help="File to draw the counts for 2 to MICROPHONES in: .png, .pdf or .svg.", show_default=False),
+        Path | None, typer.Option(help="File to draw the counts for 2 to MICROPHONES in: .png, .pdf or .svg.")
     ] = None,
 ) -> None:
     """Compare how many points a given number of microphones can serve with different wirings.
@@ -141,10 +124,7 @@ def wiring(
 
 def solve(
     design: Design,
-    out: Annotated[
-        Path,
-        typer.Option(help="Library to write, netCDF (.nc). A measured one is never overwritten.", show_default=False),
-    ],
+    out: Annotated[Path, typer.Option(help="Library to write, netCDF (.nc). A measured one is never overwritten.")],
     fidelity: Annotated[
         Fidelity,
         typer.Option(
@@ -176,16 +156,14 @@ def solve(
 
 def parts(
     design: Design,
-    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.")],
     format: Annotated[
         str, typer.Option(metavar="FORMATS", help="File formats, with commas: stl, step, 3mf.")
     ] = ",".join(FORMATS),
     process: Annotated[
         str | None,
         typer.Option(
-            metavar="PROCESS",
-            help="Printing process to check for, a name or a .toml file. Default: the design's.",
-            show_default=False,
+            metavar="PROCESS", help="Printing process to check for, a name or a .toml file. Default: the design's."
         ),
     ] = None,
     allow_overlaps: AllowOverlaps = False,
@@ -212,10 +190,7 @@ def parts(
 
 def run(
     design: Design,
-    out: Annotated[
-        Path,
-        typer.Option(help="New or empty folder, or that of an earlier run, which is replaced.", show_default=False),
-    ],
+    out: Annotated[Path, typer.Option(help="New or empty folder, or that of an earlier run, which is replaced.")],
     allow_overlaps: AllowOverlaps = False,
 ) -> None:
     """Do everything for one design: parts, transfer functions, localizer and report.
@@ -237,9 +212,7 @@ def run(
     say(f"{out / 'report.html'}")
 
 
-def verify(
-    folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run.", show_default=False)],
-) -> None:
+def verify(folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run.")]) -> None:
     """Check that the folder of a run holds exactly the files that the run wrote.
 
     Compares every file with its SHA-256 in MANIFEST.json, which the run writes last. Lists the files that were changed,

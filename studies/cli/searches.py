@@ -38,7 +38,7 @@ _SHOWN = 10
 
 def tolerance(
     design: Design,
-    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.")],
     samples: Annotated[int, typer.Option(help="Number of as-built sensors.")] = SENSORS,
     base: Annotated[
         int,
@@ -127,12 +127,8 @@ def _in_words(quantity: str) -> str:
 
 
 def optimize(
-    study: Annotated[
-        str, typer.Argument(metavar="STUDY", help="Study file with a section \\[optimize].", show_default=False)
-    ],
-    out: Annotated[
-        Path, typer.Option(help="New folder, or that of the same search, which is continued.", show_default=False)
-    ],
+    study: Annotated[str, typer.Argument(metavar="STUDY", help="Study file with a section \\[optimize].")],
+    out: Annotated[Path, typer.Option(help="New folder, or that of the same search, which is continued.")],
     workers: WorkerCount = None,
     scheduler: Scheduler = None,
 ) -> None:

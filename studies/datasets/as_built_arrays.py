@@ -57,6 +57,11 @@ class AsBuiltArrays:
         return self._scattered.design
 
     @property
+    def tolerances(self) -> tuple[Tolerance, ...]:
+        """Tolerances that the sensors are drawn by."""
+        return self._scattered.tolerances
+
+    @property
     def fidelity(self) -> str:
         """Fidelity of all transfer functions, one of :data:`acoustic_fem.FIDELITIES`."""
         return self._sensors.fidelity

@@ -13,6 +13,7 @@ from geometry.ground.refusal import counted
 from localize.datasets.array_source import ArraySource
 from localize.datasets.splits import SPLITS, Split
 from studies.datasets.columns import COLUMNS, columns_of
+from studies.datasets.origin import origin_lines
 from studies.datasets.shard_files import ONE_FILE
 
 if TYPE_CHECKING:
@@ -53,13 +54,16 @@ print(signals.shape, point[:5].values)
 }
 
 
-def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset], request: Mapping[str, Any]) -> str:
+def data_card(
+    arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset], request: Mapping[str, Any], design_file: str
+) -> str:
     """Markdown of a data set, for people.
 
     Args:
         arrays: source of its arrays.
         parts: data set of each split.
         request: what was asked for, of :data:`studies.datasets.export.DESCRIPTION`.
+        design_file: name of the file with the nominal design.
     """
     split, data = next(iter(parts.items()))
     first = f"{split}.zarr" if request["format"] == "zarr" else f"{split}-00000{ONE_FILE[request['format']][0]}"
@@ -100,6 +104,7 @@ def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset],
         f"Seed: {request['seed']}. A sample depends only on the seed, its split, `case` and `index`.",
         "",
         *_parameters(arrays),
+        *origin_lines(request["origin"], design_file),
         "## Columns",
         "",
         "| column | shape | type | unit | meaning |",

@@ -38,6 +38,7 @@ from localize.signals.noise_model import NoiseChoice
 from studies.datasets.as_built_arrays import as_built
 from studies.datasets.columns import FileFormat, columns_of
 from studies.datasets.data_card import data_card
+from studies.datasets.origin import origin_of
 from studies.datasets.shard_files import FORMATS, ZarrShards, writer_of
 from studies.output.call_defaults import DATASET_FORMAT, SAMPLES_PER_SHARD, SEED, TOUCHES
 from studies.output.display import Display
@@ -46,7 +47,7 @@ from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.sweep.results import open_sweep
 
 #: Files of a data set beside its shards.
-DESCRIPTION, SUMS, CARD = "dataset.json", "SHA256SUMS", "README.md"
+DESCRIPTION, SUMS, CARD, DESIGN = "dataset.json", "SHA256SUMS", "README.md", "design.toml"
 
 
 @dataclass(frozen=True)
@@ -85,8 +86,9 @@ def export_dataset(
     """Write a data set of touches as files that other programs read without this package.
 
     The folder then holds the shards of each split, README.md (the data card), dataset.json (the same facts for
-    programs) and SHA256SUMS. No design is in two splits; with a single array the splits have different touches. If
-    writing is stopped, the same call continues after the last complete shard and ends with the same bytes.
+    programs), design.toml (the nominal design) and SHA256SUMS. No design is in two splits; with a single array the
+    splits have different touches. If writing is stopped, the same call continues after the last complete shard and
+    ends with the same bytes.
 
     Args:
         source: as of :class:`localize.TouchDataset`; or the path of a library or of the results of a sweep; or, with
@@ -148,10 +150,13 @@ def export_dataset(
                 done += 1
             if isinstance(writer, ZarrShards):
                 sums |= writer.described
+        if "design" in request["origin"]:
+            write_text(folder / DESIGN, request["origin"]["design"])
+            sums[DESIGN] = sha256(request["origin"]["design"])
         write_text(folder / SUMS, _lines(sums))
         samples = {split: len(data) for split, data in parts.items()}
         write_json(folder / DESCRIPTION, {**request, "samples": samples, "complete": True})
-        write_text(folder / CARD, data_card(arrays, parts, request))
+        write_text(folder / CARD, data_card(arrays, parts, request, DESIGN))
     size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
     return ExportedDataset(folder, samples, total, continued, size)
 
@@ -226,6 +231,7 @@ def _request(
         "kinds": list(data.kinds),
         "microphones": list(first.microphones),
         "design": first.name,
+        "origin": origin_of(arrays),
         "first_array_sha256": sha256(first.transfer_function.tobytes(), first.frequency.tobytes()),
         "designs_sha256": sha256(*arrays.case_keys, *values),
         "licence": licence,

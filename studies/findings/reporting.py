@@ -8,6 +8,7 @@ from pathlib import Path
 
 import studies
 from geometry import save_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.file_checks import check_local
 from geometry.ground.refusal import Kind, Refusal, counted
 from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep, with_base_metrics
@@ -84,8 +85,7 @@ def best_designs(results: str | os.PathLike[str], by: str | None = None, count: 
     Raises:
         Refusal: as :func:`read_results`, no such metric, or a count below 1.
     """
-    if count < 1:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="count", value=count, allowed="at least 1")
+    check_range("count", count, 1, whole=True)
     table = read_results(results)
     metric = table.metric(by) if by else table.leading
     return BestDesigns(table, metric, tuple(table.best(metric.name, count)))

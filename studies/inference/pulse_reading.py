@@ -11,6 +11,7 @@ import numpy as np
 import localize
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.sound.sound_file import check_sound_there
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
 from localize.model.located_touches import RecordingResult
@@ -90,10 +91,8 @@ def read_pulse(
 
 def check_point(point: int | None, count: int) -> None:
     """Refuse a point that an array of so many does not have; None is for the one that is named."""
-    if point is not None and not 1 <= point <= count:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="point", value=point, allowed=f"from 1 to {count}, the points of the array"
-        )
+    if point is not None:
+        check_range("point", point, 1, count, whole=True, why="the points of the array")
 
 
 def draw_pulse(reading: localize.PulseReading, path: str | os.PathLike[str]) -> Path:

@@ -14,6 +14,8 @@ import numpy as np
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.whole_files import write_text
+from localize.evaluation.connection_faults import ConnectionFault
+from localize.evaluation.goodness_of_fit import LoudFrames, sensor_fit
 from localize.live.stream_options import MOVING
 from localize.model.located_touches import RecordingResult
 from localize.model.opened_model import Decoding, ModelSource, files_of, opened_as_designed
@@ -40,6 +42,10 @@ class TrackedRecording(RecordingResult):
     force_is_known: bool
     """True if the membranes, which give the forces, are those of the library: a calibration does not measure them, and
     takes them as designed."""
+    fault: ConnectionFault | None = None
+    """Fault in how the microphones are connected, which explains the touches far better; None if none was found."""
+    warning: str | None = None
+    """Fault in words; None if none was found."""
 
 
 def track_recording(
@@ -78,7 +84,9 @@ def track_recording(
     model = opened_as_designed(library, decoding)
     tracker, array = model.tracker(contact_radius_mm), model.locator.array
     read = read_recording(Path(recording), array.microphones, full_scale, channels=channels)
-    tracks = tuple(tracks_of(model.stream(frames=True), tracker, read.signals))
+    stream, loud = model.stream(frames=True), LoudFrames()
+    tracks = tuple(tracks_of(stream, tracker, read.signals, loud.take))
+    fit = sensor_fit(stream.locator, loud.frames(), stream.noise, only_faults=True)
     if table is not None:
         write_text(table, _rows(tracks))
     if drawn is not None:
@@ -90,6 +98,8 @@ def track_recording(
         tracks=tracks,
         gestures=tuple(map(gesture_of, tracks)),
         force_is_known=array.provenance.get("fidelity") != MEASURED,
+        fault=None if fit is None else fit.fault,
+        warning=None if fit is None else fit.warning,
     )
 
 

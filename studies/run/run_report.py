@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Sequence
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-import studies
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from geometry.air.cells import Cell
-from geometry.ground.refusal import counted
 from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import cutting_list
 from localize.signals.stimulus import BAND
-from studies.output.display import number
-from studies.output.report_texts import record_rows
+from studies.output.report_texts import inlined_picture, record_rows, rendered_page
 from studies.run.check import cell_uses
 from studies.run.findings import (
     SENSITIVITY_AT,
@@ -49,26 +44,16 @@ def write_report(result: RunResult, path: Path) -> None:
 
 def render(result: RunResult) -> str:
     """Page of a run as text."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("studies"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters |= {"number": number, "counted": counted}
     layout = result.layout
-    return environment.get_template("report.html").render(
-        style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
+    return rendered_page(
+        "report.html",
         result=result,
         design=result.design,
         band=BAND,
         verdict=verdict(result),
         accuracies=accuracy_rows(result),
         figures=key_figures(result),
-        pictures={name: _inlined(path) for name, path in result.figures.items()},
+        pictures={name: inlined_picture(path) for name, path in result.figures.items()},
         confusion=confusion_sentence(result),
         agreement=agreement_sentence(result),
         printing=printing_sentence(result),
@@ -86,10 +71,6 @@ def render(result: RunResult) -> str:
         assumptions=_assumptions(result),
         provenance=_provenance(result),
     )
-
-
-def _inlined(path: Path) -> str:
-    return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode("ascii")
 
 
 def _part_rows(result: RunResult) -> list[dict[str, Any]]:

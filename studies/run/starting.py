@@ -7,13 +7,13 @@ import math
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from numbers import Integral, Real
 from pathlib import Path
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import changed
 from geometry.design.design_file import prototype, prototype_text, save_design, value_of
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal, Text
 from geometry.ground.whole_files import write_text
 from geometry.layout.arrangement import lay_out
@@ -147,10 +147,7 @@ def new_design(
     microphones = usual.microphones if microphones is None else microphones
     chosen = {"points": points, "pitch": pitch, "microphones": microphones, "diameter": diameter}
     for field, (least, most) in _LIMITS.items():
-        kind, words = (Integral, "a whole number ") if isinstance(least, int) else (Real, "")
-        if not (isinstance(chosen[field], kind) and least <= chosen[field] <= most):
-            allowed = f"{words}from {least:g} to {most:g}"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field=field, value=chosen[field], allowed=allowed)
+        check_range(field, chosen[field], least, most, whole=isinstance(least, int))
     if microphones > (most := _most_microphones(usual, points)):
         allowed = f"{'2' if most == 2 else f'from 2 to {most}'} for {points} points {usual.words}"
         raise Refusal(kind=Kind.CONFLICT, field="microphones", value=microphones, allowed=allowed)

@@ -26,6 +26,7 @@ from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidel
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, read_completed, write_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.file_checks import check_local, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind, Refusal
@@ -77,10 +78,7 @@ def write_perturbed_library(
             batch does not take.
     """
     target = Path(path)
-    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_SENSORS:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="count", value=count, allowed=f"a whole number from 1 to {MOST_SENSORS}"
-        )
+    check_range("count", count, 1, MOST_SENSORS, whole=True)
     if target.exists():
         raise Refusal("exists; a library is never overwritten", kind=Kind.EXISTS, file=target)
     check_folder(target)

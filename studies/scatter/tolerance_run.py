@@ -12,6 +12,7 @@ from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import PathLike
 from localize.signals.noise_model import NoiseChoice
@@ -77,9 +78,7 @@ def tolerance_study(
     """
     folder, show, design = Path(out), display or Display(), resolve_design(design)
     for name, value, most in (("library_size", library_size, MOST_SENSORS), ("seed", seed, math.inf)):
-        if not 0 <= value <= most:
-            allowed = "0 or above" if most == math.inf else f"from 0 to {most}"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=allowed)
+        check_range(name, value, 0, most, whole=True)
     workshop = tolerances if isinstance(tolerances, str | os.PathLike) else None
     check_folder(folder, "tolerance", SUMMARY, reads=(workshop,))
     grid, scatter = frequency_grid(frequency), tolerances_of(tolerances)

@@ -15,6 +15,7 @@ from threadpoolctl import threadpool_limits
 
 import studies
 from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.extras import check_extras
 from geometry.ground.refusal import Field, Kind, Refusal
 
@@ -137,8 +138,8 @@ def _is_visible(host: str) -> bool:
 
 def _bound(host: str, port: int | None) -> socket.socket:
     """A socket that is bound to the port, or to the usual one or one of the next."""
-    if port is not None and not 0 <= port <= 65535:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="port", value=port, allowed="between 0 and 65535")
+    if port is not None:
+        check_range("port", port, 0, 65535, whole=True)
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     tried = [port] if port is not None else range(USUAL_PORT, USUAL_PORT + _PORTS)
     for number in tried:

@@ -244,6 +244,15 @@ class Study(Shown):
             "keeps": f"{self.keep}, {self.precision} precision" if self.keep != "metrics" else self.keep,
         }
 
+    def __eq__(self, other: object) -> bool:
+        """True if the other is a study of the same name and description that gives the same results."""
+        if not isinstance(other, Study):
+            return NotImplemented
+        return (self.name, self.description, self.content()) == (other.name, other.description, other.content())
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.description, self.digest()))
+
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """Parameters that vary, in the order of the file."""

@@ -85,7 +85,9 @@ def _planned(study: Study, found: Survey, workers: int | None) -> Plan:
     distinct = len(cells) if fraction == 1 else _distinct(found, valid)
     cached_in_all = round(cached * distinct / max(len(cells), 1))
     alone = seconds_of(study, cases, valid, distinct - cached_in_all, found.discs, fraction)
-    team = workers or team_size(alone)
+    team = workers or team_size(alone.seconds)
+    # processes of their own load what they need while they start
+    seconds = alone.loading + alone.seconds if team == 1 else elapsed(alone.seconds, team)
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency) * 16
     size = {"double": 16, "single": 8}[study.precision]
     kept = sum(math.prod(sizes) for sizes in response_shapes(study, point_count(cases)).values()) * size
@@ -98,7 +100,7 @@ def _planned(study: Study, found: Survey, workers: int | None) -> Plan:
         for reasons in (found.refused, found.outside)
     )
     return Plan(
-        count, round(cases.left_out / fraction), refused, outside, distinct, cached_in_all, elapsed(alone, team),
+        count, round(cases.left_out / fraction), refused, outside, distinct, cached_in_all, seconds,
         team, memory, stored * count, _note(study, cases, fraction), len(cases) + cases.left_out if fraction < 1 else 0,
     )  # fmt: skip
 

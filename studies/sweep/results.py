@@ -21,14 +21,14 @@ from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign
 from geometry.design.design_file import read_completed
 from geometry.ground.argument_checks import check_choice, check_range, check_type
-from geometry.ground.file_checks import check_local, read_bytes
+from geometry.ground.file_checks import check_entries, check_local, read_bytes
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
 from studies.output.zarr_files import METADATA
 from studies.study.metric_registry import METRICS
 from studies.study.parameter import StudyError
 from studies.sweep.plots import plot_effects, plot_trade_off
-from studies.sweep.records import DONE, FAILED, FOLDER, FORMAT, MARK, WAITING, Records
+from studies.sweep.records import DONE, FAILED, FOLDER, FORMAT, MARK, SPLIT, WAITING, Records, case_key
 from studies.sweep.summary import Summary
 
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ class Sweep(Shown):
         return pd.DataFrame(columns, index=pd.RangeIndex(len(self), name="case"))
 
     def to_xarray(self) -> xr.Dataset:
-        """Results as one data set along ``case``, with the parameters as coordinates.
+        """Results as one data set along ``case``, with the parameters and the ``split`` of each case as coordinates.
 
         Its variables are the metrics, ``status``, ``reason`` and the responses that are kept. Responses are complex and
         are loaded from disk when you use them. They are NaN if a case is waiting, has failed or has fewer points.
@@ -168,7 +168,7 @@ class Sweep(Shown):
             return ("case",), self.values[name], variables[name].attributes
 
         coordinates: dict[str, Any] = {"case": np.arange(len(self))}
-        coordinates |= {name: column(name) for name in self.parameters}
+        coordinates |= {name: column(name) for name in (SPLIT, *self.parameters)}
         rows: dict[str, Any] = {name: column(name) for name in self.metrics}
         rows |= {"status": (("case",), _STATUS[self.values["state"]]), "reason": column("reason")}
         for name in self.records.kept:
@@ -294,7 +294,12 @@ class Sweep(Shown):
     @property
     def case_keys(self) -> tuple[str, ...]:
         """Values of the parameters of each case that was computed, as JSON."""
-        return tuple(json.dumps(self.case(int(number))) for number in self.case_numbers)
+        return tuple(case_key(self.case(int(number))) for number in self.case_numbers)
+
+    @property
+    def splits(self) -> NDArray[np.object_]:
+        """Split of each case, "train", "validation" or "test", as data sets deal it by default; (n_case,) texts."""
+        return self.values[SPLIT]
 
     @property
     def parameter_names(self) -> tuple[str, ...]:
@@ -318,16 +323,22 @@ class Sweep(Shown):
         sizes = np.column_stack([points, np.full(len(self), len(self.base.microphones))])
         return np.asarray(sizes[self.done])
 
+    def texts(self, name: str) -> tuple[str, ...]:
+        """Texts that the numbers of a parameter stand for in :meth:`parameter_values`, from 0; none if it is a number.
+
+        Args:
+            name: of the parameter.
+        """
+        column = self.values[name]
+        return tuple(np.unique(column.astype(str)).tolist()) if column.dtype == object else ()
+
     def parameter_values(self, case: int) -> NDArray[np.float64]:
         """Values of the parameters of one case, in the units of :attr:`parameter_units`; (n_parameter,) float64."""
         case = self._checked(case)
-        columns = [self.values[name] for name in self.parameters]
         return np.array(
             [
-                np.unique(column.astype(str)).searchsorted(str(column[case]))
-                if column.dtype == object
-                else column[case]
-                for column in columns
+                self._texts[name].index(str(self.values[name][case])) if self._texts[name] else self.values[name][case]
+                for name in self.parameters
             ],
             np.float64,
         )
@@ -381,17 +392,17 @@ class Sweep(Shown):
         return found
 
     @cached_property
+    def _texts(self) -> dict[str, tuple[str, ...]]:
+        return {name: self.texts(name) for name in self.parameters}
+
+    @cached_property
     def _last(self) -> dict[str, Any]:
         return {}
 
     def _checked(self, number: int) -> int:
         """The number of a case of the study, as a plain whole number."""
         check_type("case", number, (int, np.integer), "a whole number")
-        if not 0 <= number < len(self):
-            allowed = f"between 0 and {len(self) - 1}, the cases of the study"
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE, file=self.records.path, field="case", value=int(number), allowed=allowed
-            )
+        check_range("case", number, 0, len(self) - 1, whole=True, why="the cases of the study", file=self.records.path)
         return int(number)
 
 
@@ -404,7 +415,8 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     """Results of a study, even while it runs. Responses are loaded from disk when you use them.
 
     Raises:
-        StudyError: the folder is not the results of a sweep, or they are damaged; names the record, and what to do.
+        StudyError: the folder is not the results of a sweep, it holds a pipe, a device or a link, or a record is
+            damaged; names the file, and what to do.
     """
     check_local(path, StudyError, "results")
     path = Path(path)
@@ -440,8 +452,9 @@ def is_sweep(path: Path) -> bool:
 
 
 def check_sweep(path: Path) -> None:
-    """Refuse a path that is not the results of a sweep of this version."""
+    """Refuse a path that is not the results of a sweep of this version, or that holds a pipe, a device or a link."""
     if (path / FOLDER).is_dir():
+        check_entries(path, StudyError, "remove it, then run the same sweep again, which writes what is missing")
         return
     older = None
     with suppress(ValueError, KeyError, TypeError, RecursionError):

@@ -164,7 +164,7 @@ def _team(
         return workers
     numbers = [number for block in waiting for number in range(*block)]
     missing = len(cells) - cached_count(cells, study.frequency, study.solid_fidelity)
-    return team_size(seconds_of(study, cases, numbers, missing, discs))
+    return team_size(seconds_of(study, cases, numbers, missing, discs).seconds)
 
 
 def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> DiscTables:

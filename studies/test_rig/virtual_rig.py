@@ -36,7 +36,6 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.ground.argument_checks import check_choice, check_range
-from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
 from studies.output.folders import check_folder, make_folder
@@ -160,8 +159,7 @@ class Rig:
         scatter: HiddenScatter | None = None,
         fidelity: str = ONE_DESIGN,
     ) -> None:
-        if seed < 0:
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="seed", value=seed, allowed="0 or above")
+        check_range("seed", seed, 0, whole=True)
         design = resolve_design(design)
         check_choice("fidelity", fidelity, FIDELITIES)
         self.design, self.seed, self.fidelity = design, seed, fidelity

@@ -110,7 +110,7 @@ REFUSED = {
     "no sweep": older(None),
     "no records": without("records"),
     "no metadata and no records": without("records", "zarr.json"),
-    "records of a later version": of_format("records/study", "sweep 5\n", "sweep 6\n"),
+    "records of a later version": of_format("records/study", "sweep 6\n", "sweep 7\n"),
 }
 
 
@@ -124,7 +124,7 @@ def test_a_store_of_another_version_and_what_is_none_are_refused_by_name(name: s
         assert error.value.kind is Kind.MISMATCH
         assert str(error.value.file).startswith(str(store))
         if "format" in name:
-            assert f"is {name}; this version of the program reads format 5" in str(error.value)
+            assert f"is {name}; this version of the program reads format 6" in str(error.value)
     assert before == {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
 
 
@@ -151,7 +151,7 @@ METRICS_3, RESPONSES_2 = "records/000003.metrics", "responses/transfer_function_
 MENDED = {
     "metrics": (flip(METRICS_3), METRICS_3, "cases 9 to 11 are computed again"),
     "metrics cut": (cut(METRICS_3), METRICS_3, "cases 9 to 11 are computed again"),
-    "metrics of another version": (of_format(METRICS_3, "sweep 5\n", "sweep 4\n"), METRICS_3, "cases 9 to 11 are"),
+    "metrics of another version": (of_format(METRICS_3, "sweep 6\n", "sweep 4\n"), METRICS_3, "cases 9 to 11 are"),
     "metrics of another place": (
         lambda store: shutil.copy(store / "records/000002.metrics", store / METRICS_3), METRICS_3, "cases 9 to 11 are",
     ),
@@ -349,23 +349,34 @@ def test_a_log_that_is_no_file_is_refused_before_it_is_opened(what: str, study: 
     assert not (tmp_path.parent / "another's").exists()
 
 
-@pytest.mark.parametrize("make", [pipe, endless])
+@pytest.mark.parametrize("make", [pipe, endless, link, lambda path: path.symlink_to(path)])
 @pytest.mark.parametrize(
-    "name", ["records/study", METRICS_3, RESPONSES_2, "zarr.json", "volume/c/3", "volume/zarr.json"]
+    "name", ["records/study", METRICS_3, RESPONSES_2, "zarr.json", "volume/c/3", "volume/zarr.json", "volume/c/more"]
 )
-def test_what_is_no_file_in_a_store_is_refused_or_made_anew(
+def test_what_is_no_file_in_a_store_is_refused_until_it_is_removed(
     name: str, make: Callable[[Path], None], study: Study, finished: Path, store: Path
 ) -> None:
-    assert (store / name).is_file()
-    (store / name).unlink()
+    (store / name).unlink(missing_ok=True)
     make(store / name)
-    if name.startswith("records") and name != RESPONSES_2:
-        with refused(Kind.UNREADABLE, file=store / name, error=StudyError):
-            open_sweep(store)
-    else:
-        assert (open_sweep(store).done | open_sweep(store).failed).all()
+    with refused(Kind.UNREADABLE, file=store / name, error=StudyError):
+        open_sweep(store)
+    with refused(Kind.UNREADABLE, file=store / name, error=StudyError):
+        run_sweep(study, store, workers=1)
+    (store / name).unlink()
     run_sweep(study, store, workers=1)
     assert_same_store(store, finished)
+
+
+def test_a_link_to_a_folder_in_a_store_is_not_followed(study: Study, store: Path, tmp_path: Path) -> None:
+    (store / "volume").rename(tmp_path / "elsewhere")
+    (store / "volume").symlink_to(tmp_path / "elsewhere")
+    with refused(Kind.UNREADABLE, file=store / "volume", error=StudyError):
+        run_sweep(study, store, workers=1)
+
+
+def test_the_store_itself_may_be_a_link(store: Path, tmp_path: Path) -> None:
+    (tmp_path / "linked.zarr").symlink_to(store)
+    assert (open_sweep(tmp_path / "linked.zarr").done | open_sweep(tmp_path / "linked.zarr").failed).all()
 
 
 def test_a_folder_with_a_pipe_for_a_description_is_no_sweep(tmp_path: Path) -> None:
