@@ -34,14 +34,14 @@ from studies.test_rig.virtual_rig import Recorder, Rig
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "streams.md"
 BEGIN, END = "<!-- misconnected: made by benchmarks/misconnected.py -->", "<!-- end of misconnected -->"
 FIRST = 9800
-DESIGNS = {"array-2x6": 40, "fingertip-4x6": 10}
+DESIGNS = {"array-2x6": 40, "fingertip-4x6": 10, "glove": 20}
 """Number of rigs of each design."""
 BY_DESIGN = 8
 """Number of rigs of each design that are checked by the library of the design too, which takes most of the time."""
 POINTS = 6
 SESSION = TouchSession(takes=1, seconds=4.0, parts=("taps", "friction"))
 KINDS = ("none", "reversed", "exchanged", "late", "level")
-LATE, LEVEL = (3e-3, 0.09), (7.0, 20.0)
+LATE, LEVEL = (3e-3, 0.25), (7.0, 20.0)
 """Ranges of the lateness, s, and of the level, dB, that are drawn, each with either sign."""
 
 

@@ -1,8 +1,8 @@
 """Tables of samples as other programs write them: commas, semicolons or tabs, points or commas for decimals.
 
 The separator is the one of the first row: a tab, else a semicolon, else a comma; or what a line ``sep=;`` states. Lines
-of remarks begin with ``#``. Texts are UTF-8, or UTF-16 with a byte order mark. Columns without a name and without
-values are left out.
+of remarks begin with ``#``. Texts are UTF-8 or UTF-16, with or without a byte order mark. Columns without a name and
+without values are left out.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ import numpy as np
 
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.text_files import encoding_of
 from geometry.ground.typed import Array
 
 _SEPARATORS = ("\t", ";", ",")
-_MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}
 _LONGEST_LINE = 1_000_000
 
 
@@ -50,7 +50,7 @@ def read_table(path: Path, refusal: type[Refusal]) -> RecordedTable:
     """
     path = ordinary_file(path, "a CSV file", refusal, LARGEST_DATA)
     with path.open("rb") as file:
-        encoding = _MARKS.get(file.read(2), "utf-8-sig")
+        encoding = encoding_of(file.read(2))
     with path.open(encoding=encoding, newline="") as file:
         return _Reader(path, refusal).table(file)
 
@@ -67,9 +67,9 @@ class _Reader:
         _, head = next(rows, (0, []))
         names = [name.strip() for name in head]
         if not any(names):
-            raise self._fault("is empty or not a CSV file")
+            raise self._fault("has no row of names, so it is empty or not a CSV file")
         if len(names) == 1 and len(names[0].split()) > 1:
-            raise self._fault("is separated by blanks; it must be by commas, semicolons or tabs")
+            raise self._fault("has blanks between its values; separate them by commas, semicolons or tabs")
         values = array("d")
         lines: list[int] = []
         for line, row in rows:
@@ -81,7 +81,7 @@ class _Reader:
         used = [k for k, name in enumerate(names) if name or not np.isnan(columns[:, k]).all()]
         unnamed = [k for k in used if not names[k]]
         if unnamed:
-            raise self._fault(f"has values and no name in column {unnamed[0] + 1}")
+            raise self._fault(f"has values but no name in column {unnamed[0] + 1}")
         return RecordedTable(tuple(names[k] for k in used), columns[:, used], tuple(lines))
 
     def _rows(self, file: IO[str]) -> Iterator[tuple[int, list[str]]]:
@@ -119,8 +119,9 @@ class _Reader:
             return line.rstrip("\r\n").split(self._separator)
         try:
             return next(csv.reader([line], delimiter=self._separator, strict=True))
-        except csv.Error as error:
-            raise self._fault(f"cannot be read as a row of a table: {error}", field=f"line {number}") from None
+        except csv.Error:
+            problem = "has a quote that does not end, or text behind one that ends"
+            raise self._fault(problem, field=f"line {number}") from None
 
     def _numbers(self, line: int, row: list[str], names: list[str]) -> list[float]:
         """Values of a row; not a number where a column without a name is empty."""
@@ -138,16 +139,15 @@ class _Reader:
         plain = self._plain(line, row, names)
         try:
             return [float(each) for each in plain]
-        except ValueError as error:
-            problem = f"does not hold numbers only: {error}"
-            raise self._fault(problem, Kind.WRONG_TYPE, f"line {line}") from None
+        except ValueError:
+            raise self._no_number(line, next(each for each in plain if not _is_number(each))) from None
 
     def _plain(self, line: int, row: list[str], names: list[str]) -> list[str]:
         """Values with points for decimals; only what is written in plain digits passes as a number."""
         text = "".join(row)
         if "_" in text or not text.isascii():
             strange = next(each for each in row if "_" in each or not each.isascii())
-            raise self._fault(f"does not hold numbers only: {strange!r}", Kind.WRONG_TYPE, f"line {line}")
+            raise self._no_number(line, strange)
         if not all(row):
             row = [each if each.strip() or name else "nan" for each, name in zip(row, names, strict=True)]
         if "," in text:
@@ -162,9 +162,21 @@ class _Reader:
             self._comma = False
         return row
 
+    def _no_number(self, line: int, value: str) -> Refusal:
+        problem = f"holds {value!r}; all its values must be numbers" if value else "has a value that is missing"
+        return self._fault(problem, Kind.WRONG_TYPE, f"line {line}")
+
     def _unclear(self, line: int, value: str) -> Refusal:
         problem = f"holds {value!r}; decimals must begin with a point everywhere, or with a comma everywhere"
         return self._fault(problem, Kind.WRONG_TYPE, f"line {line}")
 
     def _fault(self, problem: str, kind: Kind = Kind.UNREADABLE, field: str = "") -> Refusal:
         return self._refusal(problem, kind=kind, file=self._path, field=field)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

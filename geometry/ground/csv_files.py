@@ -11,6 +11,7 @@ from typing import IO
 
 from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.text_files import encoding_of
 
 _LONGEST_LINE = 4_000_000  # characters; the longest that is written is a design in one line of text
 
@@ -28,7 +29,7 @@ class Table:
 
 
 def read_csv(path: str | os.PathLike[str], what: str, refusal: type[Refusal]) -> Table:
-    """The table in a CSV file in UTF-8, with or without a byte order mark.
+    """The table in a CSV file in UTF-8 or UTF-16, with or without a byte order mark.
 
     Args:
         path: the file.
@@ -36,23 +37,25 @@ def read_csv(path: str | os.PathLike[str], what: str, refusal: type[Refusal]) ->
         refusal: class of the errors.
 
     Raises:
-        Refusal: of that class: no such file, too large, a line too long, or not CSV in UTF-8; where that is so of a
+        Refusal: of that class: no such file, too large, a line too long, or not CSV; where that is so of a
             later row, when that is asked for.
     """
     path = ordinary_file(path, what, refusal, LARGEST_DATA)
-    with path.open(encoding="utf-8-sig", newline="") as file:
+    with path.open("rb") as file:
+        encoding = encoding_of(file.read(2))
+    with path.open(encoding=encoding, newline="") as file:
         remarks = []
         with library_reads(path, what, refusal):
             for line in _lines(path, file, refusal):
                 if not line.startswith("# "):
                     break
                 remarks.append(line[2:].rstrip("\r\n"))
-    rows = _rows(path, what, refusal, len(remarks))
+    rows = _rows(path, what, refusal, len(remarks), encoding)
     return Table(tuple(remarks), tuple(next(rows, [])), rows)
 
 
-def _rows(path: Path, what: str, refusal: type[Refusal], remarks: int) -> Iterator[list[str]]:
-    with path.open(encoding="utf-8-sig", newline="") as file:
+def _rows(path: Path, what: str, refusal: type[Refusal], remarks: int, encoding: str) -> Iterator[list[str]]:
+    with path.open(encoding=encoding, newline="") as file:
         lines = _lines(path, file, refusal)
         for _ in range(remarks):
             next(lines, "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from typing import TYPE_CHECKING
 
 from geometry.ground.extras import check_extras
@@ -17,9 +18,17 @@ def new_figure(width: float, height: float) -> Figure:
         MissingExtra: matplotlib is not installed.
     """
     check_extras("what draws figures", "plots")
+    quiet_fonts()
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
     return figure
+
+
+def quiet_fonts() -> None:
+    """Keep matplotlib from naming each font that it replaces by another, unless somebody has chosen what it logs."""
+    fonts = logging.getLogger("matplotlib.font_manager")
+    if fonts.level == logging.NOTSET:
+        fonts.setLevel(logging.ERROR)

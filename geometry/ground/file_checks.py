@@ -11,7 +11,7 @@ import os
 import re
 import stat
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
@@ -46,10 +46,12 @@ def check_local(path: str | os.PathLike[str], refusal: type[Refusal] = Refusal, 
     Raises:
         Refusal: of that class: it begins like ``s3://`` or ``file://``.
     """
-    if _ADDRESS.match(os.fspath(path)):
+    found = _ADDRESS.match(os.fspath(path))
+    if found:
+        slashes = "///" if found[0].lower() == "file:/" else "//"
         raise refusal(
             kind=Kind.OUT_OF_RANGE,
-            file=path,
+            file=found[0][:-1] + slashes + os.fspath(path)[found.end() :].lstrip("/"),  # as it was before pathlib
             field=Field(field),
             allowed="a path on this machine, not an address",
             remedy="copy between this machine and a store with the tool of the store, or mount the store as a folder",
@@ -126,6 +128,36 @@ def check_own_file(path: Path, what: str, refusal: type[Refusal]) -> None:
     if found != stat.S_IFREG:
         problem = f"is {_KINDS.get(found, 'no file')}, not {what}"
         raise refusal(problem, kind=Kind.EXISTS, file=path, remedy="remove it, or name another place")
+
+
+def check_entries(folder: Path, refusal: type[Refusal], remedy: str = "") -> None:
+    """Reject a folder that holds a pipe, a device or a link, at any depth; none of its files is opened.
+
+    Args:
+        folder: the folder, which may be a link itself.
+        refusal: class of the errors.
+        remedy: what to do.
+
+    Raises:
+        Refusal: of that class, with the entry, or with a folder that cannot be listed.
+    """
+    waiting = [folder]
+    while waiting:
+        place = waiting.pop()
+        try:
+            entries = list(os.scandir(place))
+        except FileNotFoundError:  # removed since it was listed
+            continue
+        except OSError as error:
+            raise _unreadable(place, error, refusal) from None
+        for entry in entries:
+            if entry.is_dir(follow_symlinks=False):
+                waiting.append(Path(entry.path))
+            elif not entry.is_file(follow_symlinks=False):
+                with suppress(FileNotFoundError):
+                    found = _KINDS.get(stat.S_IFMT(entry.stat(follow_symlinks=False).st_mode), "no file")
+                    problem = f"is {found}, not a file or folder"
+                    raise refusal(problem, kind=Kind.UNREADABLE, file=Path(entry.path), remedy=remedy)
 
 
 def open_to_append(path: Path, what: str, refusal: type[Refusal]) -> IO[str]:

@@ -53,7 +53,7 @@ def read_apart(
         if error.status is None or error.status == -getattr(signal, "SIGXCPU", 0):
             problem = f"cannot be read in {seconds:g} s; it is damaged, or not {what}"
             raise refusal(problem, kind=Kind.UNREADABLE, file=path) from None
-        answer = b"-it ends what reads it"
+        answer = b"-the process that reads it crashed"
     if answer[:1] != b"+":
         said = answer[1:].decode(errors="replace")
         raise refusal(f"cut short, damaged or not {what}: {said}", kind=Kind.UNREADABLE, file=path)

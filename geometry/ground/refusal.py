@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Iterable, Mapping
 from enum import Enum, StrEnum
@@ -16,7 +17,7 @@ _UNSEEN = {"Cc", "Cf", "Cs", "Zl", "Zp"}
 
 
 class Kind(StrEnum):
-    """Why something is not accepted: what a program branches on, and a test asserts."""
+    """Reason why an input is not accepted, for programs that react to it."""
 
     MISSING = "missing"
     """A file, field, channel or recording that must be there is not."""
@@ -46,6 +47,17 @@ class Kind(StrEnum):
     """A process, worker, device or connection ended before its result was there."""
 
 
+#: Messages of Python, and what they say in plain words.
+_PLAIN_WORDS = (
+    (re.compile(r"could not convert string to float: (.*)"), "{} is not a number"),
+    (re.compile(r"invalid literal for int\(\) with base \d+: (.*)"), "{} is not a whole number"),
+    (re.compile(r"'[<>]=?' not supported between instances of .*"), "a text and a number cannot be compared"),
+    (re.compile(r"math domain error"), "the square root of a negative number"),
+    (re.compile(r"unexpected end of data"), "a quote does not end"),
+    (re.compile(r"Object arrays cannot be loaded.*"), "it holds Python objects, not numbers"),
+)
+
+
 class Field(str):
     """Name of an argument inside a text of a refusal, or beside its file: a front end shows it by its own name."""
 
@@ -61,7 +73,7 @@ class _NotGiven(Enum):
 
 
 class Refusal(ValueError):
-    """Input that is not accepted, or a result that cannot be had from it.
+    """Input that is not accepted, or from which no result can be computed.
 
     Every error that the project raises on purpose derives from it, in all four packages: the command line prints
     such an error as one line and lets everything else through as a mistake of the program, with its traceback. Its
@@ -187,8 +199,26 @@ def in_one_line(text: str) -> str:
 
 
 def said_by(error: BaseException) -> str:
-    """Message of a library's error, to be quoted: its lines as one; the class of the error where it has no message."""
-    return " ".join(str(error).split()) or type(error).__name__
+    """Message of a library's error, to be quoted: its lines as one; the class of the error where it has no message.
+
+    What Python itself says is put in plain words.
+    """
+    match error:
+        case UnicodeDecodeError():
+            return f"byte {error.start} is not {error.encoding.upper()}"
+        case ZeroDivisionError():
+            return "a division by zero"
+        case OverflowError():
+            return "a number is too large"
+        case RecursionError():
+            return "it is nested too deeply"
+        case KeyError() if error.args:
+            return f"{error.args[0]!r} is missing"
+    text = " ".join(str(error).split())
+    for pattern, words in _PLAIN_WORDS:
+        if found := pattern.fullmatch(text):
+            return words.format(*found.groups())
+    return text or type(error).__name__
 
 
 def counted(count: int, noun: str) -> str:

@@ -13,6 +13,8 @@ from typing import Any
 from geometry.ground.file_checks import read_bytes
 from geometry.ground.refusal import Kind, Refusal
 
+UTF_8 = "utf-8-sig"
+"""Encoding of our texts: UTF-8, with or without a byte order mark."""
 LARGEST_TEXT = 1_000_000
 """Most bytes of a text; a design of a hundred lines has ten thousand."""
 _DEEPEST = 32  # levels of lists and tables in a file, and parts of a dotted key; designs and studies have five
@@ -40,11 +42,29 @@ def read_text(path: str | os.PathLike[str], what: str, refusal: type[Refusal]) -
     Raises:
         Refusal: of that class: no ordinary file that can be read, too large, or not in UTF-8.
     """
+    content = read_bytes(path, what, refusal, LARGEST_TEXT)
+    if encoding_of(content) != UTF_8:
+        problem = f"is a text in UTF-16; {what} must be in UTF-8"
+        raise refusal(problem, kind=Kind.UNREADABLE, file=path, remedy="save it as UTF-8")
     try:
-        return read_bytes(path, what, refusal, LARGEST_TEXT).decode("utf-8-sig")
+        return content.decode(UTF_8)
     except UnicodeDecodeError as error:
-        problem = f"byte {error.start} is not UTF-8; {what} is a text in UTF-8"
-        raise refusal(problem, kind=Kind.UNREADABLE, file=path) from None
+        problem = f"byte {error.start} is not UTF-8; {what} must be a text in UTF-8"
+        raise refusal(problem, kind=Kind.UNREADABLE, file=path, remedy="save it as UTF-8") from None
+
+
+def encoding_of(beginning: bytes) -> str:
+    """Encoding of a text that begins with an ASCII character: UTF-16, with or without a byte order mark, or UTF-8.
+
+    Args:
+        beginning: the first two bytes of its file, or more.
+    """
+    first, second = (*beginning[:2], 1, 1)[:2]
+    if beginning[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return "utf-16"
+    if bool(first) != bool(second):
+        return "utf-16-le" if first else "utf-16-be"
+    return UTF_8
 
 
 def read_toml(path: str | os.PathLike[str], what: str, refusal: type[Refusal]) -> dict[str, Any]:

@@ -244,6 +244,15 @@ def check_value(model: type[BaseModel], name: str, value: object, source: str) -
         raise DesignError.of(_problem(detail, model, {}, "design"), file=source) from None
 
 
+#: Limits of numbers: the name of each in an error of pydantic, and its words.
+_LIMITS = {
+    "greater_than": ("gt", "above"),
+    "greater_than_equal": ("ge", "at least"),
+    "less_than": ("lt", "below"),
+    "less_than_equal": ("le", "at most"),
+}
+
+
 @lru_cache(maxsize=256)
 def _adapter(model: type[BaseModel], loc: tuple[int | str, ...]) -> TypeAdapter[Any]:
     info, _ = _find(model, loc)
@@ -276,6 +285,10 @@ def _problem(detail: ErrorDetails, model: type[BaseModel], given: object, what: 
     info, section = _find(model, loc)
     field = declared_field(name, info) if info is not None else None
     if field is None and section is None:
+        if kind in _LIMITS:
+            key, words = _LIMITS[kind]
+            limit = f"{words} {detail['ctx'][key]:.12g}"
+            return Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=limit)
         said = f"{detail['msg'][0].lower()}{detail['msg'][1:]}"
         return Refusal(f"is not allowed: {said}", kind=Kind.OUT_OF_RANGE, field=name, value=value)
     allowed, remedy = _allowed(field, section, detail)

@@ -71,12 +71,12 @@ class TouchBatch(TypedDict):
 
 
 class TouchDataset(IterableDataset[TouchBatch]):
-    """Touches on one array or on those of many designs, for a ``DataLoader``.
+    """Simulated touches on one array, or on the arrays of many designs, for a ``DataLoader``.
 
     Args:
         source: a library; a sweep that keeps libraries; as-built sensors; or an :class:`ArraySource` of your own.
-        mix: share of each kind of touch, by its name in :data:`localize.signals.STIMULI`; by default mostly those of
-            fingers, :data:`DEFAULT_MIX`.
+        mix: fraction of each kind of touch, by its name in :data:`localize.signals.STIMULI`; by default mostly finger
+            touches, :data:`DEFAULT_MIX`.
         touches: samples of every case in an epoch, 1 to 2^31.
         split: "train", "validation" or "test": the cases that :func:`split_of` deals to it. A source of a single case
             has it in all splits, which then differ in their touches only. None takes all cases, with the touches of
@@ -89,11 +89,11 @@ class TouchDataset(IterableDataset[TouchBatch]):
         features: maps in place of signals, as of :class:`localize.learned.PairFeatures`, of the last 250 samples of
             each; all arrays must have the same microphones then.
         microphone_noise: Pa rms over 0 to 500 Hz, white, or "design" for that of each design's microphone.
-        ambient: lowest and highest level of the sound outside, dB SPL, drawn for each sample; None for silence.
+        ambient: lowest and highest level of room sound, dB SPL, drawn for each sample; None for a quiet room.
         shuffle: whether cases and samples come in random order; if not, case by case, in the order of the samples.
         epoch: number of the epoch, from 0; each has new touches. :meth:`set_epoch` changes it.
         rank: number of this machine, from 0.
-        machines: how many share an epoch without overlap.
+        machines: number of machines, which share an epoch without overlap.
 
     Raises:
         Refusal: an argument out of range; a split without a case; maps of arrays with different microphones; as

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
 from geometry.ground.refusal import Kind, Refusal
@@ -25,7 +26,7 @@ from localize.signals.locator import Locator
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
 
-MARGIN = 112
+MARGIN = 262
 """Number of samples on either side of a loud frame that are kept: a channel may be late or early by so much, ms."""
 FAULTY_TRUST = 0.2
 """Largest weight of decisions while a fault of the connection is known and not corrected: on virtual rigs of seeds 7100
@@ -57,12 +58,16 @@ class FitOptions:
     """Steps in which the level is looked for then, dB, each around the best so far."""
     off: float = 5.0
     """Level from which on a microphone is far off, dB: its own tolerance is 1 dB."""
-    latest: int = 100
-    """Largest lateness of a channel that is tried, ms, at most :data:`MARGIN`."""
+    latest: int = 252
+    """Largest lateness of a channel that is tried first, ms; finer steps go on to :data:`MARGIN`."""
     late_step: int = 2
     """Step of the latenesses that are tried first, ms: half a period of the highest frequency of touches is 5 ms."""
     late_frames: int = 8
     """Number of loud frames that the lateness is looked for with."""
+    late_screened: int = 2
+    """Number of the loudest of these frames that all latenesses are tried on; the likeliest are tried on the others."""
+    late_kept: int = 32
+    """Number of latenesses that are tried on all of these frames."""
     late_steps: tuple[float, ...] = (1.0, 0.5, 0.25, 0.125, 0.0625)
     """Steps in which the lateness is looked for then, ms, each around the best so far."""
     refined: int = 3
@@ -75,13 +80,16 @@ class FitOptions:
     falls_by_order: float = 1.4
     """The same factor when a sign or the order of two microphones is corrected, which cannot be tuned. On symmetric
     designs the wrong order fits as well as the right one, within 1.1."""
+    falls_alone: float = 5.0
+    """The same factor where only faults are looked for: it is then enough by itself. How often that is right for
+    strokes is in docs/evidence/streams.md."""
     better: float = 0.75
     """Fraction of the loud frames whose residual must be smaller when a fault is corrected."""
 
 
 @dataclass(frozen=True)
 class SensorFit:
-    """How well the points of a decoder explain the loudest touches of a sensor."""
+    """Result of a check of how well a decoder explains the loudest touches of a sensor."""
 
     misfit: float
     """Residual of the best point in a frame over that of the noise, a ratio; the median over the frames."""
@@ -94,6 +102,14 @@ class SensorFit:
     difference between them is known, so the fault is given for the one whose correction leaves the smaller residual."""
     corrected_misfit: float | None = None
     """Residual after the fault was corrected; None without a fault."""
+    only_faults: bool = False
+    """True if the residual says nothing without a fault that explains it, because contacts may move, or the sensor may
+    have changed."""
+
+    @property
+    def fits(self) -> bool:
+        """True if nothing speaks against the sensor and its connection."""
+        return self.fault is None and (self.only_faults or self.misfit <= self.expected)
 
     @property
     def warning(self) -> str | None:
@@ -103,7 +119,7 @@ class SensorFit:
                 f"{self.fault.described(self.microphones)}; the residual of the touches is {self.misfit:.3g} times "
                 f"that of noise, and {self.corrected_misfit:.3g} times when this is corrected"
             )
-        if self.misfit <= self.expected:
+        if self.fits:
             return None
         return (
             f"no point explains the touches: their residual is {self.misfit:.3g} times that of noise, and at most "
@@ -126,7 +142,7 @@ class SensorFit:
 
     def trust_of(self, corrected: ConnectionFault | None) -> float:
         """Weight of the decisions, as of :attr:`trust`, after a fault was corrected; None for no correction."""
-        if corrected is None and self.fault is None and self.misfit <= self.expected:
+        if corrected is None and self.fits:
             return 1.0
         misfit = self.misfit if corrected is None or self.corrected_misfit is None else self.corrected_misfit
         trust = min(1.0, self.expected / misfit)
@@ -140,6 +156,8 @@ class LoudFrames:
         self._options = options
         self._kept: list[tuple[Decision, Array]] = []
         self._waiting: deque[Decision] = deque()
+        self.count = 0
+        """Number of loud frames so far that do not overlap, with those that were dropped for louder ones."""
         self._newest: Array = np.zeros((0, 0))  # samples up to the time, of the last decision or what passed since
         self._time = 0.0
 
@@ -153,7 +171,8 @@ class LoudFrames:
         if not self._newest.size:
             if event.frame is None:
                 return
-            self._newest = np.zeros((len(event.frame), 2 * (FRAME + MARGIN)))
+            # A frame waits for its margin behind it, and time passes in steps of a frame or a margin at most.
+            self._newest = np.zeros((len(event.frame), FRAME + 2 * MARGIN + max(FRAME, MARGIN)))
             self._time = event.time
         passed = round((event.time - self._time) * SAMPLE_RATE)
         if not 0 <= passed <= FRAME:  # samples were lost, or the device counts anew
@@ -193,20 +212,42 @@ class LoudFrames:
         near = [each for each in self._kept if abs(each[0].time - event.time) < FRAME / SAMPLE_RATE]
         if any(each[0].level >= event.level for each in near):
             return
+        self.count += not near
         self._kept = [each for each in self._kept if all(each is not other for other in near)] + [(event, samples)]
         if len(self._kept) > self._options.most:
             least = min(range(len(self._kept)), key=lambda k: self._kept[k][0].level)
             del self._kept[least]
 
-    def frames(self) -> list[Array]:
+    def frames(self, *, ended: bool = True) -> list[Array]:
         """Frames so far with their margins, where the stream was silent if no decision carries the samples.
 
+        Args:
+            ended: whether the stream has ended, so that what is still to come is taken to be silent.
+
         Returns:
-            (n_microphone, 474) float64 each, Pa: 112 samples, the 250 of the frame, and 112 samples.
+            (n_microphone, 774) float64 each, Pa: 262 samples, the 250 of the frame, and 262 samples.
         """
-        if self._waiting:
+        if ended and self._waiting:
             self._keep_waiting()
         return [samples for _, samples in self._kept]
+
+
+def loudest_frames(signals: Array, least: float, options: FitOptions = FitOptions()) -> list[Array]:
+    """Loudest frames of a recording with the samples around them, for :func:`sensor_fit`.
+
+    Args:
+        signals: (n_microphone, n_sample) float64, Pa, at 1 kHz, behind a high-pass.
+        least: level that a frame has at least at its loudest microphone, Pa rms.
+        options: numbers that tune the test.
+
+    Returns:
+        (n_microphone, 774) float64 each, Pa, the loudest first, at most 32; zeros stand before and after the recording.
+    """
+    padded = np.pad(signals, ((0, 0), (MARGIN, MARGIN)))
+    frames = sliding_window_view(padded, FRAME + 2 * MARGIN, axis=1)[:, ::FRAME].transpose(1, 0, 2)
+    level = frames[..., MARGIN : MARGIN + FRAME].std(2).max(1)
+    loudest = np.argsort(-level, kind="stable")[: options.most]
+    return [frames[k].copy() for k in loudest if level[k] >= least]
 
 
 @one_thread()
@@ -215,25 +256,36 @@ def sensor_fit(
     frames: ArrayLike,
     microphone_noise: ArrayLike | None = None,
     options: FitOptions = FitOptions(),
+    *,
+    only_faults: bool = False,
 ) -> SensorFit | None:
     """Fit of a decoder to the loudest touches, and the fault of the microphones' connection if one explains the misfit.
 
     Args:
         decoder: of a library.
         frames: of touches, at several points if possible; (n, n_microphone, 250) or, with the samples before and after,
-            (n, n_microphone, 474), as of :class:`LoudFrames`; Pa, at 1 kHz. Late channels are looked for if the samples
+            (n, n_microphone, 774), as of :class:`LoudFrames`; Pa, at 1 kHz. Late channels are looked for if the samples
             before and after are there.
         microphone_noise: of the microphones as it was measured, (n_microphone,) Pa rms; by default that of the decoder.
         options: numbers that tune the test.
+        only_faults: whether only a fault of the connection is looked for, because contacts may move over the surface,
+            or the sensor may have changed: both leave a larger residual. A fault is then reported if its correction
+            lowers the residual to a fifth.
 
     Returns:
         None for fewer than 8 frames, and where it is not known what sensors leave: of a computed library whose
-        tolerances are not known.
+        tolerances are not known or not modelled, unless only faults are looked for, and of a network.
 
     Raises:
         Refusal: as :meth:`localize.BayesDecoder.locate`, or noise of another number of microphones.
     """
     expected, given = decoder.largest_misfit, np.asarray(frames)
+    if (
+        only_faults
+        and expected is None
+        and not np.isnan(decoder.misfit(np.zeros((1, len(decoder.microphones), FRAME)))[0])
+    ):
+        expected = 0.0
     if expected is None or len(given) < options.fewest:
         return None
     heard = checked_signals(given, decoder.microphones)[0][: options.most].copy()
@@ -244,10 +296,11 @@ def sensor_fit(
     heard /= np.maximum(level, 1.0)[:, None, None]
     misfit = _left(decoder, heard)
     loudest = heard[np.argsort(-level, kind="stable")[: options.loudest]]
-    search = _FaultSearch(decoder, loudest, expected, options)
+    search = _FaultSearch(decoder, loudest, expected, options, only_faults)
     # Of more microphones one that is off may leave less than sensors of some designs do.
     found = search.found(misfit > min(expected, options.least_suspect))
-    return SensorFit(misfit, expected, decoder.microphones, *(found or ()))
+    fault, left = found or (None, None)
+    return SensorFit(misfit, expected, decoder.microphones, fault, left, only_faults)
 
 
 class _FaultSearch:
@@ -258,10 +311,14 @@ class _FaultSearch:
         frames: (n, n_microphone, 250) or with margins, Pa, the loudest first.
         expected: largest residual of a sensor as the decoder expects it, over that of the noise.
         options: numbers that tune the test.
+        only_faults: as of :func:`sensor_fit`.
     """
 
-    def __init__(self, decoder: Locator, frames: Array, expected: float, options: FitOptions) -> None:
+    def __init__(
+        self, decoder: Locator, frames: Array, expected: float, options: FitOptions, only_faults: bool
+    ) -> None:
         self._decoder, self._frames, self._expected, self._options = decoder, frames, expected, options
+        self._only_faults = only_faults
         self._few = frames[:: max(1, len(frames) // options.late_frames)]
         self._unchanged = decoder.misfit(_inner(frames))
 
@@ -284,8 +341,9 @@ class _FaultSearch:
             return None
         fault, each = min(tried, key=lambda one: _typical(one[1]))
         left, better = float(np.median(each)), float((each < self._unchanged).mean())
-        fallen = _typical(each) <= _typical(self._unchanged) / falls
-        return (fault, left) if fallen and left <= self._expected and better >= self._options.better else None
+        fall = _typical(self._unchanged) / _typical(each)
+        explained = left <= self._expected or (self._only_faults and fall >= self._options.falls_alone)
+        return (fault, left) if fall >= falls and explained and better >= self._options.better else None
 
     def _misfit(self, fault: ConnectionFault, frames: Array) -> Array:
         return self._decoder.misfit(_inner(fault.corrected(frames, self._decoder.microphones)))
@@ -309,11 +367,24 @@ class _FaultSearch:
         options = self._options
         if self._frames.shape[2] == FRAME:
             return []
-        latest = options.latest - options.latest % options.late_step
-        tried = [1e-3 * late for late in range(-latest, latest + 1, options.late_step)]
         steps = [1e-3 * step for step in options.late_steps]
-        found = [self._refined(name, "late", tried, steps, self._few) for name in _changed(self._decoder.microphones)]
+        found = [
+            self._refined(name, "late", self._likely_times(name), steps, self._few)
+            for name in _changed(self._decoder.microphones)
+        ]
         return [each for each in found if abs(each.amount) >= 1e-3 * options.late]
+
+    def _likely_times(self, name: str) -> list[float]:
+        """Latenesses of a microphone at which the loudest frames are explained best, s, and 0."""
+        options = self._options
+        latest = options.latest - options.latest % options.late_step
+        loudest = self._few[: options.late_screened]
+
+        def left(late: int) -> float:
+            return _typical(self._misfit(ConnectionFault("late", (name,), 1e-3 * late), loudest))
+
+        tried = sorted(range(-latest, latest + 1, options.late_step), key=left)
+        return [1e-3 * late for late in dict.fromkeys([0, *tried[: options.late_kept]])]
 
     def _refined(
         self, name: str, kind: FaultOfConnection, amounts: Sequence[float], steps: Sequence[float], frames: Array

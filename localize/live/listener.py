@@ -28,11 +28,11 @@ from localize.signals.stimulus import SAMPLE_RATE
 
 @dataclass(frozen=True)
 class Notice:
-    """Notice of what happens to the source or the recording, not to the samples."""
+    """Notice of what happens to the source or the recording, or of a sensor that does not fit its library."""
 
     time: float
     """Time of the sample that is due, s; the stream's sample 0 is at 0."""
-    kind: Literal["source lost", "source back", "recording stopped"]
+    kind: Literal["source lost", "source back", "recording stopped", "sensor does not fit"]
     """Kind of what happened."""
     text: str
     """Reason or result, in words for the user."""
@@ -65,10 +65,10 @@ class Heard:
 class Tracker(Protocol):
     """Tracker that combines frames into touches, places or gestures."""
 
-    def take(self, event: object) -> Sequence[TouchEvent | TrackedPlace | TrackedGesture]:
+    def take(self, event: object) -> Sequence[TouchEvent | TrackedPlace | TrackedGesture | Notice]:
         """Take the next event of a stream and say what it means."""
 
-    def finish(self) -> Sequence[TouchEvent | TrackedPlace | TrackedGesture]:
+    def finish(self) -> Sequence[TouchEvent | TrackedPlace | TrackedGesture | Notice]:
         """Say what is left to say when the stream ends."""
 
 
@@ -94,7 +94,8 @@ class LiveListener:
         options: ListenerOptions = ListenerOptions(),
     ) -> None:
         self.source, self.stream, self.recorder, self.options = source, stream, recorder, options
-        self._trackers = tuple(trackers)
+        self.trackers = tuple(trackers)
+        """Trackers that report touches, places, gestures and a sensor that does not fit."""
         self.stopped = ""
         """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
         self._wait = wait
@@ -199,7 +200,7 @@ class LiveListener:
         if self._offset is None:
             return
         yield from self._push(self._resampler.finish(), None)
-        for tracker in self._trackers:
+        for tracker in self.trackers:
             for told in tracker.finish():
                 yield Heard(told)
         if queue.end > self._input:
@@ -216,9 +217,9 @@ class LiveListener:
         for event in events:
             available = self._available(event, block)
             yield Heard(event, available)
-            for tracker in self._trackers:
+            for tracker in self.trackers:
                 for told in tracker.take(event):
-                    yield Heard(told, available)
+                    yield Heard(told, None if isinstance(told, Notice) else available)
 
     def _available(self, event: Decision | Fault, block: Block | None) -> float | None:
         """When the last sample of a decision's frame was there, by that of the block that came last."""

@@ -28,6 +28,7 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.sound_test import SoundTest
 from localize.decoders.surroundings import sound_levels
 from localize.decoders.tolerant import decoder_of, unknown_tolerances
+from localize.evaluation.fit_watch import FitWatch
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
 from localize.graphs.onnx_localizer import OnnxLocalizer
 from localize.live.events import HOP, Decision, Fault
@@ -65,7 +66,7 @@ LibrarySource: TypeAlias = str | os.PathLike[str] | Library
 
 @dataclass(frozen=True)
 class Decoding:
-    """Choices of how a model is opened and what it reports beside the point; as of :func:`open_model`."""
+    """Options for opening a model and for what it reports besides the point; see :func:`open_model`."""
 
     microphone_noise: NoiseChoice = "design"
     """For a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design"."""
@@ -95,7 +96,7 @@ class Decoding:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Model(Shown):
-    """Localizer with what it needs to listen; made by :func:`open_model`, and never changed by what it hears."""
+    """Localizer with everything that it needs; made by :func:`open_model`. Decoding does not change it."""
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
@@ -155,12 +156,12 @@ class Model(Shown):
         channels: Mapping[str, int] | None = None,
         correct: bool = False,
     ) -> LocatedTouches:
-        """Touches in a recording: where and when.
+        """Touches in a recording, with their points and times.
 
         Args:
             path: of the recording, see :func:`localize.read_recording`.
-            full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip,
-                by default recognised by flat tops.
+            full_scale: pressure at full scale of WAV files, Pa, by default 1 Pa. For other files, the pressure at which
+                the recorder clipped; by default clipping is detected by its flat tops.
             channels: microphone -> channel of the file, from 1; as of :func:`localize.read_recording`.
             correct: as of :meth:`locate_recording`.
 
@@ -228,7 +229,7 @@ class Model(Shown):
         )
 
     def stream(self, limit: float | None = None, frames: bool = False) -> TouchStream:
-        """New stream that listens with the model, its test of sound, and what else it was opened for.
+        """New stream that decodes with the model, with the sound test and the other options that it was opened with.
 
         Args:
             limit: Pa; a sample that reaches it is clipped. By default nothing is.
@@ -259,7 +260,7 @@ class Model(Shown):
         """New tracker of the paths of contacts, for the decisions of a stream that carry their frames.
 
         Args:
-            contact_radius_mm: of the contact, mm.
+            contact_radius_mm: radius of the contact, mm.
 
         Raises:
             Refusal: a model without a library, or a radius out of range.
@@ -274,6 +275,8 @@ class Model(Shown):
     ) -> LiveListener:
         """Listener that reports touches while they happen; iterate over it for its events.
 
+        It also reports once, as a :class:`localize.live.Notice`, if the sensor does not fit the model.
+
         Args:
             source: where samples come from, such as :class:`localize.live.ReplaySource`.
             recorder: writes them as they come in.
@@ -284,7 +287,8 @@ class Model(Shown):
         """
         places = () if contact_radius_mm is None else (GestureTracker(self.tracker(contact_radius_mm)),)
         stream = self.stream(source.limit, frames=True)
-        return LiveListener(source, stream, recorder, trackers=(TouchTracker(self.locator.array), *places))
+        trackers = (FitWatch(stream), TouchTracker(self.locator.array), *places)
+        return LiveListener(source, stream, recorder, trackers=trackers)
 
 
 ModelSource: TypeAlias = str | os.PathLike[str] | Library | Locator | Model
@@ -311,7 +315,8 @@ def open_model(
     Args:
         source: a library, the folder of a trained localizer or an ONNX file; or a library or a localizer in memory.
         air: air in which the sensor is used, to which the library is converted; by default that of the library.
-        microphone_noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        microphone_noise: white noise of the microphones that the decoder of a library assumes, Pa rms over 0 to 500 Hz,
+            or "design" for that of the design's microphone.
         ambient: highest level of room sound in which touches are classified, dB SPL; by default a quiet room. Frames
             that hold only sound are detected in any case, up to 80 dB SPL or this level.
         library: library of the array, for a network or graph that is to detect sound, and for the arguments below; by

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.sound.clipping import clipped_samples
-from acoustic_fem.sound.sound_file import MATRIX, SCALED, Sound, SoundFileError, read_sound
+from acoustic_fem.sound.sound_file import MATRIX, SCALED, TIME, Sound, SoundFileError, read_sound
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.recordings.channel_choice import check_count, chosen_channels
 from localize.signals.frames import FRAME
@@ -77,8 +79,8 @@ def read_recording(
     Args:
         path: of the file; its suffix says what it is.
         microphones: names of the array's microphones.
-        full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others the pressure at which they
-            clip. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
+        full_scale: pressure at full scale of WAV files, Pa, by default 1 Pa. For other files, the pressure at which the
+            recorder clipped. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
         fallback: whether one channel may be clipped, or silent all the time or from some time on: for what goes on with
             the others.
         channels: microphone -> channel of the file, counted from 1 without a column of times; the file may then have
@@ -189,21 +191,23 @@ def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequenc
     if not sound.numbered and sorted(names) != sorted(microphones):
         rows = f", or be the rows of {MATRIX}" if path.suffix.lower() in (".npz", ".mat") else ""
         raise RecordingError(
-            f"its channels are {', '.join(names)}; they must be {wanted}{rows}", kind=Kind.MISMATCH, file=path
+            f"has {counted(len(names), 'channel')} ({', '.join(names)}); channels must be called {wanted} like the "
+            f"microphones{rows}",
+            kind=Kind.MISMATCH,
+            file=path,
+            remedy=_time_column(names),
         )
     return names if sound.numbered else microphones
 
 
+def _time_column(names: Sequence[str]) -> str:
+    """Remedy where a channel seems to hold the times; empty where none does."""
+    times = [name for name in names if re.fullmatch(r"t|times?([ _(\[].*)?", name.lower())]
+    return f"if {times[0]!r} holds the times in s, call it {TIME!r}" if times else ""
+
+
 def _check_rate(path: Path, rate: float) -> None:
-    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
-        raise RecordingError(
-            kind=Kind.OUT_OF_RANGE,
-            file=path,
-            field="sample rate",
-            value=rate,
-            unit="Hz",
-            allowed=f"between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz",
-        )
+    check_range("sample rate", rate, LOWEST_RATE, HIGHEST_RATE, "Hz", error=RecordingError, file=path)
 
 
 def _check_apart(

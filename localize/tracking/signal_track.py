@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -30,9 +32,9 @@ def track(
     Args:
         library: with a design.
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz, as :func:`localize.read_recording` gives them.
-        contact_radius_mm: of the contact, mm.
+        contact_radius_mm: radius of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
-        ambient: level of the sound around, dB SPL; None for quiet.
+        ambient: level of room sound, dB SPL; None for a quiet room.
 
     Returns:
         Paths in the order of time.
@@ -46,16 +48,25 @@ def track(
     return tracks_of(stream, PathTracker(response, contact_radius_mm, microphone_noise, ambient), signals)
 
 
-def tracks_of(stream: TouchStream, tracker: PathTracker, signals: NDArray[np.float64]) -> list[Track]:
+def tracks_of(
+    stream: TouchStream,
+    tracker: PathTracker,
+    signals: NDArray[np.float64],
+    hear: Callable[[Iterable[object]], None] | None = None,
+) -> list[Track]:
     """Paths that a tracker finds behind a stream, both new.
 
     Args:
         stream: with ``StreamOptions(frames=True)``.
         tracker: of the same array.
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
+        hear: called with the events of the stream, some at a time.
     """
     for first in range(0, signals.shape[1], BLOCK):
-        for event in stream.push(signals[:, first : first + BLOCK]):
+        events = stream.push(signals[:, first : first + BLOCK])
+        if hear is not None:
+            hear(events)
+        for event in events:
             tracker.take(event)
     tracker.finish()
     return tracker.tracks

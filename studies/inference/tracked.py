@@ -14,6 +14,8 @@ import numpy as np
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.whole_files import write_text
+from localize.evaluation.connection_faults import ConnectionFault
+from localize.evaluation.goodness_of_fit import LoudFrames, sensor_fit
 from localize.live.stream_options import MOVING
 from localize.model.located_touches import RecordingResult
 from localize.model.opened_model import Decoding, ModelSource, files_of, opened_as_designed
@@ -40,6 +42,10 @@ class TrackedRecording(RecordingResult):
     force_is_known: bool
     """True if the membranes, which give the forces, are those of the library: a calibration does not measure them, and
     takes them as designed."""
+    fault: ConnectionFault | None = None
+    """Fault in how the microphones are connected, which explains the touches far better; None if none was found."""
+    warning: str | None = None
+    """Fault in words; None if none was found."""
 
 
 def track_recording(
@@ -56,14 +62,15 @@ def track_recording(
     """Paths of contacts over the surface of an array, from a recording of its microphones.
 
     Args:
-        library: of the array, with a design: a path, a library or an open model.
+        library: library of the array, with its design: a path, a library or an open model.
         recording: see :func:`localize.read_recording`.
-        out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
-        picture: of the paths on the array, ``.png`` by default; an earlier one is replaced.
-        contact_radius_mm: of the contact, mm, 0.05 to 100.
-        full_scale: as of :func:`studies.locate_recording`.
-        decoding: how signals are read.
-        channels: microphone -> channel of the recording, from 1; by default by their names or their order.
+        out: a CSV file with a row for every 16 ms of each path; an earlier file of paths is replaced.
+        picture: a file for a picture of the paths on the array, ``.png`` by default; an earlier file is replaced.
+        contact_radius_mm: radius of the contact, mm, 0.05 to 100.
+        full_scale: see :func:`studies.locate_recording`.
+        decoding: options for noise, sound and air of the place.
+        channels: channel of each microphone in the recording, counted from 1; by default found by the names of the
+            channels or by their order.
 
     Raises:
         Refusal: a file that cannot be written or read, no library, or a radius out of range.
@@ -77,7 +84,9 @@ def track_recording(
     model = opened_as_designed(library, decoding)
     tracker, array = model.tracker(contact_radius_mm), model.locator.array
     read = read_recording(Path(recording), array.microphones, full_scale, channels=channels)
-    tracks = tuple(tracks_of(model.stream(frames=True), tracker, read.signals))
+    stream, loud = model.stream(frames=True), LoudFrames()
+    tracks = tuple(tracks_of(stream, tracker, read.signals, loud.take))
+    fit = sensor_fit(stream.locator, loud.frames(), stream.noise, only_faults=True)
     if table is not None:
         write_text(table, _rows(tracks))
     if drawn is not None:
@@ -89,6 +98,8 @@ def track_recording(
         tracks=tracks,
         gestures=tuple(map(gesture_of, tracks)),
         force_is_known=array.provenance.get("fidelity") != MEASURED,
+        fault=None if fit is None else fit.fault,
+        warning=None if fit is None else fit.warning,
     )
 
 

@@ -19,6 +19,7 @@ from typing import Any
 
 import acoustic_fem
 from geometry.ground.extras import check_extras
+from geometry.ground.figures import quiet_fonts
 from geometry.ground.file_checks import check_local, ordinary_file, read_bytes
 from geometry.ground.refusal import Field, Kind, Refusal, said_by
 from geometry.ground.stated_times import stopped_time
@@ -168,6 +169,7 @@ def check_drawing() -> None:
         Refusal: ``MPLBACKEND`` or ``SOURCE_DATE_EPOCH`` has a wrong value, or a matplotlibrc cannot be read.
     """
     stopped_time()
+    quiet_fonts()
     for path in ("matplotlibrc", os.environ.get("MATPLOTLIBRC", "")):  # matplotlib would wait for a pipe without end
         if os.path.exists(path) and not os.path.isdir(path) and path != os.devnull:
             ordinary_file(path, "a matplotlibrc", Refusal, LARGEST_TEXT)

@@ -19,6 +19,7 @@ _NAME = re.compile(r"""(?<![\w.'"])(?:materials\.[\w-]+(?:\.\w+)+|[A-Za-z]\w*(?:
 _TEXT = re.compile(r"""'[^']*'|"[^"]*\"""")
 _WORDS = {"and", "or", "not", "in", "True", "False", "None"}
 _LONGEST = 500
+_EXAMPLE = "give a condition such as 'tube.length > 20 * tube.inner_diameter'"
 
 _ARITHMETIC: dict[type[ast.AST], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
@@ -95,11 +96,13 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
     try:
         tree = ast.parse("".join(pieces).strip(), mode="eval").body
         _check(tree, len(names))
-    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:  # the last of very many parentheses
-        problem = "holds what is not allowed" if isinstance(error, Refusal) else "cannot be read"
-        refuse(problem, remedy="give a condition such as 'tube.length > 20 * tube.inner_diameter'")
+    except Refusal:
+        known = "names, numbers, texts in quotes, + - * /, < <= > >= == !=, and, or, not, min, max, abs and sqrt"
+        refuse(f"may only contain {known}", remedy=_EXAMPLE)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):  # the last of very many parentheses
+        refuse("is not a complete expression", remedy=_EXAMPLE)
     if not isinstance(tree, (ast.Compare, ast.BoolOp, ast.UnaryOp)):
-        refuse("must compare values, with <, <=, >, >=, == or !=")
+        refuse("must compare two values with <, <=, >, >=, == or !=", remedy=_EXAMPLE)
     values = []
     for name in names:
         try:

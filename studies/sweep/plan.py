@@ -57,15 +57,15 @@ class Plan:
 
 
 def plan_sweep(study: Study | PathLike, workers: int | None = None, *, display: Display | None = None) -> Plan:
-    """Cost of a study: its cases and cells counted, a few of its cases measured in closed form.
+    """Cost of a study: number of cases and cells, and a time that is estimated from a few cases in closed form.
 
-    If the study has more than 5000 cases, a random sample of so many stands for all: every number of designs and cells
-    is then an estimate.
+    If the study has more than 5000 cases, 5000 of them are drawn at random. The numbers of designs and cells are then
+    estimates.
 
     Args:
         study: the study, or its file.
-        workers: processes on this machine; by default as many as pay.
-        display: shows how many designs were looked at.
+        workers: number of processes on this machine; by default chosen for the shortest time.
+        display: shows how many designs were checked.
 
     Raises:
         Refusal: as :func:`studies.sweep.survey.surveyed`.

@@ -21,7 +21,7 @@ from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign
 from geometry.design.design_file import read_completed
 from geometry.ground.argument_checks import check_choice, check_range, check_type
-from geometry.ground.file_checks import check_local, read_bytes
+from geometry.ground.file_checks import check_entries, check_local, read_bytes
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
 from studies.output.zarr_files import METADATA
@@ -82,7 +82,8 @@ class Sweep(Shown):
 
         Args:
             metric: name of a metric of the study; by default its first.
-            against: another metric, for a trade-off; cases that no other beats in both carry their number.
+            against: another metric, for a trade-off. Cases that no other case beats in both metrics are labelled with
+                their number.
 
         Raises:
             Refusal: the study does not compute a metric.
@@ -123,7 +124,9 @@ class Sweep(Shown):
 
     @property
     def keep(self) -> str:
-        """Results that are kept of each case: "metrics", also its "responses", or everything that "libraries" need."""
+        """Results that are kept for each case: "metrics", "responses" (with metrics), or "libraries" (everything that a
+        library needs).
+        """
         return str(self.records.content["keep"])
 
     @property
@@ -154,8 +157,8 @@ class Sweep(Shown):
     def to_xarray(self) -> xr.Dataset:
         """Results as one data set along ``case``, with the parameters and the ``split`` of each case as coordinates.
 
-        Its variables are the metrics, ``status``, ``reason`` and the responses that are kept, complex, which are read
-        when they are used. NaN stands where a case is waiting, failed or has fewer points.
+        Its variables are the metrics, ``status``, ``reason`` and the responses that are kept. Responses are complex and
+        are loaded from disk when you use them. They are NaN if a case is waiting, has failed or has fewer points.
         """
         import xarray as xr
 
@@ -211,11 +214,11 @@ class Sweep(Shown):
 
     @property
     def failed(self) -> NDArray[np.bool_]:
-        """True if a case failed, why is in ``values["reason"]``; (n_case,) bool."""
+        """True if a case failed; the reason is in ``values["reason"]``; (n_case,) bool."""
         return np.asarray(self.values["state"] == FAILED)
 
     def best(self, metric: str, count: int = 10) -> list[int]:
-        """Numbers of the best cases by one metric, the best first; equals by number.
+        """Numbers of the best cases by one metric, the best first; equal cases in the order of their numbers.
 
         Args:
             metric: name of a metric of the study.
@@ -240,7 +243,7 @@ class Sweep(Shown):
         """Design of one case.
 
         Raises:
-            DesignError: its values do not go together: the reason it failed for.
+            DesignError: its values contradict each other, which is why it failed.
             Refusal: the study has no such case.
         """
         return self.base.with_values(self.case(number))
@@ -248,9 +251,9 @@ class Sweep(Shown):
     def library(self, number: int) -> acoustic_fem.Library:
         """Library of one case, of a study with ``keep = "libraries"``.
 
-        In double precision it is the one that :func:`acoustic_fem.solve` computes for the design, bit for bit, but for
-        membranes that the sweep interpolated: its provenance says so, and ``membranes = "solved"`` prevents it. One
-        block of cases is held in memory, so read the cases in order.
+        In double precision it equals, bit for bit, the library that :func:`acoustic_fem.solve` computes for the design,
+        unless the sweep interpolated its membrane. Its provenance says whether it did, and ``membranes = "solved"``
+        prevents it. One block of cases is held in memory, so read the cases in order.
 
         Args:
             number: of the case.
@@ -345,7 +348,7 @@ class Sweep(Shown):
 
         Args:
             cases: numbers of the cases.
-            sound: whether their response to sound outside is needed, for which the study must keep libraries and the
+            sound: whether their response to room sound is needed. For this the study must keep libraries, and the
                 membranes are solved.
 
         Raises:
@@ -399,11 +402,7 @@ class Sweep(Shown):
     def _checked(self, number: int) -> int:
         """The number of a case of the study, as a plain whole number."""
         check_type("case", number, (int, np.integer), "a whole number")
-        if not 0 <= number < len(self):
-            allowed = f"between 0 and {len(self) - 1}, the cases of the study"
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE, file=self.records.path, field="case", value=int(number), allowed=allowed
-            )
+        check_range("case", number, 0, len(self) - 1, whole=True, why="the cases of the study", file=self.records.path)
         return int(number)
 
 
@@ -413,10 +412,11 @@ def base_of(path: Path, text: str) -> ArrayDesign:
 
 
 def open_sweep(path: str | os.PathLike[str]) -> Sweep:
-    """Results of a study, opened, also while it runs; responses are read when they are used.
+    """Results of a study, even while it runs. Responses are loaded from disk when you use them.
 
     Raises:
-        StudyError: the folder is not the results of a sweep, or they are damaged; names the record, and what to do.
+        StudyError: the folder is not the results of a sweep, it holds a pipe, a device or a link, or a record is
+            damaged; names the file, and what to do.
     """
     check_local(path, StudyError, "results")
     path = Path(path)
@@ -452,8 +452,9 @@ def is_sweep(path: Path) -> bool:
 
 
 def check_sweep(path: Path) -> None:
-    """Refuse a path that is not the results of a sweep of this version."""
+    """Refuse a path that is not the results of a sweep of this version, or that holds a pipe, a device or a link."""
     if (path / FOLDER).is_dir():
+        check_entries(path, StudyError, "remove it, then run the same sweep again, which writes what is missing")
         return
     older = None
     with suppress(ValueError, KeyError, TypeError, RecursionError):

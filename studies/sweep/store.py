@@ -88,7 +88,8 @@ class SweepStore:
                     self._show(first)
                     continue
                 except StudyError as error:
-                    notes.append(f"{error}; cases {first} to {stop - 1} are computed again")
+                    which = f"case {first} is" if stop == first + 1 else f"cases {first} to {stop - 1} are"
+                    notes.append(f"{error}; {which} computed again")
             self._records.forget(first)
             self._files.drop(first)
         more = f"{self._records.path}: {len(notes) - _TOLD} more blocks are damaged and computed again"
@@ -150,7 +151,8 @@ def check_store(path: Path) -> None:
     """Refuse a path that no sweep may write to; nothing is touched.
 
     Raises:
-        StudyError: it holds something else than the results of a sweep, or those of another version.
+        StudyError: it holds something else than the results of a sweep, those of another version, or a pipe, a device
+            or a link.
         Refusal: it cannot be written.
     """
     check_folder(path)
@@ -158,6 +160,8 @@ def check_store(path: Path) -> None:
         try:
             check_sweep(path)
         except StudyError as error:
+            if error.kind is not Kind.MISMATCH:
+                raise
             raise StudyError.of(
                 error, remedy=(Field("out"), " must be new, or the results of the same study")
             ) from None

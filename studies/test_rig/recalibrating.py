@@ -15,11 +15,14 @@ import acoustic_fem
 import localize
 from acoustic_fem import Library
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
-from geometry.ground.refusal import Kind
+from geometry.ground.refusal import Field, Kind
 from geometry.ground.typed import PathLike
 from localize import read_recording
+from localize.decoders.bayes import BayesDecoder
+from localize.evaluation.goodness_of_fit import loudest_frames, sensor_fit
 from localize.live.front_end import HighPass
 from localize.live.stream_options import HIGH_PASS
+from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.recordings.same_take import find_same_take
 from localize.signals.array_response import response_of
 from localize.signals.frames import FRAME, cut_frames
@@ -34,7 +37,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Recalibration:
-    """Recalibration of a sensor that was accepted."""
+    """Result of a recalibration that was accepted."""
 
     out: Path
     """File that was written."""
@@ -56,26 +59,28 @@ def recalibrate(
     channels: Mapping[str, int] | None = None,
     display: Display | None = None,
 ) -> Recalibration:
-    """Recalibration of a sensor from touches whose points nobody knows.
+    """Recalibration of a sensor from touches whose points need not be known.
 
     A quarter of the frames is held out for validation. If they contradict the sensor found, nothing is written.
 
     Args:
-        library: the file of the design, or of the last calibration.
+        library: file of the design's library, or of the last calibration.
         recordings: files of touches of fingers or of a shaker, one at a time, spread over all points.
         out: the library to write, netCDF (``.nc``), a new file.
         full_scale: Pa, see :func:`localize.read_recording`.
         microphone_noise: white noise of the microphones, Pa rms over 0 to 500 Hz; by default the noise of the design's
             microphone.
         seed: seed of the choice of the held-out touches.
-        air: air of the place of the recordings, to which the library is brought first; values that are not given are
-            the library's.
-        channels: microphone -> channel of all recordings, from 1; by default by their names or their order.
-        display: shows what is being done.
+        air: air during the recordings, to which the library is converted first; values that you do not give are those
+            of the library.
+        channels: channel of each microphone in all recordings, counted from 1; by default found by the names of the
+            channels or by their order.
+        display: shows progress.
 
     Raises:
         Refusal: a file that exists or cannot be written, recordings that cannot be read or used, the same take twice,
-            or held-out touches that contradict the sensor found.
+            a microphone that is reversed, exchanged, late or at another level, or held-out touches that contradict the
+            sensor found.
     """
     checked_air(air)
     path = Path(out)
@@ -94,6 +99,7 @@ def recalibrate(
         of_microphones = response.noise(microphone_noise)
         level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
         _refuse_the_same_take(paths, heard, frames, level)
+        _refuse_a_wrong_connection(paths, passed, BayesDecoder(response, level))
         with (display or Display()).stage("Touches") as report:
             found = localize.self_calibrate(
                 present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS
@@ -105,6 +111,30 @@ def recalibrate(
         calibrated = found.library()
         acoustic_fem.save(calibrated, path)
         return Recalibration(path, calibrated, found)
+
+
+def _refuse_a_wrong_connection(
+    paths: Sequence[Path], signals: Sequence[NDArray[np.float64]], decoder: BayesDecoder
+) -> None:
+    """Reject touches that a fault in how the microphones are connected explains: a search would fit it as a sensor.
+
+    Each recording is checked by itself, and all together if each is too short for that.
+    """
+    least = RecalibrationOptions.quiet * decoder.noise_rms
+    loud = [loudest_frames(own, least) for own in signals]
+    found = [(path, sensor_fit(decoder, own, only_faults=True)) for path, own in zip(paths, loud, strict=True) if own]
+    if all(fit is None for _, fit in found) and any(loud):
+        together = sorted((frame for own in loud for frame in own), key=lambda frame: -frame.std(1).max())
+        found = [(paths[0], sensor_fit(decoder, together, only_faults=True))]
+    for path, fit in found:
+        if fit is not None and fit.fault is not None:
+            raise localize.SelfCalibrationError(
+                f"give no calibration: {fit.warning}",
+                kind=Kind.UNSUITABLE,
+                field="recordings",
+                file=path,
+                remedy=("correct the wiring or the recordings, or give the right order by ", Field("channels")),
+            )
 
 
 def _refuse_the_same_take(

@@ -135,7 +135,9 @@ def test_what_takes_too_long_or_ends_the_process_is_refused(
         load(path)
     monkeypatch.setattr(sealed_netcdf, "_trial", crash)
     monkeypatch.setattr(sealed_netcdf, "PATIENCE", 60)
-    with pytest.raises(LibraryError, match=r"library.sofa: cut short, damaged or not .*: it ends what reads it"):
+    with pytest.raises(
+        LibraryError, match=r"library.sofa: cut short, damaged or not .*: the process that reads it crashed"
+    ):
         load(path)
 
 

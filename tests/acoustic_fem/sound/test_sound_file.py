@@ -223,6 +223,8 @@ TABLES = {
     "a strange separator": b"SEP=|\ntime|A|B\n0|1|0.5\n0.001|-2|1.5\n",
     "remarks": b"# my board\n#100 Pa\n\ntime,A,B\n0,1,0.5\n# pause\n0.001,-2,1.5\n",
     "UTF-16": "time,A,B\n0,1,0.5\n0.001,-2,1.5\n".encode("utf-16"),
+    "UTF-16 without a mark, little end": "time,A,B\n0,1,0.5\n0.001,-2,1.5\n".encode("utf-16-le"),
+    "UTF-16 without a mark, big end": "time,A,B\n0,1,0.5\n0.001,-2,1.5\n".encode("utf-16-be"),
     "a byte order mark": b"\xef\xbb\xbftime,A,B\n0,1,0.5\n0.001,-2,1.5\n",
     "blank columns": b"time,,A,B,,\n0,,1,0.5,,\n0.001,,-2,1.5\n,,,,,\n".replace(b"-2,1.5\n", b"-2,1.5,,\n"),
     "blank ends": b"time,A,B\n0,1,0.5,\n0.001,-2,1.5,,\n\n",

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from refusals import check_messages, refused
 
+from geometry.ground.csv_files import read_csv
 from geometry.ground.file_checks import (
     check_local,
     check_own_file,
@@ -139,14 +140,26 @@ def test_an_address_is_no_file_to_read_or_write(address: str, tmp_path: Path, mo
             lambda path=path: made_folder(path),
             lambda path=path: whole_lines(path).__enter__(),
         ):
-            with refused(Kind.OUT_OF_RANGE, file=str(path)):
+            with refused(Kind.OUT_OF_RANGE) as found:
                 call()
+            assert found.value.file == address
     assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("name", ["a:b", "C:/a.nc", "s3", "s3:", "10:20/x", "./a+b/c"])
 def test_a_name_with_a_colon_is_a_path(name: str) -> None:
     check_local(name)
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_a_text_in_utf_16_is_named_and_a_table_read(encoding: str, tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_bytes("name = 1".encode(encoding))
+    with refused(Kind.UNREADABLE, file="a.toml") as found:
+        read_toml(tmp_path / "a.toml", "a design file", Refusal)
+    assert "UTF-16" in str(found.value)
+    (tmp_path / "a.csv").write_bytes("# note\na,b\n1,2\n".encode(encoding))
+    table = read_csv(tmp_path / "a.csv", "a CSV file", Refusal)
+    assert (table.head, list(table.rows)) == (("a", "b"), [["1", "2"]])
 
 
 def link(path: Path) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import pickle
 import unicodedata
+from collections.abc import Callable
 
 import pytest
 from hypothesis import given, strategies as st
@@ -48,6 +50,23 @@ def test_what_breaks_or_turns_a_line_is_shown_as_what_it_is(text: str, line: str
 def test_what_a_library_says_in_lines_is_quoted_as_one() -> None:
     assert said_by(OSError("no memory\n  at 0x7f\n")) == "no memory at 0x7f"
     assert said_by(KeyError()) == "KeyError"
+
+
+def said_of(fails: Callable[[], object]) -> str:
+    with pytest.raises(Exception) as found:
+        fails()
+    return said_by(found.value)
+
+
+def test_what_python_says_is_put_in_plain_words() -> None:
+    assert said_of(lambda: float("x")) == "'x' is not a number"
+    assert said_of(lambda: int("x")) == "'x' is not a whole number"
+    assert said_of(lambda: {}["x"]) == "'x' is missing"
+    assert said_of(lambda: 1 / 0) == "a division by zero"
+    assert said_of(lambda: math.sqrt(-1)) == "the square root of a negative number"
+    assert said_of(lambda: math.exp(1000)) == "a number is too large"
+    assert said_of(lambda: "a" < 1) == "a text and a number cannot be compared"
+    assert said_of(lambda: b"\xff".decode()) == "byte 0 is not UTF-8"
 
 
 def test_errors_of_designs_are_such_lines_too() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,8 +14,11 @@ import localize
 from acoustic_fem.sound.sound_file import write_wav
 from geometry import Kind
 from localize import Recording, RecordingError
+from localize.evaluation import fit_watch
 from localize.evaluation.connection_faults import ConnectionFault
+from localize.evaluation.fit_watch import FitWatch
 from localize.live.events import Decision
+from localize.live.listener import Notice
 from localize.live.sources import ReplaySource, SourceError
 
 EXAMPLES = Path(__file__).parents[3] / "docs" / "examples" / "recordings"
@@ -59,6 +63,63 @@ def test_a_wrong_connection_is_named_not_believed_and_corrected_on_request(
     corrected = model.locate_recording(spoilt, correct=True)
     assert [touch.point for touch in corrected.touches] == points
     assert (corrected.corrected, corrected.trust) == (True, 1.0)
+
+
+@pytest.mark.parametrize("late", [-250, -120, -10, 10, 120, 250])
+@pytest.mark.parametrize("name", ["A", "B"])
+def test_a_late_or_early_channel_is_named_with_its_delay(
+    model: localize.Model, recording: Recording, name: str, late: int
+) -> None:
+    names = model.locator.microphones
+    spoilt = ConnectionFault("late", (name,), -1e-3 * late).corrected(recording.signals, names)
+    found = model.locate_recording(Recording(spoilt, recording.rate))
+    assert found.fault is not None
+    # Of two microphones one is as late as the other is early.
+    sign = 1 if found.fault.microphones == (name,) else -1
+    assert (found.fault.kind, sign * found.fault.amount) == ("late", pytest.approx(1e-3 * late, abs=5e-4))
+    other = next(each for each in names if each != name)
+    behind, ahead = (name, other) if late > 0 else (other, name)
+    words = found.fault.described(names)
+    assert words.startswith(f"microphone {behind} is ")
+    assert words.endswith(f" ms late against microphone {ahead}")
+
+
+def notices(model: localize.Model, signals: np.ndarray) -> list[Notice]:
+    """Notices of a watch of a stream."""
+    stream = model.stream(frames=True)
+    watch = FitWatch(stream)
+    return [notice for event in stream.push(signals) for notice in watch.take(event)]
+
+
+def test_a_watch_reports_a_wrong_connection_once_while_touches_come_in(
+    model: localize.Model, recording: Recording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(fit_watch._Check, "start", fit_watch._Check.run)  # at once: a thread may take any time
+    a, b = np.tile(recording.signals, (1, 4))
+    (notice,) = notices(model, np.stack([-a, b]))
+    assert notice.kind == "sensor does not fit"
+    assert "microphone A or B is reversed" in notice.text
+    assert notice.time < 2.5 * recording.seconds
+    assert json.loads(notice.json_line())["notice"] == "sensor does not fit"
+    assert notices(model, np.stack([a, b])) == []
+
+
+def test_a_check_that_fails_is_not_passed_over(
+    model: localize.Model, recording: Recording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(*given: object) -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(fit_watch._Check, "start", fit_watch._Check.run)
+    monkeypatch.setattr(fit_watch, "sensor_fit", fails)
+    with pytest.raises(ZeroDivisionError):
+        notices(model, recording.signals)
+
+
+def test_a_listener_watches_its_stream(model: localize.Model, tmp_path: Path, recording: Recording) -> None:
+    write_wav(tmp_path / "replay.wav", recording.signals / FULL_SCALE, 1000)
+    listener = model.listen(ReplaySource(tmp_path / "replay.wav", model.locator.microphones, FULL_SCALE))
+    assert any(isinstance(each, FitWatch) for each in listener.trackers)
 
 
 def test_channels_are_chosen_by_number_in_any_file(model: localize.Model, recording: Recording, tmp_path: Path) -> None:

@@ -196,7 +196,7 @@ def test_a_library_is_decoded_with_the_tolerances_until_its_sensor_is_measured()
 def test_assumptions_and_warnings_are_those_of_the_model(folder: Path) -> None:
     library = solved("array-2x6", np.arange(1.0, 101.0))
     model = localize.open_model(replace(library, fidelity=MEASURED))
-    assert model.assumptions == "that the sensor is as its library has it, in air of 101.3 kPa"
+    assert model.assumptions == "that the sensor is as its library describes it, in air of 101.3 kPa"
     assert model.warnings == ()
     dome = replace(library, design=library.design.with_values({"resonator.shape": "dome"}))
     model = localize.open_model(dome)
@@ -207,7 +207,7 @@ def test_assumptions_and_warnings_are_those_of_the_model(folder: Path) -> None:
     assert exactly.endswith("without manufacturing tolerances")
     # A graph is of the library as it is, and says so wherever it is read.
     assert localize.open_model(folder / "decoder.onnx").assumptions.startswith(
-        "that the sensor is as its library has it"
+        "that the sensor is as its library describes it"
     )
 
 

@@ -8,9 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from foreign_touches import DESIGN, GRID, NOISE, Array, heard, nominal, touches, truth
+from refusals import refused
 
 import acoustic_fem
 import localize
+import studies
+from acoustic_fem.library.transfer_functions import measured_library
+from geometry import Kind
 from localize.live.stream_options import HIGH_PASS
 from studies.cli.app import main
 from studies.test_rig.rig_touches import TouchSession, record_touches
@@ -89,6 +93,29 @@ def test_one_take_given_twice_is_refused_by_the_names_of_its_files(
     np.savez(again, signals=0.9 * np.load(take)["signals"][:, 1111:])
     assert run(monkeypatch, tmp_path / "last.nc", silent, take, other, again, "--out", tmp_path / "now.nc") == 1
     assert f"{again}: is the same take as {take}: the correlation" in " ".join(capsys.readouterr().err.split())
+    assert not (tmp_path / "now.nc").exists()
+
+
+@pytest.mark.parametrize("kind", ["reversed", "exchanged", "late", "level"])
+def test_a_wrong_connection_is_refused_before_the_search(kind: str, tmp_path: Path) -> None:
+    """Exchanged microphones of this symmetric design show by the calibration of the sensor only."""
+    h = truth().transfer_function
+    present = measured_library(DESIGN, nominal(), h, 0.01 * np.abs(h), ("numpy",), {})
+    acoustic_fem.save(present, tmp_path / "last.nc")
+    one, other = np.concatenate(list(heard()[:120]), axis=1)
+    if kind == "reversed":
+        other = -other
+    elif kind == "exchanged":
+        one, other = other, one
+    elif kind == "late":
+        other = np.concatenate([np.zeros(40), other[:-40]])
+    else:
+        other = 5.0 * other
+    np.savez(tmp_path / "touches.npz", signals=np.stack([one, other]))
+    with refused(Kind.UNSUITABLE, "recordings", error=localize.SelfCalibrationError):
+        studies.recalibrate(
+            tmp_path / "last.nc", [tmp_path / "touches.npz"], tmp_path / "now.nc", microphone_noise=NOISE
+        )
     assert not (tmp_path / "now.nc").exists()
 
 

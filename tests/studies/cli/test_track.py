@@ -96,3 +96,28 @@ def test_what_cannot_be_tracked_is_told_in_one_line(
     assert len(line) == 1
     assert message in line[0]
     assert not Path("x.csv").exists()
+
+
+def test_track_names_a_wrong_connection_and_says_nothing_of_a_right_one(folder: Path, tmp_path: Path) -> None:
+    library = acoustic_fem.load(folder / "library.nc")
+    array = response_of(library)
+    assert array.position is not None
+    time = np.arange(8000) / 1e3
+    place = array.position[2] + 0.5 * (1 - np.cos(2 * np.pi * time / 8))[:, None] * (
+        array.position[0] - array.position[2]
+    )
+    signals = record(Contact(time, place, np.full(8000, 5e-3), 5.0, 0.2), array, microphone_noise=1e-3).signals
+    a, b = signals / 100
+    late = np.concatenate([np.zeros(30), b[:-30]])
+    given = {"full_scale": 100.0, "decoding": studies.Decoding(microphone_noise=1e-3)}
+    for name, (one, other) in {"right": (a, b), "reversed": (a, -b), "late": (a, late)}.items():
+        write_wav(tmp_path / f"{name}.wav", np.stack([one, other]), 1000)
+        found = studies.track_recording(library, tmp_path / f"{name}.wav", **given)
+        if name == "right":
+            assert (found.fault, found.warning) == (None, None)
+            continue
+        assert found.fault is not None
+        assert found.fault.kind == name
+        assert found.warning is not None
+        assert found.fault.described(array.microphones) in found.warning
+        assert name == "reversed" or found.fault.amount == pytest.approx(-0.03, abs=1e-3)

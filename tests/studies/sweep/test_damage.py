@@ -349,23 +349,34 @@ def test_a_log_that_is_no_file_is_refused_before_it_is_opened(what: str, study: 
     assert not (tmp_path.parent / "another's").exists()
 
 
-@pytest.mark.parametrize("make", [pipe, endless])
+@pytest.mark.parametrize("make", [pipe, endless, link, lambda path: path.symlink_to(path)])
 @pytest.mark.parametrize(
-    "name", ["records/study", METRICS_3, RESPONSES_2, "zarr.json", "volume/c/3", "volume/zarr.json"]
+    "name", ["records/study", METRICS_3, RESPONSES_2, "zarr.json", "volume/c/3", "volume/zarr.json", "volume/c/more"]
 )
-def test_what_is_no_file_in_a_store_is_refused_or_made_anew(
+def test_what_is_no_file_in_a_store_is_refused_until_it_is_removed(
     name: str, make: Callable[[Path], None], study: Study, finished: Path, store: Path
 ) -> None:
-    assert (store / name).is_file()
-    (store / name).unlink()
+    (store / name).unlink(missing_ok=True)
     make(store / name)
-    if name.startswith("records") and name != RESPONSES_2:
-        with refused(Kind.UNREADABLE, file=store / name, error=StudyError):
-            open_sweep(store)
-    else:
-        assert (open_sweep(store).done | open_sweep(store).failed).all()
+    with refused(Kind.UNREADABLE, file=store / name, error=StudyError):
+        open_sweep(store)
+    with refused(Kind.UNREADABLE, file=store / name, error=StudyError):
+        run_sweep(study, store, workers=1)
+    (store / name).unlink()
     run_sweep(study, store, workers=1)
     assert_same_store(store, finished)
+
+
+def test_a_link_to_a_folder_in_a_store_is_not_followed(study: Study, store: Path, tmp_path: Path) -> None:
+    (store / "volume").rename(tmp_path / "elsewhere")
+    (store / "volume").symlink_to(tmp_path / "elsewhere")
+    with refused(Kind.UNREADABLE, file=store / "volume", error=StudyError):
+        run_sweep(study, store, workers=1)
+
+
+def test_the_store_itself_may_be_a_link(store: Path, tmp_path: Path) -> None:
+    (tmp_path / "linked.zarr").symlink_to(store)
+    assert (open_sweep(tmp_path / "linked.zarr").done | open_sweep(tmp_path / "linked.zarr").failed).all()
 
 
 def test_a_folder_with_a_pipe_for_a_description_is_no_sweep(tmp_path: Path) -> None:

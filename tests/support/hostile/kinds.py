@@ -170,7 +170,8 @@ def entries() -> Iterator[Variant]:
     best = ("best", "results.zarr")
     for kind in KINDS_OF_ENTRIES:
         for name in ("results.zarr/zarr.json", "results.zarr/records/study"):
-            yield Variant(f"{kind} for {name}", best, "exact", _in_place_of(name, kind), ("results.zarr",))
+            ending = "exact" if kind == "folder" else "refused"
+            yield Variant(f"{kind} for {name}", best, ending, _in_place_of(name, kind), ("results.zarr",))
         change = _in_place_of("found/trials.journal", kind)
         yield Variant(f"{kind} for the journal", ("best", "found"), "refused", change, ("found",))
         for words, log in (

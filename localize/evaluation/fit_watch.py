@@ -1,0 +1,89 @@
+"""Check of a live stream: whether its sensor fits the decoder, while touches come in."""
+
+from __future__ import annotations
+
+import math
+from threading import Thread
+
+from geometry.ground.typed import Array
+from localize.evaluation.goodness_of_fit import FitOptions, LoudFrames, SensorFit, sensor_fit
+from localize.live.events import Decision
+from localize.live.listener import Notice
+from localize.live.stream import TouchStream
+
+SOONER = 1.4
+"""Factor by which the number of loud frames grows from one check to the next."""
+
+
+class FitWatch:
+    """Check of a stream that reports once that its sensor does not fit the decoder.
+
+    Checks run in a thread of their own, because the search for a fault takes seconds. The first check needs 8 loud
+    frames and the next ones 1.4 times as many each. The misfit is reported if two checks in succession agree on it.
+
+    Args:
+        stream: whose decisions carry their samples.
+        options: numbers that tune the test.
+    """
+
+    def __init__(self, stream: TouchStream, options: FitOptions = FitOptions()) -> None:
+        self._stream, self._options = stream, options
+        self._loud = LoudFrames(options)
+        self._due = math.inf if stream.locator.largest_misfit is None else options.fewest
+        self._check: _Check | None = None
+        self._suspected: tuple[object, ...] | None = None
+
+    def take(self, event: object) -> list[Notice]:
+        """Take the next event of the stream; a notice if the sensor has just been found not to fit."""
+        if self._due == math.inf or not isinstance(event, Decision):
+            return []
+        self._loud.take([event])
+        if self._check is None:
+            if self._loud.count >= self._due:
+                frames = self._loud.frames(ended=False)
+                self._due = math.ceil(SOONER * self._loud.count)
+                if len(frames) >= self._options.fewest:
+                    self._check = _Check(self._stream, frames, self._options)
+                    self._check.start()
+            return []
+        if self._check.is_alive():
+            return []
+        fit, self._check = self._check.result(), None
+        suspected = None if fit is None or fit.fits else _kind_of(fit)
+        agreed, self._suspected = suspected == self._suspected, suspected
+        if fit is None or fit.warning is None or not agreed:
+            return []
+        self._due = math.inf
+        return [Notice(event.time, "sensor does not fit", fit.warning)]
+
+    def finish(self) -> list[Notice]:
+        """End of the stream: a check that is still running is given up."""
+        self._due = math.inf
+        return []
+
+
+class _Check(Thread):
+    """One check in a thread, which does not keep the program from ending."""
+
+    def __init__(self, stream: TouchStream, frames: list[Array], options: FitOptions) -> None:
+        super().__init__(daemon=True)
+        self._given = (stream.locator, frames, stream.noise, options)
+        self._found: SensorFit | None = None
+        self._error: Exception | None = None
+
+    def run(self) -> None:
+        try:
+            self._found = sensor_fit(*self._given)
+        except Exception as error:  # raised where the result is asked for
+            self._error = error
+
+    def result(self) -> SensorFit | None:
+        """Fit that was found; what stopped the check is raised."""
+        if self._error is not None:
+            raise self._error
+        return self._found
+
+
+def _kind_of(fit: SensorFit) -> tuple[object, ...]:
+    """Reason why a sensor does not fit, without its amount, which changes a little with every frame."""
+    return ("misfit",) if fit.fault is None else (fit.fault.kind, fit.fault.microphones)
