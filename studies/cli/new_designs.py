@@ -56,7 +56,6 @@ def new(
         ),
     ] = None,
     microphones: Annotated[int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.")] = None,
-    microphones: Annotated[int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.")] = None,
     diameter: Annotated[
         float | None, typer.Option(metavar="MM", help=f"Diameter of the wrist. Default: {_DIAMETER:g}.")
     ] = None,
