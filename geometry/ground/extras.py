@@ -13,7 +13,7 @@ EXTRAS = {
     "fem": ("gmsh",),
     "onnx": ("onnx", "onnxruntime"),
     "train": ("torch", "safetensors"),
-    "studies": ("cloudpickle", "dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
+    "studies": ("cloudpickle", "dask", "distributed", "optuna", "plotly", "jinja2", "numcodecs", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
     "audio": ("soundfile",),

@@ -13,7 +13,6 @@ import shutil
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -174,7 +173,7 @@ def check_drawing() -> None:
         if os.path.exists(path) and not os.path.isdir(path) and path != os.devnull:
             ordinary_file(path, "a matplotlibrc", Refusal, LARGEST_TEXT)
     try:
-        import_module("matplotlib")
+        import matplotlib  # noqa: F401
     except ValueError as error:
         field = "MPLBACKEND" if "backend" in str(error) else "matplotlibrc"
         problem = f"keeps matplotlib from starting: {said_by(error)}"
