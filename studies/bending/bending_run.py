@@ -12,7 +12,7 @@ from studies.bending.bending_files import RESULT, save_bending
 from studies.bending.bending_rig import BendingRig
 from studies.bending.solution import Bending, solve_bending
 from studies.output.display import Display
-from studies.output.folders import claimed_folder
+from studies.output.folders import check_drawing, claimed_folder
 from studies.output.frequencies import FREQUENCIES
 
 
@@ -45,8 +45,10 @@ def bending_study(
 
     Raises:
         Refusal: a folder that cannot be written, or a bad frequency or fidelity, before any work.
+        MissingExtra: matplotlib is not installed.
     """
     folder = Path(out)
+    check_drawing()
     with claimed_folder(folder, "bend", RESULT):
         with (display or Display()).stage("Bending") as report:
             result = solve_bending(rig or BendingRig(), frequency, fidelity, report)

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import acoustic_fem
-from geometry.ground.extras import check_extras
+from geometry.ground.extras import NotInstalled, check_extras
 from geometry.ground.figures import quiet_fonts
 from geometry.ground.file_checks import check_local, ordinary_file, read_bytes
 from geometry.ground.refusal import Field, Kind, Refusal, said_by
@@ -174,6 +174,8 @@ def check_drawing() -> None:
             ordinary_file(path, "a matplotlibrc", Refusal, LARGEST_TEXT)
     try:
         import matplotlib  # noqa: F401
+    except NotInstalled:
+        raise
     except ValueError as error:
         field = "MPLBACKEND" if "backend" in str(error) else "matplotlibrc"
         problem = f"keeps matplotlib from starting: {said_by(error)}"

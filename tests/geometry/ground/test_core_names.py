@@ -63,7 +63,7 @@ CALLS = {
     "studies.export_decoder('library.nc', 'decoder.onnx')": "train",
     "studies.read_pulse('library.nc', 'touches.wav', 'pulse.csv')": "train",
     "studies.wiring_table(2, 6, 'wiring.png')": "plots",
-    "studies.tolerance_study(design, 'tolerance')": "train",
+    "studies.tolerance_study(design, 'tolerance')": "studies",
     "studies.export_parts(design, 'parts')": "cad",
     "studies.run_design(design, 'demo')": "train",
     "studies.bending_study('bent')": "plots",
