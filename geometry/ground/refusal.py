@@ -201,7 +201,7 @@ def in_one_line(text: str) -> str:
 def said_by(error: BaseException) -> str:
     """Message of a library's error, to be quoted: its lines as one; the class of the error where it has no message.
 
-    What Python itself says is put in plain words.
+    Words of Python itself become plain words.
     """
     match error:
         case UnicodeDecodeError():
