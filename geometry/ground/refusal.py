@@ -201,7 +201,7 @@ def in_one_line(text: str) -> str:
 def said_by(error: BaseException) -> str:
     """Message of a library's error, to be quoted: its lines as one; the class of the error where it has no message.
 
-    Words of Python itself become plain words.
+    Messages of Python itself are put in plain words.
     """
     match error:
         case UnicodeDecodeError():

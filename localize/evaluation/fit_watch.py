@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from threading import Thread
 
 from geometry.ground.typed import Array
@@ -11,15 +14,20 @@ from localize.live.events import Decision
 from localize.live.listener import Notice
 from localize.live.stream import TouchStream
 
-SOONER = 1.4
-"""Factor by which the number of loud frames grows from one check to the next."""
+GROWTH = 2
+"""Factor by which the number of loud frames grows from one check to the next, while the sensor fits."""
+MORE = 4
+"""Number of further loud frames after which a misfit is checked again."""
+TURN = 1e-3
+"""Time after which one thread lets another go on while a stream is watched, s: the usual 5 ms would delay decisions."""
 
 
 class FitWatch:
     """Check of a stream that reports once that its sensor does not fit the decoder.
 
-    Checks run in a thread of their own, because the search for a fault takes seconds. The first check needs 8 loud
-    frames and the next ones 1.4 times as many each. The misfit is reported if two checks in succession agree on it.
+    Checks run in a thread of their own, because the search for a fault takes seconds. They come after 8, 16 and 32 loud
+    frames, and 4 frames after each check that found a misfit. The misfit is reported if two checks in succession agree
+    on it.
 
     Args:
         stream: whose decisions carry their samples.
@@ -40,17 +48,18 @@ class FitWatch:
         self._loud.take([event])
         if self._check is None:
             if self._loud.count >= self._due:
-                frames = self._loud.frames(ended=False)
-                self._due = math.ceil(SOONER * self._loud.count)
-                if len(frames) >= self._options.fewest:
-                    self._check = _Check(self._stream, frames, self._options)
-                    self._check.start()
+                self._check = _Check(self._stream, self._loud.frames(ended=False), self._options)
+                self._check.start()
             return []
         if self._check.is_alive():
             return []
         fit, self._check = self._check.result(), None
         suspected = None if fit is None or fit.fits else _kind_of(fit)
         agreed, self._suspected = suspected == self._suspected, suspected
+        if suspected is not None:
+            self._due = self._loud.count + MORE
+        else:
+            self._due = GROWTH * self._due if self._due < self._options.most else math.inf
         if fit is None or fit.warning is None or not agreed:
             return []
         self._due = math.inf
@@ -82,6 +91,17 @@ class _Check(Thread):
         if self._error is not None:
             raise self._error
         return self._found
+
+
+@contextmanager
+def short_turns() -> Iterator[None]:
+    """Threads that take turns of 1 ms, so that a check beside a stream does not delay its decisions."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(TURN)
+    try:
+        yield
+    finally:
+        sys.setswitchinterval(before)
 
 
 def _kind_of(fit: SensorFit) -> tuple[object, ...]:

@@ -74,6 +74,8 @@ class FitOptions:
     """Number of the best levels, or latenesses, that are tried first, around each of which finer ones are tried."""
     late: float = 1.5
     """Lateness from which on a channel is late, ms."""
+    late_alone: float = 4.0
+    """The same where only faults are looked for, ms: a softer sensor can look like one with a microphone 2 ms late."""
     falls: float = 1.7
     """Factor by which the residual must fall at least, and to the expected one, when a level or a time is corrected; by
     libraries of other arrays it falls to 6.6 at best (seeds 9100 to 9112)."""
@@ -372,7 +374,8 @@ class _FaultSearch:
             self._refined(name, "late", self._likely_times(name), steps, self._few)
             for name in _changed(self._decoder.microphones)
         ]
-        return [each for each in found if abs(each.amount) >= 1e-3 * options.late]
+        least = options.late_alone if self._only_faults else options.late
+        return [each for each in found if abs(each.amount) >= 1e-3 * least]
 
     def _likely_times(self, name: str) -> list[float]:
         """Latenesses of a microphone at which the loudest frames are explained best, s, and 0."""

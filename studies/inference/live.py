@@ -17,6 +17,7 @@ from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_lines
+from localize.evaluation.fit_watch import short_turns
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
 from localize.live.events import Decision, Fault, TouchEvent
 from localize.live.listener import Heard, Latencies, LiveListener, Notice
@@ -187,6 +188,7 @@ def listen(
         listener = found.listen(samples, recorder, contact_radius_mm)
         session = LiveSession(listener, found)
         stack.enter_context(_nothing_freed())
+        stack.enter_context(short_turns())
         # Lines are written as they come, and stand in the file whenever the program ends.
         write = None if lines is None else stack.enter_context(whole_lines(lines))
         try:

@@ -215,7 +215,8 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
         KeyFigure(
             "localizer, top-2",
             percent(network.top2),
-            f"correct point or a neighbour on its line: {percent(network.within_one)}",
+            "correct point among the two most probable; correct point or a neighbour on its line: "
+            f"{percent(network.within_one)}",
         ),
         KeyFigure(
             "hardest pair",

@@ -19,7 +19,7 @@ from geometry.ground.refusal import Field, Kind
 from geometry.ground.typed import PathLike
 from localize import read_recording
 from localize.decoders.bayes import BayesDecoder
-from localize.evaluation.goodness_of_fit import loudest_frames, sensor_fit
+from localize.evaluation.goodness_of_fit import FitOptions, loudest_frames, sensor_fit
 from localize.live.front_end import HighPass
 from localize.live.stream_options import HIGH_PASS
 from localize.recalibration.recalibration_options import RecalibrationOptions
@@ -99,7 +99,7 @@ def recalibrate(
         of_microphones = response.noise(microphone_noise)
         level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
         _refuse_the_same_take(paths, heard, frames, level)
-        _refuse_a_wrong_connection(paths, passed, BayesDecoder(response, level))
+        _refuse_a_wrong_connection(passed, BayesDecoder(response, level))
         with (display or Display()).stage("Touches") as report:
             found = localize.self_calibrate(
                 present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS
@@ -113,28 +113,23 @@ def recalibrate(
         return Recalibration(path, calibrated, found)
 
 
-def _refuse_a_wrong_connection(
-    paths: Sequence[Path], signals: Sequence[NDArray[np.float64]], decoder: BayesDecoder
-) -> None:
+def _refuse_a_wrong_connection(signals: Sequence[NDArray[np.float64]], decoder: BayesDecoder) -> None:
     """Reject touches that a fault in how the microphones are connected explains: a search would fit it as a sensor.
 
-    Each recording is checked by itself, and all together if each is too short for that.
+    All recordings are checked together, with the loudest frames of each: at one point alone a sensor that has changed
+    can look like one with a late microphone.
     """
-    least = RecalibrationOptions.quiet * decoder.noise_rms
-    loud = [loudest_frames(own, least) for own in signals]
-    found = [(path, sensor_fit(decoder, own, only_faults=True)) for path, own in zip(paths, loud, strict=True) if own]
-    if all(fit is None for _, fit in found) and any(loud):
-        together = sorted((frame for own in loud for frame in own), key=lambda frame: -frame.std(1).max())
-        found = [(paths[0], sensor_fit(decoder, together, only_faults=True))]
-    for path, fit in found:
-        if fit is not None and fit.fault is not None:
-            raise localize.SelfCalibrationError(
-                f"give no calibration: {fit.warning}",
-                kind=Kind.UNSUITABLE,
-                field="recordings",
-                file=path,
-                remedy=("correct the wiring or the recordings, or give the right order by ", Field("channels")),
-            )
+    options = FitOptions()
+    loud = [loudest_frames(own, RecalibrationOptions.quiet * decoder.noise_rms) for own in signals]
+    spread = [own[rank] for rank in range(options.most) for own in loud if rank < len(own)][: options.most]
+    fit = sensor_fit(decoder, spread, only_faults=True) if spread else None
+    if fit is not None and fit.fault is not None:
+        raise localize.SelfCalibrationError(
+            f"give no calibration: {fit.warning}",
+            kind=Kind.UNSUITABLE,
+            field="recordings",
+            remedy=("correct the wiring or the recordings, or give the right order by ", Field("channels")),
+        )
 
 
 def _refuse_the_same_take(
