@@ -1,7 +1,8 @@
 """Speed of data sets for training: ``python -m benchmarks.datasets``.
 
-Prints samples a second of one core for touches on one library and on many designs, as signals and as maps, beside the
-naive route: a library solved and one touch made for each sample. And the time to read a shard beside ``numpy.load``.
+Puts on docs/evidence/sweeps.md: samples a second of one core for touches on one library and on many designs, as signals
+and as maps, beside the naive route: a library solved and one touch made for each sample. And the time to read a shard
+beside ``numpy.load``.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from time import perf_counter, process_time
+from time import process_time
 
 import numpy as np
 import torch
@@ -17,9 +18,12 @@ import torch
 import acoustic_fem
 import localize
 import studies
+from benchmarks.sweep import PAGE, machine
+from geometry.ground.whole_files import replace_section
 from localize.datasets.touch_dataset import TouchBatch
 from localize.signals.array_response import response_of
 
+BEGIN, END = "<!-- data sets: made by benchmarks/datasets.py -->", "<!-- end data sets -->"
 DESIGN, DESIGNS, GRID = "array-2x6", 1024, "1:500:500"
 #: Processor time of each figure, s.
 SECONDS = 8.0
@@ -48,18 +52,18 @@ def one_by_one(seconds: float = SECONDS) -> float:
     return count / (process_time() - start)
 
 
-def timed(work: Callable[[], object], repeats: int = 5) -> float:
-    """Least time of several, s."""
+def timed(work: Callable[[], object], repeats: int = 20) -> float:
+    """Least processor time of several, s."""
     times = []
     for _ in range(repeats):
-        start = perf_counter()
+        start = process_time()
         work()
-        times.append(perf_counter() - start)
+        times.append(process_time() - start)
     return min(times)
 
 
 def reading() -> tuple[float, float]:
-    """Times to read a shard of touches and an array of as many bytes by ``numpy.load``, s."""
+    """Speeds, by processor time, at which a shard of touches and an array of as many bytes are read, GB/s."""
     with tempfile.TemporaryDirectory() as folder:
         studies.export_dataset(DESIGN, Path(folder) / "set", as_built_sensors=40, touches=256)
         shard = Path(folder) / "set" / "train-00000.npz"
@@ -70,32 +74,38 @@ def reading() -> tuple[float, float]:
                 for name in found.files:
                     found[name]
 
-        return timed(read), timed(lambda: np.load(Path(folder) / "plain.npy"))
+        size = shard.stat().st_size / 1e9
+        return size / timed(read), size / timed(lambda: np.load(Path(folder) / "plain.npy"))
 
 
 def main() -> None:
-    """Print the table."""
+    """Print the table, and put it on the page."""
     torch.set_num_threads(1)
+    lines = [f"{machine()}.", "", "| samples | samples a second of one core | target |", "|---|---|---|"]
     library = acoustic_fem.solve(DESIGN, GRID, "atlas")
     sensors = studies.as_built(DESIGN, DESIGNS, frequency=GRID)
     many = {"touches": 2**20, "batch_size": 256}
     rows = [
         ("one library, signals", 15_000, localize.TouchDataset(library, **many)),
-        ("one library, single samples", None, None),
-        ("1,024 designs, signals", 8_000, localize.TouchDataset(sensors, touches=4096, batch_size=256)),
+        ("one library, signals, single samples", None, None),
+        ("1,024 as-built sensors, signals", 8_000, localize.TouchDataset(sensors, touches=4096, batch_size=256)),
         ("one library, maps (phasors)", 5_000, localize.TouchDataset(library, features="phasors", **many)),
     ]
-    print(f"{'samples a second of one core':34} {'measured':>9} {'wanted':>8}")
     for name, wanted, data in rows:
         if data is None:
             single = localize.TouchDataset(response_of(library), touches=2**20)
             found = samples_per_second(_as_batches(single))
         else:
             found = samples_per_second(data)
-        print(f"{name:34} {found:9,.0f} {'' if wanted is None else f'{wanted:,}':>8}")
-    print(f"{'each design and touch by itself':34} {one_by_one():9,.0f}")
+        lines.append(f"| {name} | {found:,.0f} | {'' if wanted is None else f'{wanted:,}'} |")
+    lines.append(f"| each design solved, and one touch made on it | {one_by_one():,.0f} | |")
     shard, plain = reading()
-    print(f"{'read a shard, times numpy.load':34} {shard / plain:9.2f}")
+    lines += [
+        "",
+        f"A shard of `npz` that lies in memory is read at {shard:.1f} GB/s, a plain array at {plain:.1f} GB/s.",
+    ]
+    print("\n".join(lines))
+    replace_section(PAGE, BEGIN, END, lines)
 
 
 def _as_batches(data: localize.TouchDataset) -> Iterable[TouchBatch]:

@@ -136,7 +136,7 @@ def milliseconds(judge: Judge) -> list[str]:
     window = window[np.isfinite(window)][-1024:]
     maps = maps_of(window[None])
     steps = {
-        "point: the model-based decoder, 250 ms": lambda: decoder.locate(signals[:, -250:]),
+        "point: the Bayes decoder, 250 ms": lambda: decoder.locate(signals[:, -250:]),
         "the waveform of 1,274 samples": lambda: judge.reconstructor.waveform(signals, point + 1),
         "wavelet maps, 2 x 64 x 32": lambda: maps_of(window[None]),
         "kind: the network": lambda: judge.recognizer.of_maps(maps),

@@ -1,7 +1,7 @@
 """Ten minutes in real time at 2 x 36 points. ``python benchmarks/live.py [--seconds 600] [--json]``.
 
 A WAV file with a touch every two seconds is played by ``acoustic-fem live --replay`` in a process of its own, with the
-model-based decoder and with a network as an ONNX file. Its lines are compared with those of the same file decoded at
+Bayes decoder and with a network as an ONNX file. Its lines are compared with those of the same file decoded at
 once. The latency runs from the moment when the last sample of a frame is there to the line that is put out; the memory
 is the resident set of the process after a tenth of the time (a minute of ten) and at the end.
 """
@@ -45,7 +45,7 @@ def main() -> None:
     parser.add_argument("--json", action="store_true")
     wanted = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        rows = [measured(title, Path(folder), wanted.seconds) for title in ("model-based", "network, ONNX")]
+        rows = [measured(title, Path(folder), wanted.seconds) for title in ("Bayes decoder", "network, ONNX")]
     if wanted.json:
         print(json.dumps(rows))
         return
@@ -65,7 +65,7 @@ def measured(title: str, folder: Path, seconds: int) -> dict[str, Any]:
     write_wav(recording, _signals(response, seconds) / FULL_SCALE, 1000, 24)
     noise: localize.signals.NoiseChoice = "design"
     options: list[str] = []
-    if title == "model-based":
+    if title == "Bayes decoder":
         model = folder / "library.nc"
         acoustic_fem.save(library, model)
         noise, options = NOISE, ["--noise", str(NOISE)]

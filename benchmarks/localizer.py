@@ -133,9 +133,9 @@ def main(name: str) -> None:
     noisy = localize.train(library, replace(plan, microphone_noise=1e-3))
     start = perf_counter()
     decoder = localize.BayesDecoder(library)
-    table.add_row("tables of the model-based decoder", f"{perf_counter() - start:.2f}", "s")
+    table.add_row("tables of the Bayes decoder", f"{perf_counter() - start:.2f}", "s")
 
-    for title, locators in (("network", (quiet, noisy)), ("model-based", (decoder, decoder))):
+    for title, locators in (("network", (quiet, noisy)), ("Bayes decoder", (decoder, decoder))):
         middle, worst = latency(locators[0].locate, frames.numpy())
         table.add_row(f"{title}: one frame, median / 99 %", f"{middle:.2f} / {worst:.2f}", "ms")
         for locator, noise in zip(locators, (0.0, 1e-3), strict=True):

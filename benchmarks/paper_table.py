@@ -115,8 +115,8 @@ def table(rows: list[dict[str, Any]]) -> str:
     """Table of the rows as Markdown."""
     lines = [
         "| microphones | points | noise (mPa) | network: top-1 / top-2 (%) | network: training touches per point "
-        "| network: taps, top-1 (%) | model-based: top-1 / top-2 (%) | model-based: taps, top-1 (%) "
-        "| time per frame, network / model-based (ms) |",
+        "| network: taps, top-1 (%) | Bayes decoder: top-1 / top-2 (%) | Bayes decoder: taps, top-1 (%) "
+        "| time per frame, network / Bayes decoder (ms) |",
         "|---|---|---|---|---|---|---|---|---|",
     ]
     for row in sorted(rows, key=lambda row: (row["microphones"], row["points"], row["noise"])):
@@ -136,7 +136,7 @@ def full_table(rows: list[dict[str, Any]]) -> str:
     """Table of the rows that were trained by the paper's plan, as Markdown."""
     lines = [
         "| microphones | points | epochs of 30 | training touches | held-out touches with short windows: top-1 (%) "
-        "| exact touches: top-1 / top-2 (%) | taps: top-1 (%) | model-based, exact touches: top-1 (%) |",
+        "| exact touches: top-1 / top-2 (%) | taps: top-1 (%) | Bayes decoder, exact touches: top-1 (%) |",
         "|---|---|---|---|---|---|---|---|",
     ]
     for row in sorted(rows, key=lambda row: (row["microphones"], row["points"], row["noise"])):

@@ -1,4 +1,4 @@
-"""Predicted top-1 accuracy against that of trained networks and of the model-based decoder, on designs and noises.
+"""Predicted top-1 accuracy against that of trained networks and of the Bayes decoder, on designs and noises.
 
 ``python benchmarks/predicted_accuracy.py`` trains the networks that docs/predicted_accuracy.json lacks (about a
 quarter of a minute of one core per 12 points), repeats the predictions, and writes the table of

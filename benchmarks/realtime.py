@@ -50,7 +50,7 @@ def main(names: list[str]) -> None:
         response = response_of(library)
         with tempfile.TemporaryDirectory() as folder:
             for title, own, locator in (
-                ("model-based", "NumPy", localize.BayesDecoder(response, NOISE)),
+                ("Bayes decoder", "NumPy", localize.BayesDecoder(response, NOISE)),
                 ("network", "torch", localize.train(response, PLAN)),
             ):
                 path = Path(folder) / "localizer.onnx"

@@ -2,7 +2,7 @@
 
 For each seed, a virtual rig of array-2x6 with a modulus 15 % below that of the design records touches of the paper's
 four parts. Localizers are trained on simulated touches, on recorded ones, and on both. They are evaluated on held-out
-recordings, and so is the model-based decoder with the design's library and with the sensor's own transfer functions.
+recordings, and so is the Bayes decoder with the design's library and with the sensor's own transfer functions.
 """
 
 from __future__ import annotations
@@ -49,9 +49,9 @@ def main(seeds: list[int]) -> None:
             frames = RecordedFrames(manifest, nominal, NOISE, PLAN.seed)
             known = rig.transfer_function(np.minimum(nominal.frequency, 160.0))
             for name, locator in (
-                ("model-based, of the design", localize.BayesDecoder(nominal, NOISE)),
+                ("Bayes decoder, of the design", localize.BayesDecoder(nominal, NOISE)),
                 (
-                    "model-based, of the made sensor",
+                    "Bayes decoder, of the made sensor",
                     localize.BayesDecoder(replace(nominal, transfer_function=known), NOISE),
                 ),
                 ("network, simulated only", localize.train(library, PLAN)),

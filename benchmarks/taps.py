@@ -1,7 +1,7 @@
 """Taps in the stream: single frames by time since onset, and touches. ``python benchmarks/taps.py [DESIGN ...]``.
 
 Twelve points of each array are touched, one at a time, with pulses sin^2 of 30 ms and a press of a second. The
-microphone noise is 1 mPa, and the model-based decoder decides while the signals arrive.
+microphone noise is 1 mPa, and the Bayes decoder decides while the signals arrive.
 """
 
 from __future__ import annotations

@@ -168,7 +168,7 @@ def records_of(name: str, sensors: int) -> list[Record]:
 
 
 def table_of(records: Sequence[Record]) -> list[str]:
-    """The table of the page: a column for each design, nominal / tolerant decoder, multi-sines and taps."""
+    """The table of the page: a column for each design, nominal / tolerance-aware decoder, multi-sines and taps."""
     designs = list(dict.fromkeys(record["design"] for record in records))
     lines = [f"| sensor | {' | '.join(designs)} |", "|---" * (len(designs) + 1) + "|"]
     for kind in KINDS[:2]:

@@ -31,8 +31,8 @@ Accuracies are top-1 accuracies for multi-sine touches with the noise of the des
 trained on the nominal design. As-built sensors have assumed [tolerances](tolerances.md) and are not calibrated. Other
 pages give other means for the same design, because they use more sensors, another fidelity or another decoder. If the
 mean of the as-built sensors is low, [calibrate](calibration.md) each sensor, because calibration removes most of the
-loss. The cost is that of the materials of one array at assumed prices without molds. In the pictures each point is
-coloured by its own accuracy, and rings mark the hardest pair.
+loss. The cost covers the materials of one array at assumed prices. Molds are not included. In the pictures each point
+is coloured by its own accuracy, and rings mark the *hardest pair*, the two points that are hardest to tell apart.
 
 `acoustic-fem prototypes NAME` prints the file of a prototype. `acoustic-fem parts NAME --out parts` makes its parts.
 For a design of ours, use the path of its file in place of the name.
@@ -40,7 +40,7 @@ For a design of ours, use the path of its file in place of the name.
 <!-- made by python docs/make_gallery.py -->
 
 Each row is a design, with the top-1 accuracy of the nominal sensor and the mean and worst accuracy of up to 64 as-built
-sensors. The hardest pair is given with its largest level and phase difference.
+sensors. The hardest pair is given with the level and phase by which its points differ (rms over 1 to 100 Hz).
 """
 
 

@@ -21,7 +21,11 @@ if "ACOUSTIC_FEM_TESTS" not in os.environ:
 os.environ.setdefault("ACOUSTIC_FEM_CACHE", os.path.join(os.environ["ACOUSTIC_FEM_TESTS"], "cells"))
 
 import pytest
+import threadpoolctl
 from hypothesis import settings
+
+# Where a plugin has loaded NumPy already, its BLAS has not read the variables.
+threadpoolctl.threadpool_limits(1)
 
 # Times on a shared machine say nothing; the same examples every time make a failure repeatable.
 settings.register_profile("acoustic-fem", deadline=None, derandomize=True, max_examples=50)

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from acoustic_fem.batch.interpolation import cylinder_means, disc_means
-from acoustic_fem.batch.means import ball_mean, hyperbolic
+from acoustic_fem.batch.interpolation import cylinder_means, disc_means, sphere_means
+from acoustic_fem.batch.means import hyperbolic
 from acoustic_fem.batch.numpy_or_torch import inverse, largest
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.duct.tube_opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
@@ -35,7 +35,8 @@ class Conditions:
     medium: Any
     """The gas in numbers, or in arrays (n_design, 1, 1), by the fields of :class:`acoustic_fem.quantities.Medium`."""
     blocks: int = 1
-    """How many blocks of designs are worked on in this way, one after the other."""
+    """Number of blocks of designs that are worked on in this way, one after the other; 0 if every design must have
+    what it has alone, to the last bit."""
 
     @classmethod
     def of(cls, omega: NumpyOrTorch, medium: Medium | MediumParameters, blocks: int = 1) -> Conditions:
@@ -228,7 +229,7 @@ def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:
     chamber = _cylinder(parameters.chamber_radius[..., None], parameters.chamber_height[..., None], air)
     volume = parameters.back_volume[..., None]
     sphere = (3 * volume / (4 * np.pi)) ** (1 / 3)
-    back = rate * air.compliance(volume, ball_mean(0.5, sphere**2 * air.per_diffusivity * air.omega))
+    back = rate * air.compliance(volume, sphere_means(sphere**2 * air.per_diffusivity, air.omega, air.blocks))
     front = rate * parameters.diaphragm_compliance[..., None] + parameters.vent_admittance[..., None]
     load = back * front / (back + front)
 

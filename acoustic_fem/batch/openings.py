@@ -12,14 +12,16 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from acoustic_fem.atlas.cell_in_atlas import check_gas, opening_node
 from acoustic_fem.atlas.cell_table import CellAtlas, Enclosure, Opening, cell_atlas
 from acoustic_fem.batch.elements import Chambers, Conditions, Ducts, Points, Tubes, chambers, ducts, yielding
 from acoustic_fem.batch.numpy_or_torch import inverse, namespace
-from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.batch.parameters import ArrayParameters, opening_sizes
 from acoustic_fem.batch.topology import LineWiring, Topology
-from geometry.ground.typed import NumpyOrTorch
+from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import Array, NumpyOrTorch
 
 
 class Mouth(NamedTuple):
@@ -93,7 +95,38 @@ def opening_columns(topology: Topology) -> OpeningColumns:
     )
 
 
-def check_openings(parameters: ArrayParameters, topology: Topology, frequency: NumpyOrTorch, medium: Any) -> None:
+class OpeningSizes(NamedTuple):
+    """Sizes of designs of one topology that decide whether the atlas covers them; NumPy, float64, m."""
+
+    tube_radius: Array
+    """Radius of the bores, (n_design, n_tube_column)."""
+    cavity_radius: Array
+    """Radius of the cavities, (n_design, n_point_column)."""
+    cavity_height: Array
+    """Height of the cavities, (n_design, n_point_column)."""
+    port_height: Array
+    """Height of the axes of the tubes above the floor, (n_design, n_point_column)."""
+    chamber_radius: Array
+    """Radius of the microphones' chambers, (n_design, n_microphone_column)."""
+    chamber_height: Array
+    """Height of the microphones' chambers, (n_design, n_microphone_column)."""
+    hole_radius: Array
+    """Radius of the sound holes, (n_design, n_microphone_column)."""
+
+    @classmethod
+    def of(cls, parameters: ArrayParameters) -> OpeningSizes:
+        """Sizes of the designs of a batch."""
+        found = (getattr(parameters, name) for name in cls._fields)
+        return cls(*(v if isinstance(v, np.ndarray) else v.detach().cpu().numpy() for v in found))
+
+    @classmethod
+    def from_designs(cls, designs: Sequence[ArrayDesign]) -> OpeningSizes:
+        """Sizes of designs of one topology, whose membranes need not be known."""
+        rows = [opening_sizes(design) for design in designs]
+        return cls(*(np.array([row[name] for row in rows], dtype=np.float64) for name in cls._fields))
+
+
+def check_openings(parameters: ArrayParameters, topology: Topology, frequency: Array, medium: Any) -> None:
     """Refuse designs outside the atlas.
 
     Args:
@@ -106,23 +139,32 @@ def check_openings(parameters: ArrayParameters, topology: Topology, frequency: N
         OutsideAtlas: names the kind of opening, the ratio and its range.
     """
     check_gas(medium)
-    if not designs_outside(parameters, topology, frequency, medium).any():
+    sizes = OpeningSizes.of(parameters)
+    if not designs_outside(sizes, topology, frequency, medium).any():
         return
     for enclosure, mouths in _by_enclosure(opening_columns(topology).mouths):
         for mouth in mouths:
             at = "a microphone's chamber" if enclosure == "microphone" else f"points of column {mouth.cavity}"
-            opening, square = _stated_openings(parameters, [mouth], frequency, medium)
+            opening, square = _stated_openings(sizes, [mouth], frequency, medium)
             cell_atlas().check(enclosure, opening, square, f"{topology.tube_names[mouth.tube]} at {at}")
 
 
-def designs_outside(
-    parameters: ArrayParameters, topology: Topology, frequency: NumpyOrTorch, medium: Any
-) -> NumpyOrTorch:
-    """Designs that :func:`check_openings` would refuse for their openings, (n_design,) bool; arguments as there."""
-    outside = np.zeros(parameters.design_count, dtype=bool)
+def designs_outside(sizes: OpeningSizes, topology: Topology, frequency: Array, medium: Any) -> NDArray[np.bool_]:
+    """Designs that :func:`check_openings` would refuse for their openings.
+
+    Args:
+        sizes: of the designs.
+        topology: their wiring.
+        frequency: (n_freq,) float64, Hz.
+        medium: the gas of all, or of each.
+
+    Returns:
+        (n_design,) bool.
+    """
+    outside = np.zeros(len(sizes.tube_radius), dtype=bool)
     for enclosure, mouths in _by_enclosure(opening_columns(topology).mouths):
-        opening, square = _stated_openings(parameters, mouths, frequency, medium)
-        outside |= cell_atlas().is_outside(enclosure, opening, square).any((1, 2))
+        opening, square = _stated_openings(sizes, mouths, frequency, medium)
+        outside = outside | cell_atlas().is_outside(enclosure, opening, square).any((1, 2))
     return outside
 
 
@@ -133,14 +175,13 @@ def _by_enclosure(mouths: Sequence[Mouth]) -> list[tuple[Enclosure, list[Mouth]]
 
 
 def _stated_openings(
-    parameters: ArrayParameters, mouths: Sequence[Mouth], frequency: NumpyOrTorch, medium: Any
-) -> tuple[Opening, NumpyOrTorch]:
-    """Shapes of mouths of one enclosure, largest squares of their shear numbers, (n_design, n_mouth, 1), NumPy."""
-    plain = parameters if parameters.namespace is np else parameters.map(lambda values: values.detach().cpu().numpy())
+    sizes: OpeningSizes, mouths: Sequence[Mouth], frequency: Array, medium: Any
+) -> tuple[Opening, Array]:
+    """Shapes of mouths of one enclosure, and largest squares of their shear numbers, (n_design, n_mouth, 1)."""
     per_viscosity = medium.density / medium.viscosity
     if not isinstance(per_viscosity, float | np.ndarray):
         per_viscosity = per_viscosity.detach().cpu().numpy()
-    opening = _opening(plain, mouths)
+    opening = _opening(sizes, mouths)
     return opening, opening.radius**2 * (np.reshape(per_viscosity, (-1, 1, 1)) * (2 * np.pi * float(frequency[-1])))
 
 
@@ -199,7 +240,7 @@ def _tubes(columns: OpeningColumns, duct: Ducts, impedance: NumpyOrTorch) -> Tub
     return Tubes(through, (rise + inward * after) * through, (rise + inward * before) * through)
 
 
-def _opening(parameters: ArrayParameters, mouths: Sequence[Mouth]) -> Opening:
+def _opening(parameters: ArrayParameters | OpeningSizes, mouths: Sequence[Mouth]) -> Opening:
     """Shapes of the openings of mouths of one enclosure, (n_design, n_mouth, 1) each."""
     cavities = [mouth.cavity for mouth in mouths]
 

@@ -318,6 +318,48 @@ class _Common:
         return cast(DiscSolution, self._once(key, lambda: design_disc(design, known=self._known)))
 
 
+def fits_batch(design: ArrayDesign) -> bool:
+    """True if a batch can hold the design: its cavities are cylinders, and no membrane with loss is pre-stretched."""
+    return all(_outside(design.of_kind(kind)) is None for kind in design.kinds)
+
+
+def _outside(design: ArrayDesign) -> Refusal | None:
+    """The refusal of a design, all points of which are alike, that a batch cannot hold."""
+    if design.membrane.stretch != 1 and not design_rubber(design).elastic:
+        return Refusal(
+            f"must be 1 in a batch: the tension has no loss, so the modes do not share that of "
+            f"{design.membrane.material!r}",
+            kind=Kind.OUT_OF_RANGE,
+            field="membrane.stretch",
+            value=design.membrane.stretch,
+            remedy="solve() takes it",
+        )
+    if design.resonator.shape != "cylinder":
+        return Refusal(
+            kind=Kind.OUT_OF_RANGE,
+            field="resonator.shape",
+            value=design.resonator.shape,
+            allowed="'cylinder' in a batch, which has closed forms only",
+            remedy="solve() takes it at every fidelity",
+        )
+    return None
+
+
+def opening_sizes(design: ArrayDesign) -> dict[str, list[float]]:
+    """Bores, cavities and chambers of a design by the names of :class:`ArrayParameters`, m, one value a column."""
+    resonators = [design.of_kind(kind).resonator for kind in design.kinds]
+    microphone = design.microphone
+    return {
+        "tube_radius": [metres(tube.acoustic_diameter) / 2 for tube in tubes_in_use(design).values()],
+        "cavity_radius": [metres(resonator.cavity_diameter) / 2 for resonator in resonators],
+        "cavity_height": [metres(resonator.cavity_height) for resonator in resonators],
+        "port_height": [metres(resonator.port_axis_height) for resonator in resonators],
+        "chamber_radius": [metres(microphone.chamber_diameter) / 2],
+        "chamber_height": [metres(microphone.chamber_height)],
+        "hole_radius": [metres(microphone.sound_hole_diameter) / 2],
+    }
+
+
 def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
     tubes = list(tubes_in_use(design).values())
     sheaths = [(sheath_compliance(design, tube), soft_rubber(design, tube.sheath_material)) for tube in tubes]
@@ -325,13 +367,10 @@ def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
     microphone = design.microphone
     diaphragm, vent = common.microphone(design)
     return {
-        "tube_radius": [metres(tube.acoustic_diameter) / 2 for tube in tubes],
+        **opening_sizes(design),
         "tube_length": [metres(tube.acoustic_length(design.printing.port_lip)) for tube in tubes],
         **_columns([{"sheath_compliance": compliance, **_law("sheath", rubber)} for compliance, rubber in sheaths]),
         **_columns(points),
-        "chamber_radius": [metres(microphone.chamber_diameter) / 2],
-        "chamber_height": [metres(microphone.chamber_height)],
-        "hole_radius": [metres(microphone.sound_hole_diameter) / 2],
         "hole_length": [metres(microphone.sound_hole_length)],
         "diaphragm_compliance": [diaphragm],
         "back_volume": [cubic_metres(microphone.back_volume)],
@@ -341,32 +380,15 @@ def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
 
 def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
     """The numbers of one column of points, all of which are alike."""
+    problem = _outside(design)
+    if problem is not None:
+        raise problem
     air, disc, rubber = common.air(design), common.disc(design), design_rubber(design)
-    if np.any(disc.model.geometric) and not rubber.elastic:
-        raise Refusal(
-            f"must be 1 in a batch: the tension has no loss, so the modes do not share that of "
-            f"{design.membrane.material!r}",
-            kind=Kind.OUT_OF_RANGE,
-            field="membrane.stretch",
-            value=design.membrane.stretch,
-            remedy="solve() takes it",
-        )
-    if design.resonator.shape != "cylinder":
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="resonator.shape",
-            value=design.resonator.shape,
-            allowed="'cylinder' in a batch, which has closed forms only",
-            remedy="solve() takes it at every fidelity",
-        )
     leak, floor = design_leak(design, air), floor_compliance(design)
     floor_rubber = soft_rubber(design, design.resonator.floor_material)
     share = disc.model.swept**2 / disc.model.eigenvalues
     mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)
     return {
-        "cavity_radius": metres(design.resonator.cavity_diameter) / 2,
-        "cavity_height": metres(design.resonator.cavity_height),
-        "port_height": metres(design.resonator.port_axis_height),
         "membrane_compliance": float(share.sum()) * disc.opening**3 / disc.modulus,
         **_law("membrane", rubber),
         "membrane_fraction": share / share.sum(),

@@ -144,7 +144,7 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
         manifest: what was recorded.
         model: a library of the design on the frequencies that are wanted, against which exchanged channels, reversed
             polarity and delays are noticed.
-        progress: called with what is being done and the fraction done.
+        progress: function that is called with the name of the step and the fraction done.
 
     Raises:
         Refusal: a model of another design, or a response of the reference that does not cover the frequencies.

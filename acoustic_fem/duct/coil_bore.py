@@ -60,8 +60,7 @@ class CoilBore(Line):
         wire = float(positive_numbers("wire_diameter", self.wire_diameter, "m"))
         if wire >= outer / 4:
             raise out_of_range("wire_diameter", wire, f"below a quarter of outer_diameter = {outer:g} m", "m")
-        if int(self.refinement) != self.refinement or self.refinement < 2:
-            raise out_of_range("refinement", self.refinement, "a whole number of at least 2")
+        check_range("refinement", self.refinement, 2, whole=True)
         check_range("cusp", self.cusp, 0.02, 0.5, "rad")
 
     @property

@@ -15,7 +15,7 @@ from skfem.helpers import dot, grad
 
 from acoustic_fem.duct.sections import Section
 from acoustic_fem.numerics.rational_sweep import reduce_system
-from geometry.ground.argument_checks import positive_numbers, unsuitable, wrong_type
+from geometry.ground.argument_checks import check_range, positive_numbers, unsuitable, wrong_type
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
@@ -235,6 +235,4 @@ def _disc(points: Array, radius: float) -> Array:
 
 
 def _whole(name: str, count: int) -> int:
-    if int(count) != count or count < 1:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=count, allowed="a whole number of at least 1")
-    return int(count)
+    return int(check_range(name, count, 1, whole=True))

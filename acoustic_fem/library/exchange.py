@@ -61,7 +61,7 @@ _LETTERS = {"point": "E", "microphone": "R", "microphone_2": "R", "frequency": "
 
 
 def save(library: Library, path: str | os.PathLike[str]) -> None:
-    """Write a library in netCDF; the file is whole or not there. An existing file is replaced as by :func:`export`.
+    """Write a library in netCDF. The file is never incomplete. An existing file is replaced as by :func:`export`.
 
     Raises:
         LibraryError: the file cannot be written, or exists and is not netCDF, not a library, or a measured one.
@@ -133,12 +133,13 @@ def write_library(library: Library, path: Path) -> None:
 
 
 def load(path: str | os.PathLike[str]) -> Library:
-    """Read what :func:`export` or :func:`acoustic_fem.save` wrote; every number is the one that was written.
+    """Read a library file that :func:`export` or :func:`acoustic_fem.save` wrote, with all digits.
 
-    This is the one reader of libraries: the content of the file tells the format, whatever its name is.
+    The format is recognized by the content of the file, whatever its name is.
 
     Raises:
-        LibraryError: no such file, cut short, not of this program, or altered; says what.
+        LibraryError: no such file, or a file that is cut short, was changed, or is not a library; the message says
+            which.
     """
     path = ordinary_file(path, "a library", LibraryError)
     found = _format_of(path)

@@ -1,4 +1,8 @@
-"""Responses of an array as bare arrays: its cells, solved or in closed form, joined by its network."""
+"""Responses of an array as bare arrays: its cells, solved or in closed form, joined by its network.
+
+At the fidelities in closed form a design is a batch of one (:mod:`acoustic_fem.batch`) if a batch can hold it, so that
+sweeps, which solve many, have the same values to the last bit. All other designs have the network of their cells.
+"""
 
 from __future__ import annotations
 
@@ -16,6 +20,7 @@ from geometry.ground.typed import Array, ComplexArray
 from geometry.layout.arrangement import place_housings
 
 if TYPE_CHECKING:
+    from acoustic_fem.batch.network import BatchResponse
     from acoustic_fem.membrane.disc import KnownDiscs
 
 #: Called with what is being done and the fraction done, 0 to 1.
@@ -42,6 +47,14 @@ def array_responses(
         Arrays by the names, shapes and units of :data:`acoustic_fem.library.transfer_functions.VARIABLES`, and a
         summary of each cell as JSON can hold it.
     """
+    if fidelity in CLOSED_FORMS and acoustic_fem.batch.fits_batch(design):
+        cells = cell_catalogue(design, place_housings(design)).distinct
+        _warn_outside_errors(cells, frequency, fidelity)
+        report("network", 0.95)
+        batch = acoustic_fem.batch
+        parameters, topology = batch.ArrayParameters.from_design(design, medium), batch.Topology.of(design)
+        (response,) = batch.each_alone(parameters, topology, frequency, medium, fidelity)
+        return named_responses(response), _summaries(cells, fidelity)
     solved: list[dict[str, Any]] = []
 
     def admittances(cells: tuple[Cell, ...]) -> dict[Cell, ComplexArray]:
@@ -51,6 +64,29 @@ def array_responses(
         return found
 
     return joined_cells(design, frequency, medium, admittances), solved
+
+
+def named_responses(one: BatchResponse) -> dict[str, ComplexArray]:
+    """Responses of a batch of one design.
+
+    Returns:
+        Arrays by the names, shapes such as (n_point, n_microphone, n_freq), and units of
+        :data:`acoustic_fem.library.transfer_functions.VARIABLES`.
+    """
+    transfer_function, impedance = one.transfer_function[0], one.point_impedance[0]
+    return _named(transfer_function, impedance, one.microphone_impedance[0])
+
+
+def _named(
+    transfer_function: ComplexArray, impedance: ComplexArray, between_microphones: ComplexArray
+) -> dict[str, ComplexArray]:
+    return {
+        "transfer_function": transfer_function,
+        # the product, which may differ in the last bit: so that two of the three are all that a store needs
+        "source_response": transfer_function * impedance[:, None, :],
+        "point_impedance": impedance,
+        "microphone_impedance": between_microphones,
+    }
 
 
 def joined_cells(
@@ -78,13 +114,7 @@ def joined_cells(
         design, layout, catalogue, admittances(catalogue.distinct), frequency, medium, discs
     )
     transfer_function = response.source_response / response.point_impedance[:, None, :]
-    return {
-        "transfer_function": transfer_function,
-        # the product, which may differ in the last bit: so that two of the three are all that a store needs
-        "source_response": transfer_function * response.point_impedance[:, None, :],
-        "point_impedance": response.point_impedance,
-        "microphone_impedance": response.microphone_impedance,
-    }
+    return _named(transfer_function, response.point_impedance, response.microphone_impedance)
 
 
 def closed_form(fidelity: str, cell: Cell, frequency: Array, medium: Medium) -> ComplexArray:
@@ -109,9 +139,7 @@ def _cell_admittances(
 ) -> tuple[dict[Cell, ComplexArray], list[dict[str, Any]]]:
     """Nodal admittances of the cells, and how each was obtained."""
     if fidelity in CLOSED_FORMS:
-        if fidelity == "atlas":
-            cell_atlas().warn_above(frequency)
-            cell_atlas().warn_below(least_angle(cells))
+        _warn_outside_errors(cells, frequency, fidelity)
         found = {cell: closed_form(fidelity, cell, frequency, medium) for cell in cells}
         return found, _summaries(cells, fidelity)
     solutions = acoustic_fem.cell.solve_cells(
@@ -120,6 +148,13 @@ def _cell_admittances(
     admittances = {cell: solution.admittance for cell, solution in solutions.items()}
     solved = [{"cell": cell.label, **solution.summary()} for cell, solution in solutions.items()]
     return admittances, solved
+
+
+def _warn_outside_errors(cells: tuple[Cell, ...], frequency: Array, fidelity: str) -> None:
+    """Warn where the errors of the atlas are not known."""
+    if fidelity == "atlas":
+        cell_atlas().warn_above(frequency)
+        cell_atlas().warn_below(least_angle(cells))
 
 
 def cell_summaries(design: ArrayDesign, fidelity: str) -> list[dict[str, Any]]:

@@ -26,12 +26,12 @@ def solve(
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
         frequency: (n_freq,) ascending, 1e-3 to 2e3 Hz, or FIRST:LAST:COUNT such as ``"1:500:500"``.
-        fidelity: "lumped" (closed forms), "atlas" (with what 3-D adds to them, from a table whose errors the library
-            states), "helmholtz" (scalar 3-D cells, a cross-check that is wrong at openings) or "navier-stokes" (3-D
-            cells, the one to trust).
-        air: of the place where the sensor is used, which becomes part of the design of the library; or a gas of its
-            own, which does not. By default the air of the design.
-        progress: called with what is being done and the fraction done, 0 to 1.
+        fidelity: "lumped" (closed forms), "atlas" (closed forms with 3-D corrections from a table, whose errors the
+            library states), "helmholtz" (scalar 3-D cells, a cross-check that is wrong at openings) or "navier-stokes"
+            (3-D cells, the reference).
+        air: air of the place where the sensor is used, which becomes part of the library's design; or any other gas,
+            which does not. By default the air of the design.
+        progress: function that is called with the name of the step and the fraction done, 0 to 1.
 
     Raises:
         Refusal: a bad frequency grid, an unknown fidelity, an air of another type, or a design outside the atlas.

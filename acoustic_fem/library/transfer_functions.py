@@ -127,7 +127,7 @@ class Library(Shown):
     def cavity_response(self) -> xr.DataArray:
         """Pressure in the touched cavity per force on its membrane, (point, frequency) complex128, Pa/N.
 
-        The force is that of :attr:`force_response`, which is this times the transfer function.
+        The force is that of :attr:`force_response`, which is the product of this response and the transfer function.
         """
         impedance = self.point_impedance.transpose("point", "frequency")
         return (
@@ -217,8 +217,8 @@ class Library(Shown):
             altitude: in place of the pressure, m above the sea: that of the standard atmosphere.
 
         Returns:
-            A library whose design and medium say the new air; what is not given is as it was. The library itself where
-            nothing changes.
+            A library with the new air in its design and medium. Values that you do not give stay. If nothing changes,
+            the library itself is returned.
 
         Raises:
             Refusal: a value out of range, pressure and altitude at once, an air beside values of its own, or a library

@@ -49,7 +49,7 @@ def checked_air(air: object, *, gas: bool = False) -> None:
 
 @dataclass(frozen=True)
 class LocalAir:
-    """The air of a place; values that are not given are those of the design."""
+    """Air of a place; values that you do not give are those of the design."""
 
     pressure: float | None = None
     """Static pressure, not reduced to sea level, 5e4 to 1.2e5 Pa."""
@@ -77,7 +77,7 @@ class LocalAir:
 
     @property
     def design_values(self) -> dict[str, float]:
-        """Values that it changes in a design, by dotted name: empty where nothing is known."""
+        """Values of the design that it changes, by dotted name; empty if no value is given."""
         pressure = self.pressure if self.altitude is None else standard_pressure(self.altitude)
         stated = {"air.pressure": pressure, "air.temperature": self.temperature_c, "air.humidity": self.humidity}
         return {name: float(value) for name, value in stated.items() if value is not None}

@@ -136,7 +136,7 @@ def scatter_factors(
         air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
         frequency: (n_freq,) Hz, ascending.
         count: sensors.
-        seed: of the draws.
+        seed: seed of the random deviations.
         first: number of the first sensor.
         fraction: of the deviations that are drawn, of one.
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.sound.recorded_table import read_table
 from acoustic_fem.sound.wav_layout import wav_layout
-from geometry.ground.argument_checks import check_range
+from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.array_files import read_mat, read_npz
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
@@ -139,8 +139,7 @@ def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int
     Raises:
         Refusal: another number of bits.
     """
-    if bits not in (16, 24, 32):
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="bits", value=bits, allowed="16, 24 or 32")
+    check_choice("bits", bits, (16, 24, 32))
     steps = 2.0 ** (bits - 1)
     levels = np.clip(np.rint(samples * steps), -steps, steps - 1)
     if bits == 24:

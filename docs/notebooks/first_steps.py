@@ -11,8 +11,8 @@
 # %% [markdown]
 # # First steps
 #
-# You solve a prototype and see how its points differ. Fidelity `lumped` takes milliseconds. Trust `navier-stokes`,
-# because it solves each distinct cell in 3-D.
+# You solve a prototype and see how its points differ. This notebook uses the fidelity `lumped`, which takes
+# milliseconds. For a design that you will build, use `navier-stokes`, because it solves each distinct cavity in 3-D.
 
 # %%
 import matplotlib.pyplot as plt
@@ -43,9 +43,9 @@ axes[0].set_ylabel("level (dB)")
 axes[1].legend(title="point", fontsize=7, ncols=2)
 plt.show()
 
-# %% [markdown]
-# Nobody knows how hard a finger taps, so only the ratio of the two microphones says where it was. Its level difference
-# falls along the line, from one end to the other, at every frequency where the tubes resist.
+# %% [markdown] Nobody knows how hard a finger taps, so only the ratio of the two microphones says where it was. The
+# level difference between the microphones falls from one end of the line to the other. The higher the frequency is, the
+# more it falls, because the tubes attenuate more.
 
 # %%
 ild = 20 * np.log10(abs(h.sel(microphone="A") / h.sel(microphone="B")))

@@ -11,8 +11,9 @@
 # %% [markdown]
 # # An as-built sensor and its calibration
 #
-# No sensor is exactly as designed, so you calibrate it. Here a virtual rig stands in for your bench: it draws a sensor
-# whose parts deviate and records three of its points with a calibration microphone. From a terminal, use
+# No sensor is exactly as designed, so you calibrate it. Here a virtual rig stands in for your bench. It
+# generates a random sensor whose parts deviate from the design, and records three of its points with a calibration
+# microphone. From a terminal, use
 # `acoustic-fem rig` and `acoustic-fem calibrate`.
 
 # %%

@@ -43,7 +43,8 @@ print(f"{len(train.cases)} sensors to train on, {len(test.cases)} to test on")
 
 # %% [markdown]
 # The network compares the two microphones at 4 to 100 Hz. Neighbouring points may differ by less than a decibel, so
-# level and phase also go in as circles of 10 dB and of a quarter turn, which resolve small differences.
+# the network also gets level and phase as points on a circle, where 10 dB or a quarter turn is one full turn. This
+# resolves small differences.
 
 
 # %%

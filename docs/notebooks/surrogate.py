@@ -71,9 +71,8 @@ middle, spread = train[1].mean(0), train[1].std(0) + 1e-6
 print(f"{len(train[0])} designs to train on, {len(test[0])} to test on; output {tuple(train[1].shape[1:])}")
 
 
-# %% [markdown]
-# Curves of all designs look alike, so two dozen principal components hold them. The network predicts these from the
-# logarithms of the parameters, because the physics is one of power laws.
+# %% [markdown] The curves of all designs look alike, so two dozen principal components describe them. The network
+# predicts these from the logarithms of the parameters, because the physics is one of power laws.
 
 # %%
 outputs = ((train[1] - middle) / spread).flatten(1)
@@ -107,9 +106,8 @@ for _ in range(epochs):
         optimizer.step()
         schedule.step()
 
-# %% [markdown]
-# The error on unseen designs is the relative difference of the complex transfer functions. The atlas states the
-# largest errors that were found on designs which took no part in its making. Compare them with the upper curves.
+# %% [markdown] The error on unseen designs is the relative difference of the complex transfer functions. The provenance
+# of an atlas library gives the largest errors that were found on test designs. Compare them with the upper curves.
 
 # %%
 with torch.no_grad():

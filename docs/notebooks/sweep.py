@@ -11,7 +11,7 @@
 # %% [markdown]
 # # A sweep, read with xarray
 #
-# A study states a base design, metrics and what varies. Its results are one labelled dataset.
+# A study names a base design, the metrics, and the fields that vary. Its results are one labelled dataset.
 
 # %%
 from tempfile import TemporaryDirectory

@@ -11,8 +11,8 @@
 # %% [markdown]
 # # Why two microphones see 36 points
 #
-# Thirty-six points on one line between two microphones: every point divides the line into another pair of lengths, and
-# each length filters the touch on its way.
+# Here 36 points lie on one line between two microphones. Every point divides the line into two different lengths, and
+# each length filters the touch on its path to a microphone.
 
 # %%
 import matplotlib.pyplot as plt

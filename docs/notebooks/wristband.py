@@ -11,7 +11,7 @@
 # %% [markdown]
 # # A wristband, from an idea to its parts
 #
-# Sixteen points around a wrist, 15 mm apart, with two microphones. `acoustic-fem new wristband --place wrist
+# You design sixteen points around a wrist, 15 mm apart, with two microphones. `acoustic-fem new wristband --place wrist
 # --points 16 --pitch 15` does the first step from a terminal.
 
 # %%

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 from geometry.assembly.part_list import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_range
 from geometry.ground.whole_files import made_folder, write_text
 from geometry.layout.cutting import Cut, cutting_list
 from geometry.layout.placement import ArrayLayout
@@ -70,9 +70,8 @@ class Prices:
         """
         for each in fields(self):
             value, least = getattr(self, each.name), each.metadata.get("least", 0.0)
-            if isinstance(value, (int, float)) and not least <= value < math.inf:
-                field, allowed = f"prices.{each.name}", f"at least {least:g} and finite"
-                raise Refusal(kind=Kind.OUT_OF_RANGE, field=field, value=value, allowed=allowed)
+            if isinstance(value, (int, float)):
+                check_range(f"prices.{each.name}", value, least, math.inf, excluded="high")
 
 
 @dataclass(frozen=True)
@@ -172,13 +171,13 @@ class Bill:
 def bill_of_materials(
     design: DesignLike, parts: PartSet | None = None, prices: Prices | None = None, layout: ArrayLayout | None = None
 ) -> Bill:
-    """Resin, silicone, spring, sheath, microphones, gaskets and glue that one array takes.
+    """Resin, silicone, springs, sheaths, microphones, gaskets and glue that one array needs, with their cost.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
-        parts: of :func:`geometry.build_parts`, where they exist already.
-        prices: instead of the assumed ones.
-        layout: where its parts lie, where it is known already.
+        parts: parts from :func:`geometry.build_parts`, if you have them already.
+        prices: prices in place of the assumed ones.
+        layout: layout of the array, if you have it already.
     """
     design = resolve_design(design)
     parts = build_parts(design, layout) if parts is None else parts

@@ -59,8 +59,8 @@ def array_model(
 
     Args:
         array: the design; what is put together already is returned as it is.
-        parts: of :func:`geometry.build_parts`, where they exist already.
-        layout: where its parts lie, where it is known already.
+        parts: parts from :func:`geometry.build_parts`, if you have them already.
+        layout: layout of the array, if you have it already.
 
     Raises:
         Refusal: a part is not one valid solid.
@@ -90,14 +90,14 @@ def put_together(design: ArrayDesign, layout: ArrayLayout, parts: PartSet) -> Ar
 
 
 def build_assembly(design: DesignLike, parts: PartSet | None = None) -> cq.Assembly:
-    """The array as a CadQuery assembly with a named component per point, microphone and tube.
+    """Array as a CadQuery assembly with a named component for each point, microphone and tube.
 
     Copies of a part share its shape. Tubes that are drawn schematically are left out. To write it as STEP with the
     names of its parts, use :func:`geometry.formats.step_assembly.write_step`.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
-        parts: of :func:`geometry.build_parts`, where they exist already.
+        parts: parts from :func:`geometry.build_parts`, if you have them already.
     """
     return assembly_of(array_model(design, parts))
 

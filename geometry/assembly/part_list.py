@@ -124,7 +124,7 @@ def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSe
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
-        layout: where its parts lie, where it is known already.
+        layout: layout of the array, if you have it already.
 
     Returns:
         ``shell-straight``, ``shell-corner-90``, ... one per distinct set of port angles; ``membrane``;

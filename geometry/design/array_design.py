@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class ArrayDesign(Shown, StatedArray):
-    """Everything one array is made of: what a :class:`StatedArray` states, checked as a whole."""
+    """Design of one array: the values of a :class:`StatedArray`, checked as a whole."""
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
@@ -63,7 +63,8 @@ class ArrayDesign(Shown, StatedArray):
     def with_values(self, values: Mapping[str, Any]) -> ArrayDesign:
         """A copy with fields changed by dotted name, checked again as a whole.
 
-        A microphone tube that nobody stated goes on to be as the tube is, unless one of its own fields is changed.
+        If the design does not state a microphone tube, it stays equal to the tube, unless one of its own fields is
+        changed.
 
         Args:
             values: for example ``{"tube.inner_diameter": 0.5, "lines.0.points": 6}``.

@@ -88,7 +88,7 @@ def write_design(design: ArrayDesign) -> str:
 
 
 def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
-    """Write a design file: written beside, then renamed, so that it is whole or not there.
+    """Write a design file. It is written under another name and then renamed, so the file is never incomplete.
 
     Raises:
         DesignError: the file cannot be written, or exists and is not TOML.

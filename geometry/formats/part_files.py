@@ -16,7 +16,7 @@ import numpy as np
 import geometry
 from geometry.assembly.part_list import part_set
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
-from geometry.ground.argument_checks import check_choice
+from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.whole_files import made_folder, whole_file
 
@@ -92,11 +92,11 @@ def export(
 
     Args:
         parts: name to workplane with one solid, mm.
-        folder: made if it does not exist.
+        folder: a folder, created if needed.
         formats: of ``stl``, ``step``, ``3mf``.
         tolerance: largest distance of facets from the surface, mm; default: see :func:`tessellation_tolerance`.
         progress: called with what of which part is being made, and the fraction done.
-        shapes: of :func:`tessellate_distinct`, where they exist already; they have a tolerance of their own.
+        shapes: shapes from :func:`tessellate_distinct`, if you have them already; they have their own tolerance.
 
     Returns:
         One record per file, parts in their order, formats in the order given.
@@ -115,8 +115,8 @@ def export(
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
             allowed = "a name of letters, digits, '.', '_' and '-', since files are called by it"
             raise Refusal(kind=Kind.OUT_OF_RANGE, field="parts", value=name, allowed=allowed)
-    if tolerance is not None and not 0 < tolerance < math.inf:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="tolerance", value=tolerance, unit="mm", allowed="above 0")
+    if tolerance is not None:
+        check_range("tolerance", tolerance, 0, math.inf, "mm", excluded="both")
     folder = made_folder(folder)
     shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
     parameters = part_set(parts).parameters

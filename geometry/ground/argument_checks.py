@@ -1,13 +1,14 @@
 """Checks of arguments: each returns, or raises a refusal that names the field, its value and what is allowed.
 
-Checks of numbers return them as floats; the others return nothing. All take more facts of a refusal by name, such as
-``kind``, ``file`` and ``remedy``, and its class as ``error``.
+Checks of numbers return them, as floats unless they are whole; the others return nothing. All take more facts of a
+refusal by name, such as ``kind``, ``file`` and ``remedy``, and its class as ``error``.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sized
+from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
 from geometry.ground.refusal import Kind, Refusal
@@ -33,7 +34,7 @@ def check_range(
     error: type[Refusal] = Refusal,
     **more: Any,
 ) -> float:
-    """The number as a float, if it lies in a range; not-a-number is outside every range.
+    """The number, if it lies in a range; not-a-number is outside every range.
 
     Args:
         field: name of the argument.
@@ -52,10 +53,10 @@ def check_range(
     """
     if type(value) not in (int, float, bool) and real_numbers(field, value, error, **more).ndim:
         raise error("must be one number", **{**more, "kind": Kind.WRONG_TYPE, "field": field, "value": value})
-    if not whole or (isinstance(value, int) and not isinstance(value, bool)):
+    if not whole or _is_whole(value):
         above = value > low if excluded in ("low", "both") else value >= low
         if above and (value < high if excluded in ("high", "both") else value <= high):
-            return float(value)
+            return value if whole else float(value)
     words = _range_in_words(low, high, unit, excluded, whole)
     facts = {"kind": Kind.OUT_OF_RANGE, "unit": unit, "allowed": f"{words}, {why}" if why else words, **more}
     raise error(field=field, value=value, **facts)
@@ -96,6 +97,10 @@ def positive_numbers(
     if bad.any():
         check_range(field, float(array[bad].flat[0]), 0, math.inf, unit, excluded="both", error=error, **more)
     return array
+
+
+def _is_whole(value: object) -> bool:
+    return isinstance(value, Integral) and not isinstance(value, bool)
 
 
 def _range_in_words(low: float, high: float, unit: str, excluded: str, whole: bool) -> str:

@@ -17,7 +17,7 @@ _UNSEEN = {"Cc", "Cf", "Cs", "Zl", "Zp"}
 
 
 class Kind(StrEnum):
-    """Why something is not accepted: what a program branches on, and a test asserts."""
+    """Reason why an input is not accepted, for programs that react to it."""
 
     MISSING = "missing"
     """A file, field, channel or recording that must be there is not."""
@@ -73,7 +73,7 @@ class _NotGiven(Enum):
 
 
 class Refusal(ValueError):
-    """Input that is not accepted, or a result that cannot be had from it.
+    """Input that is not accepted, or from which no result can be computed.
 
     Every error that the project raises on purpose derives from it, in all four packages: the command line prints
     such an error as one line and lets everything else through as a mistake of the program, with its traceback. Its

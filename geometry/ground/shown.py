@@ -5,8 +5,8 @@ from __future__ import annotations
 import html
 from collections.abc import Mapping
 
-#: Most lines of a text, its title included, and most characters of a fact.
-MOST_LINES, _LONGEST = 12, 90
+#: Most lines of a text, its title included, and most characters of a line and of a fact.
+MOST_LINES, LONGEST_LINE, _LONGEST = 12, 100, 90
 
 
 class Shown:
@@ -18,7 +18,8 @@ class Shown:
 
     def __repr__(self) -> str:
         title, facts = self.shown()
-        return "\n".join([_short(title), *(f"  {name}: {value}" for name, value in _listed(facts))])
+        lines = (f"  {_short(f'{name}: {value}', LONGEST_LINE - 2)}" for name, value in _listed(facts))
+        return "\n".join([_short(title), *lines])
 
     def __str__(self) -> str:
         return repr(self)
@@ -40,6 +41,6 @@ def _listed(facts: Mapping[str, object]) -> list[tuple[str, str]]:
     return texts[: MOST_LINES - 1]
 
 
-def _short(text: str) -> str:
+def _short(text: str, longest: int = _LONGEST) -> str:
     text = " ".join(text.split())
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
+    return text if len(text) <= longest else f"{text[: longest - 3]}..."

@@ -84,7 +84,7 @@ def cutting_list(design: DesignLike, layout: ArrayLayout | None = None) -> tuple
 
     Args:
         design: the array.
-        layout: where its parts lie, where it is known already.
+        layout: layout of the array, if you have it already.
     """
     design = resolve_design(design)
     layout = lay_out(design) if layout is None else layout

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import groupby
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.refusal import counted
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
+from geometry.layout.neighbours import near_pairs
 from geometry.layout.placement import ArrayLayout, TubePlacement
 from geometry.layout.prism import Prism, depth, prisms
 from geometry.layout.straight_rows import is_wide_apart
@@ -37,7 +39,7 @@ def refuse_overlaps(design: DesignLike, layout: ArrayLayout | None = None) -> No
 
     Args:
         design: the array.
-        layout: where its parts lie, where it is known already.
+        layout: layout of the array, if you have it already.
 
     Raises:
         OverlapError: see :func:`overlaps`.
@@ -103,18 +105,15 @@ def overlaps(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, ...]:
 
 
 class _Bodies:
-    """Bodies by number: their names, the prisms they consist of, and a tree of where these stand."""
+    """Bodies by number: their names and the prisms they consist of."""
 
     def __init__(self, design: ArrayDesign, layout: ArrayLayout) -> None:
-        from scipy.spatial import cKDTree
-
         self.names = [f"shell {p.number}" for p in layout.points] + [f"microphone {m.name}" for m in layout.microphones]
         self.point_at = {(p.line, p.place): k for k, p in enumerate(layout.points)}
         self.microphone_at = {m.name: len(layout.points) + k for k, m in enumerate(layout.microphones)}
         self.prisms = list(prisms(design, layout))
         self.reach = np.array([prism.reach for prism in self.prisms])
         self.origins = np.array([prism.frame.origin for prism in self.prisms])
-        self.tree = cKDTree(self.origins)
 
 
 class _Tube:
@@ -159,7 +158,8 @@ class _Tube:
 
 def _bodies_in_bodies(bodies: _Bodies) -> Iterator[str]:
     worst: dict[tuple[int, int], float] = {}
-    for i, j in sorted(bodies.tree.query_pairs(2 * float(bodies.reach.max()))):
+    pairs = near_pairs(bodies.origins, bodies.origins, 2 * float(bodies.reach.max()))
+    for i, j in sorted(pairs[pairs[:, 0] < pairs[:, 1]].tolist()):
         first, second = bodies.prisms[i], bodies.prisms[j]
         apart = float(np.linalg.norm(bodies.origins[i] - bodies.origins[j]))
         if first.body == second.body or apart > first.reach + second.reach:
@@ -172,11 +172,15 @@ def _bodies_in_bodies(bodies: _Bodies) -> Iterator[str]:
 
 
 def _tubes_in_bodies(bodies: _Bodies, tubes: list[_Tube]) -> Iterator[str]:
-    widest = float(bodies.reach.max())
-    for tube in tubes:
+    if not tubes:
+        return
+    owner = np.repeat(np.arange(len(tubes)), [len(tube.points) for tube in tubes])
+    reach = float(bodies.reach.max()) + max(tube.radius for tube in tubes)
+    near = near_pairs(np.vstack([tube.points for tube in tubes]), bodies.origins, reach)
+    found = np.unique(np.column_stack([owner[near[:, 0]], near[:, 1]]), axis=0).tolist()
+    for tube, numbers in groupby(found, key=lambda pair: tubes[pair[0]]):
         worst: dict[int, float] = {}
-        near = np.concatenate(bodies.tree.query_ball_point(tube.points, widest + tube.radius)).astype(int)
-        for number in sorted(set(near.tolist())):
+        for _, number in numbers:
             prism = bodies.prisms[number]
             deep = tube.radius - _least_gap(prism, tube.beside(prism), tube.radius, tube.step)
             if deep > max(_CONTACT, worst.get(prism.body, 0.0)):
@@ -202,18 +206,16 @@ def _least_gap(prism: Prism, points: Array, radius: float, step: float) -> float
 def _tubes_in_tubes(tubes: list[_Tube]) -> Iterator[str]:
     if len(tubes) < 2:
         return
-    from scipy.spatial import cKDTree
-
     owner = np.repeat(np.arange(len(tubes)), [len(tube.points) - 1 for tube in tubes])
     starts = np.vstack([tube.points[:-1] for tube in tubes])
     steps = np.vstack([np.diff(tube.points, axis=0) for tube in tubes])
     radius, step = (np.array([getattr(tube, name) for tube in tubes]) for name in ("radius", "step"))
-    pairs = cKDTree(starts).query_pairs(2 * (radius + step).max(), output_type="ndarray")
-    pairs = pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
+    pairs = near_pairs(starts, starts, 2 * (radius + step).max())
+    pairs = pairs[owner[pairs[:, 0]] < owner[pairs[:, 1]]]
     i, j = pairs.T
     deep = radius[owner[i]] + radius[owner[j]] - _apart(starts[i], steps[i], starts[j], steps[j])
     worst: dict[tuple[int, int], float] = {}
-    for (a, b), d in zip(np.sort(owner[pairs], axis=1).tolist(), deep.tolist(), strict=True):
+    for (a, b), d in zip(owner[pairs].tolist(), deep.tolist(), strict=True):
         if d > max(_CONTACT, worst.get((a, b), 0.0)):
             worst[a, b] = d
     for (a, b), d in sorted(worst.items()):

@@ -24,7 +24,7 @@ def refuse_unbuildable(design: DesignLike, layout: ArrayLayout | None = None, un
 
     Args:
         design: the array.
-        layout: where its parts lie, where it is known already.
+        layout: layout of the array, if you have it already.
         unless: pieces of a text on what else can be done, such as how the design is drawn all the same.
 
     Raises:

@@ -25,7 +25,7 @@ def array_size(design: DesignLike, layout: ArrayLayout | None = None) -> tuple[f
 
     Args:
         design: the array.
-        layout: where its parts lie, where it is known already.
+        layout: layout of the array, if you have it already.
     """
     design = resolve_design(design)
     if layout is None and not design.shell.feet and is_wide_apart(design):

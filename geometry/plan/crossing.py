@@ -6,14 +6,21 @@ from collections.abc import Callable
 
 
 def zero_crossing(excess: Callable[[float], float], low: float, high: float) -> float:
-    """Argument between two others at which a continuous function is zero, to rounding.
+    """Argument between two others at which a continuous function is zero, to rounding, by bisection.
+
+    The root finders of SciPy take longer to load than a layout to compute.
 
     Args:
         excess: of different sign, or zero, at the two ends.
         low: the lower end.
         high: the higher end.
     """
-    # scipy.optimize takes longer to load than most layouts to compute, and few of them come here
-    from scipy.optimize import brentq
-
-    return float(brentq(excess, low, high, xtol=1e-300, rtol=1e-15))
+    first = excess(low)
+    if first == 0.0:
+        return low
+    while low < (middle := (low + high) / 2) < high:
+        if (excess(middle) > 0.0) == (first > 0.0):
+            low = middle
+        else:
+            high = middle
+    return high

@@ -44,7 +44,8 @@ def bow_angle(length: float, distance: float, cavity_radius: float, outer_radius
     walls = 2 * (outer_radius - cavity_radius)
 
     def excess(angle: float) -> float:
-        return walls + (distance - 2 * outer_radius * math.cos(angle)) / float(np.sinc(angle / math.pi)) - length
+        along = angle / math.sin(angle) if angle else 1.0
+        return walls + (distance - 2 * outer_radius * math.cos(angle)) * along - length
 
     return math.degrees(zero_crossing(excess, 0.0, math.pi))
 

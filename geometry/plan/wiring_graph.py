@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from geometry.ground.argument_checks import out_of_range
+from geometry.ground.argument_checks import check_range, out_of_range
 from geometry.ground.refusal import Kind, Refusal, counted
 
 
@@ -90,8 +90,7 @@ def wiring_counts(microphones: int, points_per_line: Sequence[int]) -> WiringCou
     Raises:
         Refusal: a number out of range.
     """
-    if microphones < 2:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="microphones", value=microphones, allowed="at least 2")
+    check_range("microphones", microphones, 2)
     most = microphones * (microphones - 1) // 2
     if not microphones - 1 <= len(points_per_line) <= most:
         allowed = f"M-1 = {microphones - 1} to M(M-1)/2 = {most} lines for {counted(microphones, 'microphone')}"

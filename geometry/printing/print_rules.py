@@ -89,7 +89,7 @@ def judge_printed(
     pose = find_pose(facets, process)
     findings += _built(name, facets, process, holes, pose)
     voids = geometry.solids.inner_voids(solid)
-    reason = "voids without a way out for liquid resin or powder"
+    reason = "voids from which liquid resin or powder cannot escape"
     findings.append(Finding(name, "trapped volumes", voids, 0, "", "fail" if voids else "ok", reason, None, "at most"))
     findings += [_size(name, process, pose), _facets(name, facets, process)]
     return findings
@@ -117,7 +117,7 @@ def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[R
     if process.overhang_angle > 0:
         hang = overhangs(facets, process.overhang_angle, pose.upside_down)
         finding = _by_rule(name, "widest overhang", hang.span, "mm", process.overhang_span, hang.place)
-        note = f"built {pose.words}, flatter than {process.overhang_angle:g} degrees: {hang.area:.3g} mm^2 in all"
+        note = f"built {pose.words}, {hang.area:.3g} mm^2 in all are flatter than {process.overhang_angle:g} degrees"
         findings.append(_with_note(finding, note))
     if math.isfinite(process.cup_volume.advised):
         advised = process.hole.advised
@@ -137,7 +137,7 @@ def _size(name: str, process: PrintProcess, pose: Pose) -> Finding:
 def _facets(name: str, facets: Tessellation, process: PrintProcess) -> Finding:
     half = process.pixel / 2
     verdict: Verdict = "ok" if facets.deviation <= half else "warn"
-    reason = f"half a pixel, as exported; {process.source}"
+    reason = f"limit half a pixel, measured on the exported mesh; {process.source}"
     return Finding(name, "facets off the surface", facets.deviation, half, "mm", verdict, reason, None, "at most")
 
 

@@ -23,9 +23,11 @@ class Line(Section):
 
     between: tuple[str, str] = Field(description="names of the two microphones at its ends")
     points: Count = Field(ge=1, le=1000, description="number of sensing points")
-    tube: Tube | None = Field(default=None, description="tube between its points, where it differs")
-    microphone_tube: Tube | None = Field(default=None, description="tube to its microphones, where it differs")
-    pattern: Pattern | None = Field(default=None, description="kinds of its points and tubes, where they differ")
+    tube: Tube | None = Field(default=None, description="tube between its points, if it differs from the design's")
+    microphone_tube: Tube | None = Field(
+        default=None, description="tube to its microphones, if it differs from the design's"
+    )
+    pattern: Pattern | None = Field(default=None, description="kinds of its points and tubes, if they differ")
 
 
 class Layout(Section):
@@ -33,19 +35,25 @@ class Layout(Section):
 
     kind: Literal["serpentine", "ring", "area", "cylinder", "hand"] = Field(
         description="serpentine: rows of `columns` points, one block per line; ring: lines are the sides of a "
-        "polygon, microphones its corners; area: all lines one after the other along one way over rows of `columns` "
-        "points, microphones around it; cylinder: a serpentine wound on a cylinder, rows around it; hand: fingers of "
+        "polygon, microphones its corners; area: all lines one after the other along one path over rows of "
+        "`columns` points, microphones around them; cylinder: a serpentine wound on a cylinder, rows around it; hand: "
+        "fingers of "
         "`columns` points that fan out from the wrist"
     )
     columns: Count = Field(
         default=1000, ge=1, le=1000, description="points per row of a serpentine or an area, or per finger"
     )
-    pitch: Millimetre | None = Field(default=None, description="distance of neighbours; default: tubes lie straight")
+    pitch: Millimetre | None = Field(
+        default=None, description="distance between neighbours; default: that at which tubes are straight"
+    )
     diameter: Millimetre | None = Field(
         default=None, ge=2, le=2000, description="cylinder on which the shells stand; for kind = 'cylinder' only"
     )
     palm: Millimetre | None = Field(
-        default=None, ge=5, le=300, description="wrist to the first point of each finger; for kind = 'hand' only"
+        default=None,
+        ge=5,
+        le=300,
+        description="distance from the wrist to the first point of each finger; for kind = 'hand' only",
     )
     spread: Degree | None = Field(
         default=None, ge=1, le=60, description="angle between neighbouring fingers; for kind = 'hand' only"
@@ -76,28 +84,28 @@ class StatedArray(Section):
         pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$",
         description="name of the array, also in file names",
     )
-    description: str = Field(default="", description="what it is, for people")
+    description: str = Field(default="", description="description of the array, used in reports")
     microphones: tuple[MicrophoneName, ...] = Field(min_length=2, max_length=16, description="names of the microphones")
     resonator: Resonator = Field(description="printed shell of a sensing point")
-    shell: Shell = Field(default=Shell(), description="what else is printed on the shells")
+    shell: Shell = Field(default=Shell(), description="further features that are printed on the shells")
     membrane: Membrane = Field(description="silicone disc on each shell")
     tube: Tube = Field(description="tube between neighbouring points")
     microphone_tube: Tube = Field(
         default_factory=lambda stated: stated.get("tube"), description="tube from the end of a line to its microphone"
     )
-    microphone: Microphone = Field(description="the microphones, all alike")
-    lines: tuple[Line, ...] = Field(min_length=1, description="the lines")
-    layout: Layout = Field(description="where the resonators lie")
-    air: Air = Field(default=Air(), description="state of the air")
-    printing: Printing = Field(default=Printing(), description="how the parts are made")
-    mold: Molding = Field(default=Molding(), description="how the membranes are cast")
-    materials: dict[str, Material] = Field(default_factory=dict, description="materials beside the built-in ones")
+    microphone: Microphone = Field(description="microphones, which are all alike")
+    lines: tuple[Line, ...] = Field(min_length=1, description="lines of points")
+    layout: Layout = Field(description="positions of the points")
+    air: Air = Field(default=Air(), description="temperature, humidity and pressure of the air")
+    printing: Printing = Field(default=Printing(), description="printing of the parts")
+    mold: Molding = Field(default=Molding(), description="mold in which the membranes are cast")
+    materials: dict[str, Material] = Field(
+        default_factory=dict, description="materials in addition to the built-in ones"
+    )
     point_kinds: dict[str, PointKind] = Field(
-        default_factory=dict, description="kinds of points that the patterns of lines name"
+        default_factory=dict, description="kinds of points that patterns of lines use"
     )
-    tube_kinds: dict[str, Tube] = Field(
-        default_factory=dict, description="kinds of tubes that the patterns of lines name"
-    )
+    tube_kinds: dict[str, Tube] = Field(default_factory=dict, description="kinds of tubes that patterns of lines use")
 
     @property
     def followers(self) -> frozenset[str]:

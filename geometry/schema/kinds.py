@@ -19,7 +19,10 @@ class PointKind(Section):
     """
 
     cavity_height: Millimetre | None = Field(
-        default=None, ge=0.4, le=50, description="floor of the cavity to the membrane; default: that of the resonator"
+        default=None,
+        ge=0.4,
+        le=50,
+        description="height from the floor of the cavity to the membrane; default: that of the resonator",
     )
     membrane_thickness: Millimetre | None = Field(
         default=None, ge=0.05, le=10, description="thickness of the disc as cast; default: that of the membrane"
@@ -43,10 +46,13 @@ class Pattern(Section):
     """Kind of point or tube at each place of a line."""
 
     points: tuple[str, ...] | None = Field(
-        default=None, description="name of a kind for each point, in the order of the line; default: all as stated"
+        default=None,
+        description="name of a kind for each point, in the order of the line; default: none, so all are as the design "
+        "states",
     )
     tubes: tuple[str, ...] | None = Field(
-        default=None, description="name of a kind for each tube between its points; default: all as stated"
+        default=None,
+        description="name of a kind for each tube between its points; default: none, so all are as the design states",
     )
     mirrored: Flag = Field(
         default=False, description="both lists end in the middle of the line, and its second half is the mirror image"

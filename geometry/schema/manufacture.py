@@ -20,21 +20,25 @@ class PrintRules(Section):
     hole_advised: Millimetre | None = Field(default=None, description="narrowest round hole without risk")
     slot: Millimetre | None = Field(default=None, description="narrowest gap between walls")
     slot_advised: Millimetre | None = Field(default=None, description="narrowest gap between walls without risk")
-    clearance: Millimetre | None = Field(default=None, description="narrowest radial gap between parts that mate")
-    clearance_advised: Millimetre | None = Field(default=None, description="the same without risk")
-    pin_aspect: Ratio | None = Field(default=None, description="largest height of a pin per its diameter")
-    pin_aspect_advised: Ratio | None = Field(default=None, description="the same without risk")
+    clearance: Millimetre | None = Field(default=None, description="narrowest radial gap between mating parts")
+    clearance_advised: Millimetre | None = Field(
+        default=None, description="narrowest radial gap between mating parts without risk"
+    )
+    pin_aspect: Ratio | None = Field(default=None, description="largest ratio of a pin's height to its diameter")
+    pin_aspect_advised: Ratio | None = Field(
+        default=None, description="largest ratio of a pin's height to its diameter without risk"
+    )
     overhang_angle: Degree | None = Field(
-        default=None, gt=0, lt=90, description="faces that look down and are flatter than this hang"
+        default=None, gt=0, lt=90, description="faces that point down and are flatter than this angle are overhangs"
     )
     overhang_span: Millimetre | None = Field(default=None, description="widest overhang")
     overhang_span_advised: Millimetre | None = Field(default=None, description="widest overhang without support")
     cup_volume: CubicMillimetre | None = Field(default=None, description="largest cup sealed on the resin's film")
-    cup_volume_advised: CubicMillimetre | None = Field(default=None, description="the same without risk")
+    cup_volume_advised: CubicMillimetre | None = Field(default=None, description="largest sealed cup without risk")
     cast_thickness: Millimetre | None = Field(default=None, description="thinnest cast disc")
     cast_thickness_advised: Millimetre | None = Field(default=None, description="thinnest cast disc without risk")
     pixel: Millimetre | None = Field(default=None, description="width of a pixel, laser spot or nozzle")
-    tolerance: Millimetre | None = Field(default=None, description="a printed length is true to plus or minus this")
+    tolerance: Millimetre | None = Field(default=None, description="tolerance (plus or minus) of a printed length")
     build_volume: tuple[Millimetre, Millimetre, Millimetre] | None = Field(
         default=None, description="width, depth and height of the machine, mm"
     )
@@ -44,18 +48,22 @@ class Printing(Section):
     """How the shells and molds are printed and joined."""
 
     process: Literal["sla-resin", "dlp-fine", "fdm", "mjf"] = Field(
-        default="sla-resin", description="process of the rules"
+        default="sla-resin", description="process whose print rules apply"
     )
     material: str = Field(default="photopolymer-resin", description="material of shells and molds")
     glue_gap: Millimetre = Field(default=0.05, le=1, description="radial gap around a tube in its port")
-    port_lip: Millimetre = Field(default=0.3, le=10, description="shoulder on which a tube stops in its port")
+    port_lip: Millimetre = Field(
+        default=0.3, le=10, description="width of the shoulder at which a tube stops in its port"
+    )
     carrier: Literal["none", "row", "sheet"] = Field(
         default="none",
-        description="all shells in one piece instead of singly: joined in a row or a sheet by snap-off necks",
+        description="none: single shells; row or sheet: all shells in one piece, joined by snap-off necks",
     )
-    carrier_gap: Millimetre = Field(default=4.0, ge=2, le=50, description="between neighbouring shells of a carrier")
+    carrier_gap: Millimetre = Field(
+        default=4.0, ge=2, le=50, description="gap between neighbouring shells of a carrier"
+    )
     carrier_neck: Millimetre = Field(default=0.5, ge=0.2, le=3, description="width and height of a snap-off neck")
-    rules: PrintRules = Field(default=PrintRules(), description="figures of the process that differ")
+    rules: PrintRules = Field(default=PrintRules(), description="limits that differ from those of the process")
 
 
 class Molding(Section):
@@ -66,16 +74,18 @@ class Molding(Section):
     )
     rows: Count = Field(default=1, ge=1, le=20, description="rows of cavities")
     columns: Count = Field(default=1, ge=1, le=20, description="cavities per row")
-    draft: Degree = Field(default=1.0, ge=0, le=10, description="slope of the walls, membranes included; assumed")
+    draft: Degree = Field(
+        default=1.0, ge=0, le=10, description="slope of the walls and of the membranes' edges; assumed"
+    )
     land_width: Millimetre = Field(default=0.6, ge=0.2, le=5, description="width of the land around a cavity; assumed")
     land_height: Millimetre = Field(
         default=0.5, ge=0.2, le=5, description="height of the lands, the gap between the halves elsewhere; assumed"
     )
     groove_width: Millimetre = Field(default=1.2, ge=0.5, le=5, description="width of the overflow groove; assumed")
     vent_diameter: Millimetre = Field(
-        default=1.0, ge=0.3, le=5, description="two vents per cavity, through the lid; assumed"
+        default=1.0, ge=0.3, le=5, description="diameter of the two vents per cavity in the lid; assumed"
     )
-    pin_diameter: Millimetre = Field(default=2.5, ge=1, le=10, description="registration pins; assumed")
+    pin_diameter: Millimetre = Field(default=2.5, ge=1, le=10, description="diameter of the registration pins; assumed")
     pin_clearance: Millimetre = Field(
         default=0.1,
         ge=0.02,
@@ -83,20 +93,24 @@ class Molding(Section):
         description="radial gap of a pin in its socket, gap of the scraper's guides; assumed",
     )
     sockets: Literal["through", "blind"] = Field(
-        default="through", description="of the pins in the lid; blind ones cannot be pushed apart from outside"
+        default="through",
+        description="sockets of the pins in the lid; with blind sockets the halves cannot be pushed apart from outside",
     )
     shim_step: Millimetre = Field(
-        default=0.05, ge=0.01, le=0.5, description="by this the shims raise the lid, one set per step; assumed"
+        default=0.05, ge=0.01, le=0.5, description="height by which a shim raises the lid, one set per step; assumed"
     )
     shim_count: Count = Field(default=2, ge=0, le=10, description="sets of shims for thicker membranes; assumed")
     silicone_shrinkage: Number = Field(
         default=0.001,
         ge=0,
         le=0.1,
-        description="linear, on curing; data sheets of platinum-cure silicones: at most 0.001",
+        description="linear shrinkage on curing; data sheets of platinum-cure silicones: at most 0.001",
     )
     resin_shrinkage: Number = Field(
-        default=0.0, ge=0, le=0.1, description="linear, of the printed mold beyond what the printer corrects; assumed"
+        default=0.0,
+        ge=0,
+        le=0.1,
+        description="linear shrinkage of the printed mold that the printer does not correct; assumed",
     )
 
     @property

@@ -27,13 +27,14 @@ class Material(Section):
     youngs_modulus: Number = Field(
         ge=1e-3,
         le=1e5,
-        description="Young's modulus: its real part at modulus_frequency; for law = 'prony' that after long rest",
+        description="Young's modulus: its real part at modulus_frequency; for law = 'prony' the modulus after long "
+        "relaxation",
         json_schema_extra={"unit": "MPa"},
     )
     poisson_ratio: Number = Field(gt=0, lt=0.5, description="Poisson's ratio")
     density: Number = Field(ge=500, le=5000, description="density", json_schema_extra={"unit": "kg/m^3"})
     loss_factor: Number | None = Field(
-        default=None, ge=0, le=1, description="loss factor eta, the same at all frequencies; not for law = 'prony'"
+        default=None, ge=0, le=1, description="loss factor eta at all frequencies; not for law = 'prony'"
     )
     law: Literal["spring-pot", "constant", "prony"] = Field(
         default="spring-pot",
@@ -52,7 +53,7 @@ class Material(Section):
     relaxation_moduli: tuple[RelaxationModulus, ...] | None = Field(
         default=None, min_length=1, max_length=40, description="relaxing moduli in MPa, one for each of those times"
     )
-    source: str = Field(description="where the values come from")
+    source: str = Field(description="source of these values")
 
     @property
     def law_in_words(self) -> str:

@@ -30,14 +30,15 @@ class Resonator(Section):
     """Printed shell of one sensing point: an air cavity, open at the top."""
 
     cavity_diameter: Millimetre = Field(ge=0.8, le=50, description="diameter of the air cavity")
-    cavity_height: Millimetre = Field(ge=0.4, le=50, description="floor of the cavity to the membrane")
+    cavity_height: Millimetre = Field(ge=0.4, le=50, description="height from the floor of the cavity to the membrane")
     wall_thickness: Millimetre = Field(ge=0.3, le=20, description="radial thickness of the shell")
     floor_thickness: Millimetre = Field(default=1.0, ge=0.3, le=20, description="thickness of the floor")
     floor_material: str | None = Field(
-        default=None, description="name of the material of a floor that yields; default: the floor is rigid"
+        default=None, description="material of a floor that is not rigid; default: the floor is rigid"
     )
     port_height: Millimetre | None = Field(
-        default=None, description="axis of the tube ports above the floor of the cavity; default: mid height"
+        default=None,
+        description="height of the axis of the tube ports above the floor of the cavity; default: mid height",
     )
     shape: Literal["cylinder", "box", "dome"] = Field(
         default="cylinder",
@@ -63,7 +64,7 @@ class Resonator(Section):
         default=0.0,
         ge=0,
         le=0.1,
-        description="bore of a leak from the cavity to the outside; 0: tight",
+        description="diameter of a leak from the cavity to the outside; 0 for none",
         json_schema_extra={"unit": "mm"},
     )
     leak_length: Millimetre = Field(default=1.0, ge=0.1, le=5, description="length of that leak")
@@ -129,10 +130,12 @@ class Shell(Section):
     )
     groove_depth: Millimetre = Field(default=0.2, ge=0.05, le=2, description="depth of that groove")
     feet: Count = Field(default=0, ge=0, le=4, description="number of mounting feet between the tubes")
-    foot_length: Millimetre = Field(default=4.0, ge=1, le=20, description="wall of the shell to the end of a foot")
-    foot_hole: Millimetre = Field(default=2.2, ge=0.3, le=10, description="screw hole in a foot")
+    foot_length: Millimetre = Field(
+        default=4.0, ge=1, le=20, description="length from the wall of the shell to the end of a foot"
+    )
+    foot_hole: Millimetre = Field(default=2.2, ge=0.3, le=10, description="diameter of the screw hole in a foot")
     label: Literal["none", "raised", "engraved"] = Field(
-        default="none", description="number of the point on the wall, in digits of straight strokes"
+        default="none", description="numbers of the points on the walls: none, raised or engraved"
     )
     label_height: Millimetre | None = Field(
         default=None,
@@ -140,7 +143,7 @@ class Shell(Section):
         le=20,
         description="height of the digits; default: 0.8 of the wall above the floor, at most 3 mm",
     )
-    label_relief: Millimetre = Field(default=0.2, ge=0.05, le=1, description="how far they stand out or are cut in")
+    label_relief: Millimetre = Field(default=0.2, ge=0.05, le=1, description="height or depth of the digits")
 
 
 class Membrane(Section):
@@ -154,7 +157,10 @@ class Membrane(Section):
         description="rim: glued by its lower face; clamped: the rim cannot move, so the disc ends at the cavity's wall",
     )
     stretch: Number = Field(
-        default=1.0, ge=1, le=1.9, description="lengths in the plane of the mounted disc per those as cast"
+        default=1.0,
+        ge=1,
+        le=1.9,
+        description="lengths in the plane of the mounted disc divided by those of the cast disc",
     )
     shape: Literal["flat", "rim", "boss"] = Field(
         default="flat",
@@ -191,19 +197,20 @@ class Tube(Section):
     - 2 x wire) and ``sheath_wall`` instead of ``outer_diameter``.
     """
 
-    length: Millimetre = Field(ge=0.5, le=1000, description="bore from cavity wall to cavity wall")
-    inner_diameter: Millimetre = Field(ge=0.05, le=5, description="bore")
-    outer_diameter: Millimetre = Field(ge=0.1, le=8, description="outside of the sheath")
-    wire_diameter: Millimetre = Field(ge=0.01, le=1, description="wire of the coil spring")
+    length: Millimetre = Field(ge=0.5, le=1000, description="length of the bore from cavity wall to cavity wall")
+    inner_diameter: Millimetre = Field(ge=0.05, le=5, description="diameter of the bore")
+    outer_diameter: Millimetre = Field(ge=0.1, le=8, description="outer diameter of the sheath")
+    wire_diameter: Millimetre = Field(ge=0.01, le=1, description="diameter of the wire of the coil spring")
     bore: Literal["coil", "smooth"] = Field(
         default="coil",
-        description="coil: between the turns of the spring, inner_diameter at their crests; smooth: round, no grooves",
+        description="coil: the wall has the grooves of the spring, and inner_diameter is measured at the crests; "
+        "smooth: no grooves",
     )
     sheath_material: str | None = Field(
-        default=None, description="name of the material of a sheath that yields; default: the sheath is rigid"
+        default=None, description="material of a sheath that is not rigid; default: the sheath is rigid"
     )
     bend_radius: Millimetre | None = Field(
-        default=None, le=1000, description="smallest radius of its axis; default: from spring and sheath"
+        default=None, le=1000, description="smallest bending radius of the axis; default: from spring and sheath"
     )
 
     @model_validator(mode="before")
@@ -296,13 +303,15 @@ class Microphone(Section):
     chamber_diameter: Millimetre = Field(ge=0.5, le=20, description="diameter of the chamber")
     chamber_height: Millimetre = Field(ge=0.3, le=20, description="height of the chamber")
     wall_thickness: Millimetre = Field(default=1.0, ge=0.3, le=20, description="thickness of the housing")
-    sound_hole_diameter: Millimetre = Field(default=0.5, ge=0.1, le=5, description="acoustic port of the package")
+    sound_hole_diameter: Millimetre = Field(
+        default=0.5, ge=0.1, le=5, description="diameter of the acoustic port of the package"
+    )
     sound_hole_length: Millimetre = Field(default=0.3, ge=0.05, le=5, description="depth of the acoustic port")
     diaphragm_equivalent_volume: CubicMillimetre = Field(
-        default=0.05, le=1000, description="air volume as compliant (adiabatic) as the diaphragm"
+        default=0.05, le=1000, description="volume of air with the (adiabatic) compliance of the diaphragm"
     )
     back_volume: CubicMillimetre = Field(
-        default=2.0, le=1000, description="air behind the diaphragm, closed but for the vent"
+        default=2.0, le=1000, description="volume of air behind the diaphragm, closed except for the vent"
     )
     vent_corner: Hertz = Field(
         default=20.0, gt=0, le=1000, description="high-pass corner made by the vent in the diaphragm"
@@ -321,7 +330,9 @@ class Microphone(Section):
         description="white equivalent input noise",
         json_schema_extra={"unit": "Pa/sqrt(Hz)"},
     )
-    noise_corner: Hertz = Field(default=100.0, ge=0, le=1e4, description="below it the noise power rises as 1/f")
+    noise_corner: Hertz = Field(
+        default=100.0, ge=0, le=1e4, description="frequency below which the noise power rises as 1/f"
+    )
     package_length: Millimetre = Field(default=3.5, ge=0.5, le=20, description="length of the package; assumed")
     package_width: Millimetre = Field(default=2.65, ge=0.5, le=20, description="width of the package; assumed")
     package_height: Millimetre = Field(default=0.98, ge=0.2, le=10, description="height of the package; assumed")
@@ -342,7 +353,7 @@ class Microphone(Section):
         description="width of a groove for a seal under the board; default: none, the board is glued",
     )
     gasket_depth: Millimetre = Field(default=0.2, ge=0.1, le=5, description="depth of that groove")
-    source: str = Field(default="assumed", description="where the figures come from")
+    source: str = Field(default="assumed", description="source of these values")
 
     @property
     def chamber_volume(self) -> float:

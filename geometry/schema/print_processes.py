@@ -98,25 +98,29 @@ _SLA = "print services' resin guides (addema.se/guides-sla; layerx3d.in, SLA and
 _MICRO = "assumed for projection micro-stereolithography of 10 micrometre pixels"
 _FDM = "guides for material extrusion (neway3dp.com/services/material-extrusion; arti90.com/en/design-clues)"
 _MJF = "guides for Multi Jet Fusion (3faktur.com, chapter 3; tronix3d.com/design-guidelines; rapidmade.com, MJF)"
-_SUCTION = "assumed: the film pulls at a sealed cup at every layer; tilt the part or vent the cup"
+_SUCTION = "assumed: the film pulls on a sealed cup at every layer; tilt the part or vent the cup"
 
 PROCESSES: dict[str, PrintProcess] = {
     "sla-resin": PrintProcess(
         name="sla-resin",
         title="desktop stereolithography, standard resin, layers of 0.05 mm",
-        wall=Rule(0.2, 0.4, f"supported walls from 0.4: {_SLA}; below 0.2, two laser spots, none: assumed"),
-        hole=Rule(0.25, 0.5, f"holes below 0.5 may close off: {_SLA}; below 0.25, three laser spots, all: assumed"),
-        slot=Rule(0.1, 0.4, f"engraved details from 0.4: {_SLA}; below 0.1, a laser spot, none: assumed"),
-        clearance=Rule(0.05, 0.05, f"0.1 to 0.2 on the diameter of a clearance fit: {_SLA}"),
+        wall=Rule(0.2, 0.4, f"advised 0.4 mm for supported walls: {_SLA}; limit 0.2 mm, two laser spots: assumed"),
+        hole=Rule(
+            0.25, 0.5, f"advised 0.5 mm, smaller holes may close: {_SLA}; limit 0.25 mm, three laser spots: assumed"
+        ),
+        slot=Rule(0.1, 0.4, f"advised 0.4 mm, as for engraved details: {_SLA}; limit 0.1 mm, a laser spot: assumed"),
+        clearance=Rule(0.05, 0.05, f"diameters in a clearance fit differ by 0.1 to 0.2 mm: {_SLA}"),
         pin_aspect=Rule(12.0, 5.0, "assumed: thin pins bend as they are peeled off the film", "at most"),
         overhang_angle=19.0,
-        overhang_span=Rule(math.inf, 1.0, f"unsupported to 1.0 wide, or from 19 degrees: {_SLA}", "at most"),
+        overhang_span=Rule(
+            math.inf, 1.0, f"no support needed up to 1 mm wide, or if steeper than 19 degrees: {_SLA}", "at most"
+        ),
         cup_volume=Rule(math.inf, 100.0, _SUCTION, "at most"),
         pixel=0.085,
         tolerance=0.05,
         build_volume=(145.0, 145.0, 175.0),
-        source="laser spot, tolerance of small lengths and build volume of a common desktop machine, assumed; services "
-        "promise 0.15 for whole parts (hycubeworks.in/design_guide)",
+        source="laser spot, tolerance of small lengths and build volume of a common desktop machine: assumed; print "
+        "services state a tolerance of 0.15 mm for whole parts (hycubeworks.in/design_guide)",
     ),
     "dlp-fine": PrintProcess(
         name="dlp-fine",
@@ -127,7 +131,12 @@ PROCESSES: dict[str, PrintProcess] = {
         clearance=Rule(0.01, 0.02, f"{_MICRO}: one to two pixels"),
         pin_aspect=Rule(12.0, 6.0, "assumed: thin pins bend as they are peeled off the film", "at most"),
         overhang_angle=15.0,
-        overhang_span=Rule(math.inf, 1.0, f"{_MICRO}; 1 mm and 15 degrees as knowledge.envisiontec.com", "at most"),
+        overhang_span=Rule(
+            math.inf,
+            1.0,
+            f"{_MICRO}; no support needed up to 1 mm wide, or if steeper than 15 degrees: knowledge.envisiontec.com",
+            "at most",
+        ),
         cup_volume=Rule(math.inf, 100.0, _SUCTION, "at most"),
         pixel=0.01,
         tolerance=0.02,
@@ -137,13 +146,15 @@ PROCESSES: dict[str, PrintProcess] = {
     "fdm": PrintProcess(
         name="fdm",
         title="material extrusion, nozzle of 0.4 mm, layers of 0.1 mm",
-        wall=Rule(0.8, 1.2, f"0.8, advised 1.2: {_FDM}"),
-        hole=Rule(0.8, 2.0, f"holes from 2: {_FDM}; below 0.8, two beads, they close: assumed"),
-        slot=Rule(0.4, 0.6, f"details from 0.6: {_FDM}; below 0.4, the nozzle, none: assumed"),
-        clearance=Rule(0.1, 0.25, f"0.2 for connections, 0.5 advised, on the diameter: {_FDM}"),
+        wall=Rule(0.8, 1.2, f"limit 0.8 mm, advised 1.2 mm: {_FDM}"),
+        hole=Rule(0.8, 2.0, f"advised 2 mm: {_FDM}; limit 0.8 mm, two beads: assumed"),
+        slot=Rule(0.4, 0.6, f"advised 0.6 mm, as for details: {_FDM}; limit 0.4 mm, the nozzle: assumed"),
+        clearance=Rule(0.1, 0.25, f"diameters differ by 0.2 mm for connections, 0.5 mm advised: {_FDM}"),
         pin_aspect=Rule(8.0, 4.0, "assumed: thin pins have no time to cool", "at most"),
         overhang_angle=45.0,
-        overhang_span=Rule(math.inf, 5.0, f"bridges below 5, else from 45 degrees: {_FDM}", "at most"),
+        overhang_span=Rule(
+            math.inf, 5.0, f"no support needed for bridges up to 5 mm, or if steeper than 45 degrees: {_FDM}", "at most"
+        ),
         pixel=0.4,
         tolerance=0.2,
         build_volume=(220.0, 220.0, 250.0),
@@ -152,11 +163,13 @@ PROCESSES: dict[str, PrintProcess] = {
     "mjf": PrintProcess(
         name="mjf",
         title="Multi Jet Fusion, polyamide 12, layers of 0.08 mm",
-        wall=Rule(0.5, 1.0, f"0.5, advised 1.0: {_MJF}"),
-        hole=Rule(0.5, 1.0, f"0.5 through 1 mm: {_MJF}; advised 1.0 for the powder to come out"),
-        slot=Rule(0.5, 0.5, f"slits from 0.5: {_MJF}"),
-        clearance=Rule(0.2, 0.4, f"gaps of 0.4 between parts that are joined: {_MJF}; below 0.2 assumed to jam"),
-        pin_aspect=Rule(20.0, 10.0, f"a shaft of 0.5 may be 10 high: {_MJF}; advised half", "at most"),
+        wall=Rule(0.5, 1.0, f"limit 0.5 mm, advised 1 mm: {_MJF}"),
+        hole=Rule(0.5, 1.0, f"limit 0.5 mm in a wall of 1 mm: {_MJF}; advised 1 mm, so that the powder comes out"),
+        slot=Rule(0.5, 0.5, f"limit 0.5 mm: {_MJF}"),
+        clearance=Rule(
+            0.2, 0.4, f"advised 0.4 mm between parts that are joined: {_MJF}; limit 0.2 mm, below it they jam: assumed"
+        ),
+        pin_aspect=Rule(20.0, 10.0, f"a shaft of 0.5 mm may be 10 mm high: {_MJF}; half of this is advised", "at most"),
         pixel=0.08,
         tolerance=0.3,
         build_volume=(380.0, 284.0, 380.0),

@@ -33,9 +33,9 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 @dataclass(frozen=True, eq=False)
 class Contact:
-    """Contact that moves over an array; before its first and after its last time nothing presses.
+    """Contact that moves over an array. Before its first time and after its last time it does not press.
 
-    Between its times path and force run straight.
+    Between its times, position and force are interpolated linearly.
 
     Raises:
         Refusal: times that do not ascend, shapes that do not fit them, values that are not finite or out of range.
@@ -76,14 +76,7 @@ class Contact:
                     kind=Kind.WRONG_TYPE,
                     field=f"contact.{name}",
                 )
-        if self.force.min() < 0:
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="contact.force",
-                value=float(self.force.min()),
-                unit="N",
-                allowed="zero or above, because a contact does not pull",
-            )
+        check_range("contact.force", float(self.force.min()), 0, unit="N", why="because a contact does not pull")
         check_range("contact.contact_radius_mm", self.contact_radius_mm, *RADII, "mm")
         check_range("contact.roughness", self.roughness, 0.0, 2.0)
 

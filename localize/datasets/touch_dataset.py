@@ -31,6 +31,7 @@ from localize.signals.finger_stimuli import RUN, STIMULI, Mixture
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice, check_noise_choice
 from localize.signals.stimulus import SAMPLE_LENGTH
+from localize.signals.threads import one_thread
 from localize.signals.touch_generator import TouchGenerator
 
 VISIT = 256
@@ -70,12 +71,12 @@ class TouchBatch(TypedDict):
 
 
 class TouchDataset(IterableDataset[TouchBatch]):
-    """Touches on one array or on those of many designs, for a ``DataLoader``.
+    """Simulated touches on one array, or on the arrays of many designs, for a ``DataLoader``.
 
     Args:
         source: a library; a sweep that keeps libraries; as-built sensors; or an :class:`ArraySource` of your own.
-        mix: share of each kind of touch, by its name in :data:`localize.signals.STIMULI`; by default mostly those of
-            fingers, :data:`DEFAULT_MIX`.
+        mix: fraction of each kind of touch, by its name in :data:`localize.signals.STIMULI`; by default mostly finger
+            touches, :data:`DEFAULT_MIX`.
         touches: samples of every case in an epoch, 1 to 2^31.
         split: "train", "validation" or "test": the cases that :func:`split_of` deals to it. A source of a single case
             has it in all splits, which then differ in their touches only. None takes all cases, with the touches of
@@ -88,11 +89,11 @@ class TouchDataset(IterableDataset[TouchBatch]):
         features: maps in place of signals, as of :class:`localize.learned.PairFeatures`, of the last 250 samples of
             each; all arrays must have the same microphones then.
         microphone_noise: Pa rms over 0 to 500 Hz, white, or "design" for that of each design's microphone.
-        ambient: lowest and highest level of the sound outside, dB SPL, drawn for each sample; None for silence.
+        ambient: lowest and highest level of room sound, dB SPL, drawn for each sample; None for a quiet room.
         shuffle: whether cases and samples come in random order; if not, case by case, in the order of the samples.
         epoch: number of the epoch, from 0; each has new touches. :meth:`set_epoch` changes it.
         rank: number of this machine, from 0.
-        machines: how many share an epoch without overlap.
+        machines: number of machines, which share an epoch without overlap.
 
     Raises:
         Refusal: an argument out of range; a split without a case; maps of arrays with different microphones; as
@@ -156,6 +157,7 @@ class TouchDataset(IterableDataset[TouchBatch]):
                 )  # fmt: skip
             self._maps = PairFeatures(self.most_microphones, features)
         self._ready: dict[int, tuple[TouchGenerator, dict[str, Tensor]]] = {}
+        self._visit: tuple[int, int, TouchBatch] | None = None
         self._open([int(self.cases[0])])  # refuses noise or sound that the arrays do not allow before any work
 
     def __repr__(self) -> str:
@@ -184,10 +186,12 @@ class TouchDataset(IterableDataset[TouchBatch]):
 
     def __getstate__(self) -> dict[str, Any]:
         """Everything but the arrays at hand: each worker opens its own."""
-        return {**self.__dict__, "_ready": {}}
+        return {**self.__dict__, "_ready": {}, "_visit": None}
 
     def sample(self, case: int, index: int) -> TouchBatch:
-        """One sample by its case and index, the same as in the stream.
+        """One sample by its case and index, the same as in the stream to the last bit.
+
+        It is made with the other samples of its visit, which stay in memory until one of another visit is asked for.
 
         Raises:
             Refusal: a case that is not of this split, an index below zero.
@@ -195,8 +199,14 @@ class TouchDataset(IterableDataset[TouchBatch]):
         if case not in self.cases:
             raise Refusal(kind=Kind.UNKNOWN, field="case", value=case, allowed="a case of this split")
         check_range("index", index, 0, 2**62, whole=True)
-        self._open([case])
-        return _row(self._made(case, index, 1), 0)
+        # With those it is made with in the stream: products of matrices round by the number of their rows.
+        epoch, within = divmod(index, self.touches)
+        first = within // VISIT * VISIT
+        start, count = epoch * self.touches + first, min(VISIT, self.touches - first)
+        if self._visit is None or self._visit[:2] != (case, start):
+            self._open([case])
+            self._visit = case, start, self._made(case, start, count)
+        return _row(self._visit[2], index - start)
 
     # -- order ---------------------------------------------------------------------------------------------
     def _visits(self) -> NDArray[np.int64]:
@@ -307,7 +317,7 @@ class TouchDataset(IterableDataset[TouchBatch]):
         touched = generator.samples(start, count)
         signals = touched.signals
         if self._maps is not None:
-            with torch.no_grad():
+            with torch.no_grad(), one_thread():  # the last bits depend on the number of threads
                 signals = self._maps(signals[..., -FRAME:])
         elif signals.shape[1] < self.most_microphones:
             padded = signals.new_zeros(count, self.most_microphones, SAMPLE_LENGTH)

@@ -78,7 +78,7 @@ class DecoderOptions:
 
 @dataclass(frozen=True)
 class HypothesisOptions:
-    """Numbers of the hypotheses that stand for all sensors that a design may come out as."""
+    """Numbers of the hypotheses that represent the possible as-built sensors of a design."""
 
     draws: int = 600
     """Number of sensors that are drawn with the tolerances."""
@@ -187,7 +187,7 @@ class ResidualOptions:
 
 @dataclass(frozen=True)
 class SoundOptions:
-    """Numbers that tune the test that tells room sound from touches."""
+    """Numbers that tune the test that distinguishes room sound from touches."""
 
     false_alarm: float = 1e-6
     """Fraction of frames of sound on the library's own sensor that are not recognised: at 62 a second one in four

@@ -24,6 +24,7 @@ from scipy.special import logsumexp
 from acoustic_fem import Library
 from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.library.transfer_functions import MEASURED
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import DriftOptions
@@ -73,8 +74,7 @@ class DriftDecoder(LibraryDecoder):
         microphones: tuple[str, ...] | None = None,
         options: DriftOptions = DriftOptions(),
     ) -> None:
-        if not 0 < new <= 1:
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="new", value=new, allowed="above 0 and at most 1")
+        check_range("new", new, 0, 1, excluded="low")
         check_drift(library)
         whole = response_of(library)
         response = whole if microphones is None else whole.heard_by(microphones)
@@ -108,7 +108,7 @@ class DriftDecoder(LibraryDecoder):
     @property
     def assumptions(self) -> str:
         """Assumptions about the sensor, in words."""
-        return "that the sensor is as its library has it, but for a stiffness that is followed"
+        return "that the sensor is as its library describes it, except for its stiffness, which is followed"
 
     @one_thread()
     def follow(self, signals: ArrayLike | Tensor, state: Array) -> tuple[Array, Array]:

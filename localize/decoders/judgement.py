@@ -18,6 +18,7 @@ import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem import Library
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import ResidualOptions
@@ -60,13 +61,12 @@ class ResidualTest:
     """Test of whether a touch of a given point can have made a signal.
 
     Args:
-        library: transfer functions of the array that was made. An error of them of 1 % leaves a residual 40 dB below
-            the signal, which stands above a noise that is lower.
+        library: transfer functions of the as-built array. If they are wrong by 1 %, the residual is 40 dB below the
+            signal, which may be far above the noise.
         microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
         loudest_touch_pa: pressure in the touched cavity up to which a true touch passes, Pa rms, 1e-3 to 1e3.
-        ambient: sound around up to this level in dB SPL, 0 to 140, passes with a touch; None for quiet. It takes as
-            many directions as there are lines below half the sample rate: with two microphones next to none is then
-            left to test. Needs a library with a design.
+        ambient: level of room sound in dB SPL, 0 to 140, up to which a touch in that sound passes; None for a quiet
+            room. With two microphones, next to nothing is then left to test. Needs a library with a design.
         options: numbers that tune it.
 
     Raises:
@@ -83,11 +83,7 @@ class ResidualTest:
         ambient: float | None = None,
         options: ResidualOptions = ResidualOptions(),
     ) -> None:
-        if not 1e-3 <= loudest_touch_pa <= 1e3:
-            allowed = "between 1e-3 and 1e3 Pa"
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE, field="loudest_touch_pa", value=loudest_touch_pa, unit="Pa", allowed=allowed
-            )
+        check_range("loudest_touch_pa", loudest_touch_pa, 1e-3, 1e3, "Pa")
         check_noise(microphone_noise)
         response = response_of(library)
         check_level(response, ambient)
@@ -170,23 +166,14 @@ def judge(
         decoder: of the array.
         test: of the same array, with the noise that there is.
         signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
-        top: how many points to name, 1 to the number of points.
-        false_alarm: share of true touches that may be called none of these, above 0, below 1.
+        top: number of points to return, from 1 to the number of points.
+        false_alarm: fraction of true touches that may be rejected, above 0, below 1.
 
     Raises:
         Refusal: an argument out of range, or as :meth:`localize.BayesDecoder.locate`.
     """
-    if not 1 <= top <= decoder.point_count:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="top",
-            value=top,
-            allowed=f"between 1 and {decoder.point_count}, the number of points",
-        )
-    if not 0 < false_alarm < 1:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="false_alarm", value=false_alarm, allowed="between 0 and 1, both excluded"
-        )
+    check_range("top", top, 1, decoder.point_count, whole=True, why="the number of points")
+    check_range("false_alarm", false_alarm, 0, 1, excluded="both")
     batch, _ = checked_signals(signals, decoder.microphones)
     score = decoder.log_probability(batch)
     order = np.argsort(-score, axis=1, kind="stable")

@@ -25,6 +25,7 @@ import scipy.signal
 from numpy.typing import ArrayLike
 
 from acoustic_fem import Library
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import SOURCE_RMS, check_noise, noise_covariance, source_density
@@ -79,25 +80,9 @@ class Reconstructor:
         source_rms: float = SOURCE_RMS,
     ) -> None:
         check_noise(microphone_noise)
-        if not 2 <= window <= LONGEST:
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="window",
-                value=window,
-                unit="samples",
-                allowed=f"between 2 and {LONGEST} samples",
-            )
-        if not 0 <= latency < window:
-            allowed = f"between 0 and {window - 1} samples, a window less one"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="latency", value=latency, unit="samples", allowed=allowed)
-        if not 1e-6 <= source_rms <= 1e3:
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="source_rms",
-                value=source_rms,
-                unit="Pa",
-                allowed="between 1e-6 and 1e3 Pa",
-            )
+        check_range("window", window, 2, LONGEST, "samples", whole=True)
+        check_range("latency", latency, 0, window - 1, "samples", whole=True, why="a window less one")
+        check_range("source_rms", source_rms, 1e-6, 1e3, "Pa")
         response = response_of(library)
         self.microphones = response.microphones
         self.window = window
@@ -174,14 +159,15 @@ def short_window_waveform(
     window: int = PAPER_WINDOW,
     hop: int = PAPER_HOP,
 ) -> Array:
-    """Waveform in the paper's way: short-window transform, least squares over microphones (ours) per bin, and back.
+    """Waveform by the paper's method: short-window transform, then least squares over the microphones (our addition) in
+    each bin, then the inverse transform.
 
     The product with a transfer function is exact only for windows much longer than the impulse response. At the
     paper's 32 samples, 31 Hz between bins, the error is that of the window, whatever the noise.
 
     Args:
-        library: transfer functions that cover 1 to 100 Hz; there the waveform ends, for beyond them the array lets
-            nothing but noise through.
+        library: transfer functions that cover 1 to 100 Hz; there the waveform ends, because beyond them the array
+            transmits only noise.
         signals: (n, n_microphone, n_sample) or (n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
         point: from 1.
         window: samples, Hann window, 4 to 1000.
@@ -195,22 +181,8 @@ def short_window_waveform(
     """
     response = response_of(library)
     _check_point(point, response.point_count)
-    if not 4 <= window <= LONGEST:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="window",
-            value=window,
-            unit="samples",
-            allowed=f"between 4 and {LONGEST} samples",
-        )
-    if not 1 <= hop <= window // 2:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="hop",
-            value=hop,
-            unit="samples",
-            allowed=f"between 1 and {window // 2}, half the window",
-        )
+    check_range("window", window, 4, LONGEST, "samples", whole=True)
+    check_range("hop", hop, 1, window // 2, "samples", whole=True, why="half the window")
     batch, _ = checked_signals(signals, response.microphones)
     transform = scipy.signal.ShortTimeFFT(np.hanning(window + 1)[:window], hop, SAMPLE_RATE)
     spectrum = transform.stft(batch)
@@ -223,10 +195,4 @@ def short_window_waveform(
 
 
 def _check_point(point: int, count: int) -> None:
-    if not 1 <= point <= count:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="point",
-            value=point,
-            allowed=f"between 1 and {count}, the points of the array",
-        )
+    check_range("point", point, 1, count, whole=True, why="the points of the array")

@@ -30,10 +30,10 @@ if TYPE_CHECKING:
 
 
 class SoundTest:
-    """Test that tells sound without a touch from everything else.
+    """Test that detects sound without a touch.
 
     Args:
-        library: of a design, which tells how sound comes in.
+        library: library with a design, from which the response to room sound follows.
         microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
         loudest_sound_db: level up to which sound is recognised, dB SPL, 0 to 140. The louder, the more of what lies
             below 20 Hz passes for sound: from 100 dB SPL on all of it.

@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem import Library
 from acoustic_fem.scatter.tolerances import Tolerance
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import TwoTouchOptions
@@ -60,7 +61,7 @@ class TwoTouches:
 class TwoTouchDecoder:
     """Maximum likelihood over all pairs of points.
 
-    Tables grow with the square of the number of points: 0.3 GB for 36 points and three microphones.
+    Its tables grow with the square of the number of points. They take 0.3 GB for 36 points and three microphones.
 
     Args:
         library: transfer functions that cover 1 to 100 Hz, of 2 to 64 points and at least two microphones.
@@ -87,8 +88,7 @@ class TwoTouchDecoder:
         check_noise(microphone_noise)
         if threshold is None:
             threshold = options.threshold if tolerances is None else options.tolerant_threshold
-        if not threshold >= 0:
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="threshold", value=threshold, unit="nats", allowed="0 or above")
+        check_range("threshold", threshold, 0, unit="nats")
         response = response_of(library)
         if response.point_count > MOST_POINTS:
             problem = f"has {response.point_count} points; pairs are searched among at most {MOST_POINTS}"

@@ -19,7 +19,7 @@ import scipy.signal
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import (
@@ -131,8 +131,7 @@ def embedded_tables(
     Raises:
         Refusal: an unknown precision, or as :class:`localize.BayesDecoder` and :class:`localize.SoundTest`.
     """
-    if precision not in PRECISIONS:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="precision", value=precision, allowed=PRECISIONS)
+    check_choice("precision", precision, PRECISIONS)
     check_noise(microphone_noise)
     response = response_of(library)
     warn_of_uncovered(response)

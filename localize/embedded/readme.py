@@ -9,25 +9,26 @@ from localize.live.events import HOP
 
 _TEXT = """# The decoder of {name} as C
 
-Gives the touched point of an array of {points} points from its {count} microphones ({microphones}), every 16 ms
-from the last 250 ms, in {precision}. Made by `acoustic-fem embed`; what the decoder is: docs/embed.md and
-docs/decoder.md there.
-Portable C99: no heap, no recursion, constant tables, nothing but `math.h`.
+This code locates touches on an array of {points} points. Every 16 ms it decides from the last 250 ms of the signals of
+{count} microphones ({microphones}), with tables in {precision}. `acoustic-fem embed` wrote it. The decoder is
+described in docs/embed.md and docs/decoder.md of that program. The code is portable C99. It uses no heap and no
+recursion, its tables are constant, and it needs no library except `math.h`.
 
-It assumes **that the sensor is as its library has it**: use a library that was calibrated on the sensor, not the one
-computed from its design. It was made for microphones whose noise is {noise:.3g} Pa rms over 0 to 500 Hz.{sound}
+It assumes **that the sensor is as its library describes it**. So use a library that was calibrated on the sensor, not
+the one that was computed from its design. The microphones are assumed to have a noise of {noise:.3g} Pa rms over 0 to
+500 Hz.{sound}
 
-| | most | of what |
+| resource | at most | used for |
 |---|---|---|
-| flash | {flash} ({flash_bytes} bytes) | tables {tables_share:.0f} %, the rest code with what it takes of newlib |
-| RAM | {ram} ({ram_bytes} bytes) | `touch_decoder`; newlib keeps 1.1 kB of its own for `errno`, newlib-nano 0.1 kB |
+| flash | {flash} ({flash_bytes} bytes) | tables ({tables_share:.0f} %), code and the parts of newlib that it needs |
+| RAM | {ram} ({ram_bytes} bytes) | `touch_decoder`; newlib needs 1.1 kB more for `errno`, newlib-nano 0.1 kB |
 | stack | {stack_bytes} bytes | the deepest call of `touch_push` |
-| instructions | {instructions} | a decision, whatever the signal; {per_second} in a second |
-| | {first} more | the first decision after the start or a gap |
+| instructions | {instructions} | one decision, whatever the signal; {per_second} in a second |
+| | {first} more | the first decision after the start or after a gap |
 
-Code, stack and instructions are those of gcc 12.2, `-O2 -ffp-contract=fast`, for a Cortex-M4F. They are instructions,
-not cycles: a division takes some 14 of those, and flash that is slower than the core adds waits. Most decisions take a
-third or less, for points that cannot win are given up early.
+Code, stack and instructions hold for gcc 12.2 with `-O2 -ffp-contract=fast`, for a Cortex-M4F. Instructions are
+not cycles: a division takes about 14 cycles, and flash that is slower than the core adds wait states. Most decisions
+need a third of these instructions or less, because points that cannot win are dropped early.
 
 ## Build and call
 
@@ -43,9 +44,9 @@ arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -st
 
 static touch_decoder decoder;             /* {ram_bytes} bytes: static, not on the stack */
 
-touch_init(&decoder, 10.0f);              /* Pa, from which on a microphone clips; 0 if it never does */
+touch_init(&decoder, 10.0f);              /* pressure (Pa) at which a microphone clips; 0 for none */
 for (;;) {{
-    size_t taken = 0, count = fill(samples);   /* float, Pa, interleaved: {order}; 1000 a second of each */
+    size_t taken = 0, count = fill(samples);   /* float, Pa, interleaved: {order}; 1 kHz each */
     while (taken < count) {{
         taken += touch_push(&decoder, samples + taken * TOUCH_MICROPHONES, count - taken);
         if (decoder.is_new && decoder.decision.state == TOUCH_TOUCHED)
@@ -54,47 +55,47 @@ for (;;) {{
 }}
 ```
 
-Chunks may have any length; a decision depends on the samples alone. `decoder.decision` holds the state (no touch,
-fading, sound alone, touched, unreadable), the level of the loudest microphone in Pa rms, the {top} most probable
-points, numbered from 1, and the probability of every point. If samples are
-lost, push as many NaN as were lost, at least one: no frame spans them, and decisions are unreadable until a whole
-frame has come again.
+Chunks may have any length, because a decision depends only on the samples. `decoder.decision` holds the state (no
+touch, fading, sound alone, touched, unreadable), the level of the loudest microphone in Pa rms, the {top} most
+probable points, numbered from 1, and the probability of every point. If samples are lost, push a NaN for each, or one
+NaN if you do not know how many were lost. No frame spans them, and decisions are unreadable until a whole frame of
+good samples has arrived.
 
 ## On the host
 
-A test bench that reads 32-bit floats and writes a line for every decision: samples so far, state (0 to 4, in the order
-of `touch_state`), level, point, probabilities.
+The test bench reads 32-bit floats and writes a line for every decision. A line holds the number of samples so far, the
+state (0 to 4, in the order of `touch_state`), the level, the point and the probabilities.
 
 ```sh
 cc -std=c99 -O2 touch_bench.c touch_decoder.c touch_tables.c -lm -o touch_bench
-./touch_bench 16 10 < samples.f32    # 16 samples at a time, clipped from 10 Pa on
+./touch_bench 16 10 < samples.f32    # 16 samples at a time; the input clips at 10 Pa
 ```
 
 In Python, `signals.T.astype("<f4").tofile("samples.f32")` writes (microphone, sample) in Pa at 1 kHz.
 
 ## Microphones
 
-The array hears 1 to 100 Hz: take microphones whose response is known from a few hertz up, and keep them as the
-calibration had them. All must be sampled at the same instants, at 1000 Hz:
+The array transmits 1 to 100 Hz, so use microphones whose response is known from a few hertz up. Do not change them
+after the calibration. All must be sampled at the same instants, at 1000 Hz:
 
-- **Two PDM microphones** share one clock and one data line: SELECT is low at one and high at the other, and each
-  speaks at an edge of its own. Four take two lines on the same clock. Clock them at 1.024 MHz and let the chip's filter
-  (DFSDM or MDF on STM32, PDM on nRF) decimate to 16 kHz; then once more by 16, through a low-pass of 400 Hz, to 1 kHz.
-- **I2S microphones** come two on one bus, left and right by their SELECT pin; of more, run the buses as slaves of one
-  clock (SAI blocks in synchronous mode) or take TDM. They give no less than some 8 kHz: decimate the same way.
-- **Analogue microphones**: one converter with simultaneous or scanned channels at 8 kHz or more, behind an RC of a few
-  kHz; a scan that lasts under 20 us is as good as simultaneous.
-- Samples to pascals: p = 1.41 s 10^(-S / 20), for s relative to full scale and S the sensitivity in dBFS at 94 dB SPL
-  (1 Pa rms), such as -26, of data sheets whose full scale is that of a sine. The sensitivity must be the same
-  as in the calibration, and so must the gains of the microphones against each other.
-- Order: {order}, as they stand in the design.
+- **Two PDM microphones** share one clock and one data line. SELECT is low at one and high at the other, so each
+  transmits at its own clock edge. Four microphones need two lines on the same clock. Clock them at 1.024 MHz. Let the
+  chip's filter (DFSDM or MDF on STM32, PDM on nRF) decimate to 16 kHz. Then decimate by 16, with a low-pass of 400 Hz,
+  to 1 kHz.
+- **Two I2S microphones** share one bus, left and right by their SELECT pin. If you have more, run the buses as slaves
+  of one clock (SAI blocks in synchronous mode) or use TDM. Their lowest rate is about 8 kHz, so decimate in the same
+  manner.
+- **Analogue microphones** need one converter with simultaneous or scanned channels at 8 kHz or more, behind an RC
+  filter of a few kHz. A scan that lasts less than 20 us is as good as simultaneous sampling.
+- To convert samples to pascals, use p = 1.41 s 10^(-S / 20). Here s is the sample relative to full scale, and S is the
+  sensitivity in dBFS at 94 dB SPL (1 Pa rms), such as -26. This holds for data sheets that define full scale by a sine.
+  The sensitivity and the relative gains of the microphones must be the same as in the calibration.
+- The order of the channels is that of the design: {order}.
 
-Fill a buffer by DMA, half of it at a time: 16 samples of each microphone are {buffer} bytes, and a decision then has
-16 ms. At F MHz and an instruction a cycle it takes at most {instructions_millions:.2f} / F seconds.
+Fill a buffer by DMA, one half at a time. 16 samples of each microphone are {buffer} bytes, and a decision then has
+16 ms. At F MHz and one instruction per cycle it takes at most {instructions_millions:.2f} / F seconds.
 """
-_SOUND = (
-    " The sound of a room up to 80 dB SPL, which presses on all points alike, is recognised, not reported as a touch."
-)
+_SOUND = " Room sound of up to 80 dB SPL, which acts on all points equally, is detected and not reported as a touch."
 
 
 def readme(tables: EmbeddedTables, cost: Cost) -> str:

@@ -12,6 +12,7 @@ import scipy.stats
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
+from geometry.ground.argument_checks import check_range
 from geometry.ground.figures import new_figure
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.shown import Shown
@@ -88,7 +89,7 @@ class Reliability:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Evaluation(Shown):
-    """Results of a localizer over a set of touches; shares run from 0 to 1."""
+    """Results of a localizer over a set of touches; fractions run from 0 to 1."""
 
     top1: float
     """Share of touches whose most probable point is the right one."""
@@ -157,9 +158,10 @@ class Evaluation(Shown):
 
     @property
     def hardest_pair(self) -> tuple[int, int, float] | None:
-        """Two points most often taken for each other, numbered from 1, and how often, as a share of their touches.
+        """Two points that are confused most often, numbered from 1, and the fraction of their touches that is assigned
+        to the other point.
 
-        None where no touch was missed.
+        None if no touch was classified wrongly.
         """
         mistaken = self.confusion + self.confusion.T
         np.fill_diagonal(mistaken, 0)
@@ -200,9 +202,9 @@ def evaluate(
     stimuli: StimulusSource = multi_sines,
     ambient: float | None = None,
 ) -> Evaluation:
-    """Results of a localizer that names the points of held-out touches.
+    """Results of a localizer for held-out touches.
 
-    The stimuli come from a stream of their own: none was seen in training, whatever the seeds.
+    The touches come from a stream of their own, so none was used in training, whatever the seeds are.
 
     Args:
         localizer: network, graph or decoder.
@@ -254,17 +256,8 @@ def check_evaluation(
             f"microphones {', '.join(response.microphones)}",
             kind=Kind.MISMATCH,
         )
-    if not 1 <= touches_per_point <= MOST_TOUCHES:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="touches_per_point",
-            value=touches_per_point,
-            allowed=f"between 1 and {MOST_TOUCHES:,}",
-        )
-    if not FRAME <= samples <= SAMPLE_LENGTH:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="samples", value=samples, allowed=f"between {FRAME} and {SAMPLE_LENGTH}"
-        )
+    check_range("touches_per_point", touches_per_point, 1, MOST_TOUCHES, whole=True)
+    check_range("samples", samples, FRAME, SAMPLE_LENGTH, whole=True)
     response.noise(microphone_noise)
 
 

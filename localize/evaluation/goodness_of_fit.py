@@ -91,7 +91,7 @@ class FitOptions:
 
 @dataclass(frozen=True)
 class SensorFit:
-    """How well the points of a decoder explain the loudest touches of a sensor."""
+    """Result of a check of how well a decoder explains the loudest touches of a sensor."""
 
     misfit: float
     """Residual of the best point in a frame over that of the noise, a ratio; the median over the frames."""

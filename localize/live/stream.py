@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
@@ -80,8 +81,8 @@ class TouchStream:
         usual = max(options.silence * locator.noise_rms, options.least_silence)
         self.silence, self.limit = usual if silence is None else silence, limit
         for name, value in (("silence", self.silence), ("limit", limit)):
-            if value is not None and not 0 < value < np.inf:
-                raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, unit="Pa", allowed="finite and above 0")
+            if value is not None:
+                check_range(name, value, 0, unit="Pa", excluded="both")
         self._microphones = tuple(locator.microphones)
         self._classifier_of = Fallback(FrameClassifier(locator, sound_test, residual_test), options.fallback)
         self._state = locator.start

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_range
 
 HIGH_PASS = 3.0
 """Corner of the high-pass of all microphones where none is given, Hz: the lowest at which the rest of a touch is soon
@@ -76,14 +76,9 @@ class StreamOptions:
     """Multiple of the expected noise, and of that of the quietest other microphone, below which one is dead."""
 
     def __post_init__(self) -> None:
-        if self.high_pass is not None and not 0.5 <= self.high_pass <= 20.0:
-            allowed = "between 0.5 and 20 Hz, or None for none"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="high_pass", value=self.high_pass, unit="Hz", allowed=allowed)
-        if not 0 < self.rejected_fraction < 1:
-            allowed = "between 0 and 1, both excluded"
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE, field="rejected_fraction", value=self.rejected_fraction, allowed=allowed
-            )
+        if self.high_pass is not None:
+            check_range("high_pass", self.high_pass, 0.5, 20.0, "Hz", why="or None for none")
+        check_range("rejected_fraction", self.rejected_fraction, 0, 1, excluded="both")
 
 
 AS_IT_COMES = StreamOptions(high_pass=None, follow=False, fade=False)

@@ -132,11 +132,11 @@ class _Evidence:
 
 
 class TouchTracker:
-    """Tracker that tells beginnings, moves and ends of touches while they happen.
+    """Tracker that reports the beginnings, moves and ends of touches while they happen.
 
     Args:
         array: lines and places of the points that are decided on.
-        delay: s, by which the stream hears later than its samples are: :attr:`localize.TouchStream.delay`.
+        delay: delay of the stream, s: :attr:`localize.TouchStream.delay`.
         options: how decisions join.
     """
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -17,6 +17,7 @@ from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.shown import Shown
 from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder, check_drift
@@ -65,7 +66,7 @@ LibrarySource: TypeAlias = str | os.PathLike[str] | Library
 
 @dataclass(frozen=True)
 class Decoding:
-    """Choices of how a model is opened and what it reports beside the point; as of :func:`open_model`."""
+    """Options for opening a model and for what it reports besides the point; see :func:`open_model`."""
 
     microphone_noise: NoiseChoice = "design"
     """For a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design"."""
@@ -93,15 +94,36 @@ class Decoding:
             StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
 
 
-@dataclass(frozen=True, eq=False)
-class Model:
-    """Localizer with what it needs to listen; made by :func:`open_model`, and never changed by what it hears."""
+@dataclass(frozen=True, eq=False, repr=False)
+class Model(Shown):
+    """Localizer with everything that it needs; made by :func:`open_model`. Decoding does not change it."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        array, decoding, library = self.locator.array, self.decoding, self.library
+        noise = decoding.microphone_noise
+        return f"Model of {array.design}", {
+            "decodes with": self.locator.kind,
+            "array": f"{len(array.line)} points, microphones {', '.join(self.locator.microphones)}",
+            "library": "none"
+            if library is None
+            else f"{library.fidelity}, {library.frequency[0]:g} to {library.frequency[-1]:g} Hz",
+            "assumes": self.assumptions,
+            "noise of the microphones": noise if isinstance(noise, str) else f"{noise:g} Pa rms",
+            "sound in the room": "" if decoding.ambient is None else f"up to {decoding.ambient:g} dB SPL",
+            "true touches that may be rejected": ""
+            if decoding.rejected_fraction is None
+            else f"{decoding.rejected_fraction:.2g}",
+            "follows drift": "yes" if decoding.follow_drift else "",
+            "warnings": f"{len(self.warnings)}, the first: {self.warnings[0]}" if self.warnings else "none",
+            "files": ", ".join(str(path) for path in self.files),
+        }
 
     locator: Locator
     """Localizer: a network, a graph, or the decoder of a library."""
     library: Library | None
     """Library of the array, in the air of the place; None where none was given."""
-    response: ArrayResponse | None = field(repr=False)
+    response: ArrayResponse | None
     """Transfer functions of the array, for tests and waveforms; None where nothing has them."""
     decoding: Decoding
     """Choices that it was opened with."""
@@ -134,12 +156,12 @@ class Model:
         channels: Mapping[str, int] | None = None,
         correct: bool = False,
     ) -> LocatedTouches:
-        """Touches in a recording: where and when.
+        """Touches in a recording, with their points and times.
 
         Args:
             path: of the recording, see :func:`localize.read_recording`.
-            full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip,
-                by default recognised by flat tops.
+            full_scale: pressure at full scale of WAV files, Pa, by default 1 Pa. For other files, the pressure at which
+                the recorder clipped; by default clipping is detected by its flat tops.
             channels: microphone -> channel of the file, from 1; as of :func:`localize.read_recording`.
             correct: as of :meth:`locate_recording`.
 
@@ -207,7 +229,7 @@ class Model:
         )
 
     def stream(self, limit: float | None = None, frames: bool = False) -> TouchStream:
-        """New stream that listens with the model, its test of sound, and what else it was opened for.
+        """New stream that decodes with the model, with the sound test and the other options that it was opened with.
 
         Args:
             limit: Pa; a sample that reaches it is clipped. By default nothing is.
@@ -238,7 +260,7 @@ class Model:
         """New tracker of the paths of contacts, for the decisions of a stream that carry their frames.
 
         Args:
-            contact_radius_mm: of the contact, mm.
+            contact_radius_mm: radius of the contact, mm.
 
         Raises:
             Refusal: a model without a library, or a radius out of range.
@@ -293,7 +315,8 @@ def open_model(
     Args:
         source: a library, the folder of a trained localizer or an ONNX file; or a library or a localizer in memory.
         air: air in which the sensor is used, to which the library is converted; by default that of the library.
-        microphone_noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        microphone_noise: white noise of the microphones that the decoder of a library assumes, Pa rms over 0 to 500 Hz,
+            or "design" for that of the design's microphone.
         ambient: highest level of room sound in which touches are classified, dB SPL; by default a quiet room. Frames
             that hold only sound are detected in any case, up to 80 dB SPL or this level.
         library: library of the array, for a network or graph that is to detect sound, and for the arguments below; by
@@ -333,9 +356,9 @@ def opened(source: ModelSource, decoding: Decoding | None = None, name: str = "m
     content = file_content(Path(source)) if isinstance(source, (str, os.PathLike)) else None
     is_library = isinstance(source, Library) or content is FileContent.LIBRARY
     library = open_library(source, given.air) if is_library else None
+    beside = library if given.library is None else open_library(given.library, given.air)
     reason = None if library is None else unknown_tolerances(library)
     locator = _network(source, content, given) if library is None else _decoder(library, source, given)
-    beside = library if given.library is None else open_library(given.library, given.air)
     response = locator.response if beside is None else response_of(beside)
     if beside is not None and beside is not library:
         check_same_design(locator.array, response_of(beside).array, _name(given.library))

@@ -1,6 +1,6 @@
 """How likely unlabelled touches are on a sensor, and the derivative by its transfer functions.
 
-A frame of an unknown point has the likelihood of the model-based decoder (:mod:`localize.decoders.bayes`), the power g
+A frame of an unknown point has the likelihood of the Bayes decoder (:mod:`localize.decoders.bayes`), the power g
 profiled for each point, summed over the points, all equally likely beforehand. The derivative of its logarithm by the
 covariances is that of a Gaussian's (g is at its maximum and adds nothing), and is worked out by hand down to the
 transfer functions; from there to the parameters of a sensor it is left to torch.

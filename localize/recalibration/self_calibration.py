@@ -43,7 +43,7 @@ class SelfCalibrationError(Refusal):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class SelfCalibration(RejectionTests):
-    """Most probable sensor of unlabelled touches, and what speaks against it."""
+    """Sensor that most probably made unlabelled touches, and the reasons against it."""
 
     present: Library
     """Library that the search began from, and that stays where the sensor is refused."""
@@ -59,7 +59,7 @@ class SelfCalibration(RejectionTests):
     """Corner of the high-pass that the frames had passed, Hz; None for none."""
 
     def library(self) -> Library:
-        """Calibrated library, like any other; the present one where the calibration is refused."""
+        """Calibrated library; the present library if the calibration is rejected."""
         if not self.accepted:
             return self.present
         return measured_library(
@@ -115,9 +115,9 @@ def self_calibrate(
         frames: (n, n_microphone, 250), Pa, at 1 kHz; those without a touch are passed over.
         microphone_noise: of the microphones, Pa rms over 0 to 500 Hz, 1e-9 to 10; or "design" for that of the design's
             microphone.
-        priors: how far the sensor may be from the library; by default those of a fresh one.
+        priors: prior deviations of the sensor from the library; by default those of a sensor that was never calibrated.
         seed: of the choice of the frames that are held out.
-        progress: called with what is being done and the fraction done.
+        progress: function that is called with the name of the step and the fraction done.
         high_pass: corner of the high-pass that the frames have passed, that of
             :class:`localize.live.front_end.HighPass`, 0.5 to 20 Hz; None for none.
         options: numbers that tune the search and the tests of its result.

@@ -16,6 +16,7 @@ from torch import Tensor
 
 from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.stated_times import stated_seconds
 from localize.decoders.reconstruct import Reconstructor
@@ -69,13 +70,13 @@ def train_recognizer(
 
     Args:
         library: transfer functions that cover 1 to 100 Hz.
-        subject: what to tell: one of :data:`localize.recognition.takes.SUBJECTS`, "letters", or "labels" for those of a
-            manifest.
+        subject: what to recognize: one of :data:`localize.recognition.takes.SUBJECTS`, "letters", or "labels" for those
+            of a manifest.
         plan: by default one that takes about a minute for twelve kinds on one core.
         progress: called after every epoch.
         checkpoint: a file that keeps the state of the training, as of :func:`localize.train`.
         recordings: a manifest with labels (:mod:`localize.recordings.touch_manifest`), for "labels" and "letters".
-        making: called with the share of the simulated takes that are made.
+        making: function that is called with the fraction of the simulated signals that are made.
 
     Raises:
         Refusal: an unknown subject, or one that does not go with recordings; a library that does not cover 1 to 100 Hz.
@@ -84,8 +85,7 @@ def train_recognizer(
     """
     plan = plan or RecognitionPlan.of(subject)
     known = (*SUBJECTS, WRITTEN, RECORDED)
-    if subject not in known:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="subject", value=subject, allowed=known)
+    check_choice("subject", subject, known)
     if subject != WRITTEN and (subject == RECORDED) != (recordings is not None):
         raise Refusal(
             f"a manifest of recordings goes with {RECORDED!r} or {WRITTEN!r}, and {RECORDED!r} needs one",

@@ -154,7 +154,8 @@ class PulseReader:
 
         Args:
             signals: (n_microphone, n_sample), Pa at 1 kHz, at least 3 s.
-            point: under which it is felt, from 1; by default the one that the decoder names over the whole of it.
+            point: number of the point under the finger, from 1; by default the point that the decoder finds from the
+                whole recording.
 
         Raises:
             Refusal: less than 3 s, no such point, or as :meth:`localize.BayesDecoder.locate`.

@@ -53,7 +53,7 @@ class _Description(Strict):
 
 @dataclass(frozen=True, eq=False)
 class Recognizer:
-    """Network that tells kinds of touch, made by :func:`localize.train_recognizer`."""
+    """Network that recognizes kinds of touch, made by :func:`localize.train_recognizer`."""
 
     classifier: MapClassifier = field(repr=False)
     """Network with its normalisation."""

@@ -13,6 +13,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
@@ -185,8 +186,7 @@ def at_usual_speed(waveform: Array, speed: float) -> Array:
     Raises:
         Refusal: a speed that is not between 1 and 100 mm/s.
     """
-    if not 1.0 <= speed <= 100.0:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="speed", value=speed, unit="mm/s", allowed="between 1 and 100 mm/s")
+    check_range("speed", speed, 1.0, 100.0, "mm/s")
     place = np.arange(int(len(waveform) * speed / SPEED)) * (SPEED / speed)
     spline = scipy.interpolate.make_interp_spline(np.arange(len(waveform)), waveform, k=3)
     return np.asarray(spline(np.minimum(place, len(waveform) - 1)))

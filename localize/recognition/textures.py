@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array
 from localize.contacts.contact import hertz_fraction
 from localize.recognition.event_kinds import band_noise
@@ -67,7 +67,7 @@ def felt_height(profile: Profile, place: Array, contact_radius_mm: float) -> Arr
     Args:
         profile: the ridges.
         place: (n,) float64, where the contact's middle is, mm.
-        contact_radius_mm: of the contact, mm.
+        contact_radius_mm: radius of the contact, mm.
 
     Returns:
         (n,) float64, mm.
@@ -147,8 +147,7 @@ def _felt(
     profile: Profile, count: int, speed: float, random: np.random.Generator, blunter: float
 ) -> tuple[Array, float]:
     """Change of the force, (count,), over the rms of the part of the ridges; and that rms over the mean force."""
-    if not 1.0 <= speed <= 100.0:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="speed", value=speed, unit="mm/s", allowed="between 1 and 100 mm/s")
+    check_range("speed", speed, 1.0, 100.0, "mm/s")
     wander = 1 + 0.01 * band_noise(count, 0.2, 2.0, random)
     place = np.cumsum(speed * wander) / SAMPLE_RATE + random.uniform(0.0, 10.0)
     height = felt_height(profile, place, blunter * random.uniform(*RADIUS))

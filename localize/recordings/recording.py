@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.sound.clipping import clipped_samples
 from acoustic_fem.sound.sound_file import MATRIX, SCALED, TIME, Sound, SoundFileError, read_sound
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.recordings.channel_choice import check_count, chosen_channels
 from localize.signals.frames import FRAME
@@ -78,8 +79,8 @@ def read_recording(
     Args:
         path: of the file; its suffix says what it is.
         microphones: names of the array's microphones.
-        full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others the pressure at which they
-            clip. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
+        full_scale: pressure at full scale of WAV files, Pa, by default 1 Pa. For other files, the pressure at which the
+            recorder clipped. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
         fallback: whether one channel may be clipped, or silent all the time or from some time on: for what goes on with
             the others.
         channels: microphone -> channel of the file, counted from 1 without a column of times; the file may then have
@@ -206,15 +207,7 @@ def _time_column(names: Sequence[str]) -> str:
 
 
 def _check_rate(path: Path, rate: float) -> None:
-    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
-        raise RecordingError(
-            kind=Kind.OUT_OF_RANGE,
-            file=path,
-            field="sample rate",
-            value=rate,
-            unit="Hz",
-            allowed=f"between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz",
-        )
+    check_range("sample rate", rate, LOWEST_RATE, HIGHEST_RATE, "Hz", error=RecordingError, file=path)
 
 
 def _check_apart(

@@ -28,6 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.file_checks import LARGEST_DATA, read_bytes
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
@@ -185,14 +186,8 @@ def _read(path: Path, points: int) -> tuple[_File, list[str]]:
     file = model_of(_File, read_toml(path, "a manifest", TouchManifestError), str(path), "manifest", TouchManifestError)
     seen: dict[str, str] = {}
     for number, each in enumerate(file.recordings):
-        if each.point > points:
-            raise TouchManifestError(
-                kind=Kind.OUT_OF_RANGE,
-                file=path,
-                field=f"recordings.{number}.point",
-                value=each.point,
-                allowed=f"from 1 to {points}, the points of the array",
-            )
+        field, of_array = f"recordings.{number}.point", "the points of the array"
+        check_range(field, each.point, 1, points, why=of_array, error=TouchManifestError, file=path)
         digest = hashlib.sha256(
             read_bytes(path.parent / each.file, "a recording", TouchManifestError, LARGEST_DATA)
         ).hexdigest()

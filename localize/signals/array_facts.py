@@ -1,4 +1,4 @@
-"""Facts of one array that a localizer keeps: enough to read its answers and to compare it with a library."""
+"""Facts of one array that a localizer keeps, so that its results can be read and compared with a library."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from acoustic_fem.library.transfer_functions import MEASURED
 
 @dataclass(frozen=True, eq=False)
 class ArrayFacts:
-    """Facts of one array that a localizer keeps: enough to read its answers and to compare it with a library."""
+    """Facts of one array that a localizer keeps, so that its results can be read and compared with a library."""
 
     design: str
     """Name of the design."""
@@ -38,7 +38,7 @@ class ArrayFacts:
     def assumptions(self) -> str:
         """Assumptions of a decoder without tolerances about the sensor, in words."""
         if self.provenance.get("fidelity", MEASURED) == MEASURED:
-            return f"that the sensor is as its library has it{self.in_air}"
+            return f"that the sensor is as its library describes it{self.in_air}"
         return f"that the sensor is exactly as it was designed{self.in_air}, without manufacturing tolerances"
 
     @property

@@ -140,7 +140,7 @@ class ArrayResponse:
         return None if self.cavity_response is None else self.transfer_function * self.cavity_response[:, None]
 
     def heard_by(self, microphones: tuple[str, ...]) -> ArrayResponse:
-        """The array as some of its microphones hear it.
+        """Response of the array at some of its microphones.
 
         Args:
             microphones: names of two or more.

@@ -55,15 +55,8 @@ class MicrophoneMismatch:
     """Relative standard deviation of the vent's conductance (log-normal), 0 to 1."""
 
     def __post_init__(self) -> None:
-        for name, most, unit in (("gain", 20.0, " dB"), ("vent", 1.0, "")):
-            if not 0 <= getattr(self, name) <= most:
-                raise Refusal(
-                    kind=Kind.OUT_OF_RANGE,
-                    field=f"mismatch.{name}",
-                    value=getattr(self, name),
-                    unit=unit,
-                    allowed=f"between 0 and {most:g} {unit}".rstrip(),
-                )
+        for name, most, unit in (("gain", 20.0, "dB"), ("vent", 1.0, "")):
+            check_range(f"mismatch.{name}", getattr(self, name), 0, most, unit)
 
     def factors(
         self, seed: int, purpose: Purpose, start: int, count: int, microphones: int, vent_ratio: Tensor

@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 import scipy.signal
 
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -167,11 +167,5 @@ def check_full_scale(full_scale: float | None) -> None:
         Refusal: it is not a number within :data:`FULL_SCALES`.
     """
     least, most = FULL_SCALES
-    if full_scale is not None and not least <= full_scale <= most:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="full_scale",
-            value=full_scale,
-            unit="Pa",
-            allowed=f"between {least:g} and {most:g} Pa",
-        )
+    if full_scale is not None:
+        check_range("full_scale", full_scale, least, most, "Pa")

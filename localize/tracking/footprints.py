@@ -54,7 +54,7 @@ def fractions_at(response: ArrayResponse, contact_radius_mm: float, place: Array
 
     Args:
         response: of a library with a design.
-        contact_radius_mm: of the contact, mm.
+        contact_radius_mm: radius of the contact, mm.
         place: its middles, (n, 2) float64, mm.
 
     Returns:
@@ -75,7 +75,7 @@ def footprints_over(
 
     Args:
         response: of a library with a design.
-        contact_radius_mm: of the contact, mm.
+        contact_radius_mm: radius of the contact, mm.
         most: number of footprints at most, unless the points are more.
         options: of the grid.
 

@@ -69,7 +69,7 @@ class MovingScorer:
         response: of a library with a design.
         footprints: that may be pressed.
         microphone_noise: as of :class:`localize.BayesDecoder`.
-        ambient: level of the sound around, dB SPL; None for quiet.
+        ambient: level of room sound, dB SPL; None for a quiet room.
         high_pass: corner of the high-pass that frames come through, Hz; None for none.
         options: of the tracker.
 

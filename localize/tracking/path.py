@@ -86,9 +86,9 @@ class PathTracker:
 
     Args:
         library: with a design, as of :class:`localize.BayesDecoder`.
-        contact_radius_mm: of the contact, mm.
+        contact_radius_mm: radius of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
-        ambient: level of the sound around, dB SPL; None for quiet.
+        ambient: level of room sound, dB SPL; None for a quiet room.
         high_pass: that of the stream, Hz; None for none.
         options: numbers that tune the tracker.
 

@@ -41,7 +41,7 @@ class Gesture:
 
 
 def gesture_of(track: Track, options: GestureOptions = GestureOptions()) -> Gesture:
-    """Gesture of a path, by the numbers of some options."""
+    """Gesture of a path, by the rules of the options."""
     start, end = float(track.time[0]), float(track.time[-1])
     heard = track.place[track.detected]
     if np.linalg.norm(heard - heard[0], axis=1).max() < options.still * track.pitch:

@@ -52,9 +52,9 @@ class PlaceLikelihood:
 
     Args:
         response: of a library with a design.
-        contact_radius_mm: of the contact, mm.
+        contact_radius_mm: radius of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
-        ambient: level of the sound around, dB SPL; None for quiet.
+        ambient: level of room sound, dB SPL; None for a quiet room.
         options: numbers that tune the search.
     """
 

@@ -60,7 +60,7 @@ class PositionDecoder(LibraryDecoder):
 
     Args:
         library: with a design, as of :class:`localize.BayesDecoder`.
-        contact_radius_mm: of the contact, mm.
+        contact_radius_mm: radius of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
         options: as of :class:`localize.BayesDecoder`.
@@ -145,7 +145,7 @@ class PositionDecoder(LibraryDecoder):
 
     @one_thread()
     def log_likelihood_of(self, signals: ArrayLike | Tensor, place: ArrayLike) -> Array:
-        """Log-likelihood of places that one knows a contact to be at one of, such as those along a line.
+        """Log-likelihood of given places, if a contact is known to be at one of them, such as places along a line.
 
         Args:
             signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, as of

@@ -32,9 +32,9 @@ def track(
     Args:
         library: with a design.
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz, as :func:`localize.read_recording` gives them.
-        contact_radius_mm: of the contact, mm.
+        contact_radius_mm: radius of the contact, mm.
         microphone_noise: as of :class:`localize.BayesDecoder`.
-        ambient: level of the sound around, dB SPL; None for quiet.
+        ambient: level of room sound, dB SPL; None for a quiet room.
 
     Returns:
         Paths in the order of time.

@@ -19,9 +19,10 @@ MOST_ANGLES = 12
 
 @dataclass(frozen=True)
 class BendingRig:
-    """Rig of a tube wound on a cylinder; lengths in mm, defaults as published, the outside diameter assumed.
+    """Rig with a tube that is wound on a cylinder. Lengths are in mm. Defaults are those of the publication; its outer
+    diameter is assumed.
 
-    Up to 180 degrees the arc lies flat, beyond it is a helix whose turns touch.
+    Up to 180 degrees the arc lies in a plane. Beyond, it is a helix whose turns touch.
     """
 
     bore: float = 0.5

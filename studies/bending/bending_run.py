@@ -34,14 +34,14 @@ def bending_study(
     frequency: FrequencyLike = FREQUENCIES,
     display: Display | None = None,
 ) -> BendingStudy:
-    """Results of bending a tube on the publication's rig, the bent bore solved in 3-D: does it transmit less?
+    """Results of bending a tube on the publication's rig: how much less it transmits, with the bent bore solved in 3-D.
 
     Args:
         out: the folder to write to; earlier files of a study are replaced.
         rig: the tube; by default the published one.
         fidelity: of the bent bore, ``"navier-stokes"`` or ``"helmholtz"``.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
-        display: shows what is being done.
+        display: shows progress.
 
     Raises:
         Refusal: a folder that cannot be written, or a bad frequency or fidelity, before any work.

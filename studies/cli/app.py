@@ -42,10 +42,10 @@ def pages_folder() -> Path:
 app = typer.Typer(
     name="acoustic-fem",
     cls=VerbGroup,
-    help="Design of acoustic tactile arrays: one design file in; transfer functions, a localizer and printable "
-    "parts out. Begin with: [bold]acoustic-fem run array-2x6 --out demo[/bold]",
+    help="Design acoustic tactile sensors. From one design file you get transfer functions, a localizer and printable "
+    "parts. Begin with: [bold]acoustic-fem run array-2x6 --out demo[/bold]",
     no_args_is_help=True,
-    epilog=f"Pages such as docs/calibration.md: {pages_folder()}",
+    epilog=f"The guides that this help names, such as docs/calibration.md, are in {pages_folder()}",
     add_completion=False,
     rich_markup_mode="rich",
     pretty_exceptions_enable=False,

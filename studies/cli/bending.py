@@ -30,14 +30,15 @@ class FarEnd(StrEnum):
 
 
 def bend(
-    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.")],
     bore: Annotated[float, typer.Option(help="Inner diameter of the tube, mm.")] = BendingRig.bore,
     length: Annotated[float, typer.Option(help="Length of the tube along its centre line, mm.")] = BendingRig.length,
     diameter: Annotated[
         float, typer.Option(help="Diameter of the cylinder on which the centre line is wound, mm.")
     ] = BendingRig.diameter,
     outside: Annotated[
-        float, typer.Option(help="Outer diameter of the tube, mm. The turns of a helix touch.")
+        float,
+        typer.Option(help="Outer diameter of the tube, mm, and so the pitch of the helix, because its turns touch."),
     ] = BendingRig.outside,
     angles: Annotated[str, typer.Option(metavar="ANGLES", help="Bending angles in degrees, with commas.")] = _ANGLES,
     end: Annotated[
@@ -45,7 +46,7 @@ def bend(
     ] = FarEnd[BendingRig.end],
     fidelity: Annotated[
         Fidelity,
-        typer.Option(help="navier-stokes is the reference; helmholtz makes the change 13 times too large."),
+        typer.Option(help="navier-stokes is the reference; with helmholtz the computed change is 13 times too large."),
     ] = ONE_DESIGN,
     frequencies: Frequencies = FREQUENCIES,
 ) -> None:

@@ -42,11 +42,13 @@ _NOTED_DELAY = 3e-4
 
 def rig(
     design: Design,
-    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.")],
     seed: Annotated[int, typer.Option(help="Seed of the simulated sensor.", min=0)] = SEED,
-    altitude: Annotated[float, typer.Option(metavar="M", help="Height of its place above the design's.")] = 0.0,
+    altitude: Annotated[
+        float, typer.Option(metavar="M", help="Altitude of the simulated sensor above that of the design.")
+    ] = 0.0,
     modulus: Annotated[
-        float, typer.Option(metavar="FACTOR", help="Modulus of its membranes relative to the design's; 0.85 is softer.")
+        float, typer.Option(metavar="FACTOR", help="Modulus of the membranes relative to the design; 0.85 is softer.")
     ] = 1.0,
     fidelity: Annotated[Fidelity, typer.Option(help="Fidelity of the sensor's transfer functions.")] = ONE_DESIGN,
 ) -> None:
@@ -73,15 +75,10 @@ def calibrate(
     recordings: Annotated[
         Path,
         typer.Argument(
-            metavar="RECORDINGS",
-            help=f"Manifest, TOML, or a folder that contains {MANIFEST}: docs/calibration.md.",
-            show_default=False,
+            metavar="RECORDINGS", help=f"Manifest, TOML, or a folder that contains {MANIFEST}: docs/calibration.md."
         ),
     ],
-    out: Annotated[
-        Path,
-        typer.Option(help="Library to write, netCDF, a new file; a figure is written beside it.", show_default=False),
-    ],
+    out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file; a figure is written beside it.")],
     fidelity: Annotated[
         Fidelity, typer.Option(help="Fidelity of the design's transfer functions, used for points without a recording.")
     ] = ONE_DESIGN,
@@ -95,10 +92,10 @@ def calibrate(
 
     Writes a library of measured transfer functions with their uncertainty. Record swept sines or noise at each point,
     with a calibration microphone at the touched cavity. Bad recordings are left out and listed. If a point has no good
-    recording, its transfer functions follow from a fit of the sensor's parts to the measured points. If no sensor
-    within the tolerances fits, you get a warning and these points keep the design's transfer functions.
+    recording, its transfer functions are computed with dimensions of the parts that are fitted to the measured points.
+    If no sensor within the tolerances fits, you get a warning and these points keep the design's transfer functions.
 
-    Decoders of the library take touches to be silent above the last of --frequencies.
+    A decoder of this library assumes that touches contain no sound above the last of --frequencies.
 
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
@@ -176,11 +173,10 @@ def recalibrate(
         typer.Argument(
             metavar="RECORDINGS",
             help="Touches, one at a time, spread over all points: WAV with a channel per microphone, CSV with their "
-            "names on top, or NPZ with 'signals'.",
-            show_default=False,
+            "names in the first line, or NPZ with 'signals'.",
         ),
     ],
-    out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file.")],
     full_scale: FullScale = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Seed that chooses the held-out touches.", min=0)] = SEED,
@@ -222,14 +218,9 @@ def recalibrate(
 
 
 def convert(
-    library: Annotated[
-        Path, typer.Argument(metavar="LIBRARY", help="Library: .nc, .sofa, .npz or .csv.", show_default=False)
-    ],
+    library: Annotated[Path, typer.Argument(metavar="LIBRARY", help="Library: .nc, .sofa, .npz or .csv.")],
     out: Annotated[
-        Path,
-        typer.Option(
-            help="File to write; its suffix is the format. A measured library is never overwritten.", show_default=False
-        ),
+        Path, typer.Option(help="File to write; its suffix is the format. A measured library is never overwritten.")
     ],
 ) -> None:
     """Convert a library to netCDF, SOFA, NPZ or CSV, or back, without loss.

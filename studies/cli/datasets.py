@@ -24,47 +24,47 @@ def dataset(
         str,
         typer.Argument(
             metavar="SOURCE",
-            help="Library, sweep that keeps libraries, or, with --as-built, a design file or prototype.",
-            show_default=False,
+            help="A library, or the results of a sweep that keeps libraries. With --as-built, a design file or "
+            "prototype.",
         ),
     ],
     out: Annotated[
-        Path, typer.Option(help="New folder, or that of the same data set, which is finished.", show_default=False)
+        Path,
+        typer.Option(help="New folder, or the folder of this data set if writing it was stopped."),
     ],
     file_format: Annotated[
-        str, typer.Option("--format", help="Files of the shards: npz, parquet, webdataset or zarr.")
+        str, typer.Option("--format", help="Format of the shards: npz, parquet, webdataset or zarr.")
     ] = DATASET_FORMAT,
     as_built_sensors: Annotated[
         int | None,
         typer.Option(
             "--as-built",
-            help="Number of sensors to draw about a design by manufacturing tolerances.",
-            show_default=False,
+            help="Number of as-built sensors to generate from a design.",
         ),
     ] = None,
-    touches: Annotated[int, typer.Option(help="Samples of every design.")] = TOUCHES,
+    touches: Annotated[int, typer.Option(help="Number of samples for each design.")] = TOUCHES,
     mix: Annotated[
         str | None,
         typer.Option(
-            metavar="KIND=SHARE,...",
-            help="Kinds of touches and their shares: taps, presses, slides, multi-sines, friction, pulse-wave. "
+            metavar="KIND=FRACTION,...",
+            help="Kinds of touches and their fractions: taps, presses, slides, multi-sines, friction, pulse-wave. "
             "Default: mostly those of fingers.",
-            show_default=False,
         ),
     ] = None,
     shares: Annotated[
         str | None,
         typer.Option(
             "--split",
-            metavar="NAME=SHARE,...",
+            metavar="NAME=FRACTION,...",
             help="Fraction of the designs in train, validation and test. Default: train=0.8,validation=0.1,test=0.1.",
-            show_default=False,
         ),
     ] = None,
-    samples_per_shard: Annotated[int, typer.Option(help="Samples of a shard.")] = SAMPLES_PER_SHARD,
+    samples_per_shard: Annotated[int, typer.Option(help="Number of samples in a shard.")] = SAMPLES_PER_SHARD,
     features: Annotated[
         str | None,
-        typer.Option(help="Maps in place of signals: phasors, paper or rooms. Default: signals.", show_default=False),
+        typer.Option(
+            help="Feature maps to write in place of signals: phasors, paper or rooms. Default: signals.",
+        ),
     ] = None,
     noise: Noise = None,
     ambient: Annotated[
@@ -72,20 +72,17 @@ def dataset(
         typer.Option(
             "--sound",
             metavar="LOW:HIGH",
-            help="Levels of the sound outside, dB SPL. Default: silence.",
-            show_default=False,
+            help="Lowest and highest level of the room sound, dB SPL. Default: no sound.",
         ),
     ] = None,
-    licence: Annotated[
-        str | None, typer.Option(help="Licence of the data, for the data card.", show_default=False)
-    ] = None,
+    licence: Annotated[str | None, typer.Option(help="Licence of the data, for the data card.")] = None,
     seed: Annotated[int, typer.Option(help="Seed of as-built sensors, touches and order.")] = SEED,
 ) -> None:
     """Write a data set of touches to train networks of your own, readable without this program.
 
-    Writes shards of training, validation and test samples, README.md (what was drawn and how to read it) and
-    SHA256SUMS. No design is in two splits. If writing is stopped, start it again: it goes on from the last whole
-    shard and ends with the same bytes.
+    Writes shards of training, validation and test samples, README.md (how the data was generated and how to read it)
+    and SHA256SUMS. No design is in two splits. If writing is stopped, start the command again. It continues after the
+    last complete shard and ends with the same bytes.
 
     Example: [bold]acoustic-fem dataset array-2x6 --as-built 500 --touches 1000 --format parquet --out touches[/bold]
     """
@@ -121,7 +118,7 @@ def _shares(field: str, text: str) -> dict[str, float]:
         found = {}
     if not found or len(found) < len(text.split(",")):
         raise Refusal(
-            kind=Kind.WRONG_TYPE, field=field, value=text, allowed="NAME=SHARE,NAME=SHARE,..., each name once"
+            kind=Kind.WRONG_TYPE, field=field, value=text, allowed="NAME=FRACTION,NAME=FRACTION,..., each name once"
         )
     return found
 

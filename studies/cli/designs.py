@@ -13,14 +13,7 @@ import studies
 from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from geometry.formats.part_files import FORMATS
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
-from studies.cli.options import (
-    Altitude,
-    Design,
-    Frequencies,
-    Pressure,
-    Temperature,
-    display_on_stderr,
-)
+from studies.cli.options import Altitude, Design, Frequencies, Pressure, Temperature, display_on_stderr
 from studies.cli.terminal_tables import (
     say,
     show,
@@ -43,19 +36,23 @@ def studio(
         str, typer.Argument(metavar="[DESIGN]", help="A design file, or the name of a prototype.")
     ] = "array-2x6",
     port: Annotated[
-        int | None,
-        typer.Option(help="Port of the page; 0 for any. Default: 8765, or the next free one.", show_default=False),
+        int | None, typer.Option(help="Port of the page; 0 for any. Default: 8765, or the next free one.")
     ] = None,
     host: Annotated[
-        str, typer.Option(metavar="ADDRESS", help="Address of the page; other machines can reach any but this.")
+        str,
+        typer.Option(
+            metavar="ADDRESS",
+            help="Address of this machine at which the page opens. Other machines can reach "
+            "the page unless you keep the default.",
+        ),
     ] = "127.0.0.1",
     browser: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
 ) -> None:
     """Edit a design in the browser and see at once what each change does.
 
-    The page shows curves, the array in 3-D, the accuracy of each point and the print rules. It rejects values that are
-    not possible, beside their field. Nothing leaves your machine, and nothing is written until you save. Press Ctrl-C
-    to end. Guide: docs/studio.md.
+    The page shows curves, the array in 3-D, the accuracy of each point and the print rules. If a value is not possible,
+    the message stands beside its field. Nothing leaves your machine, and nothing is written until you save. Press
+    Ctrl-C to end. Guide: docs/studio.md.
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
     """
@@ -64,16 +61,12 @@ def studio(
 
 def check(
     design: Annotated[
-        str | None,
-        typer.Argument(metavar="DESIGN", help="A design file, or the name of a prototype.", show_default=False),
+        str | None, typer.Argument(metavar="DESIGN", help="A design file, or the name of a prototype.")
     ] = None,
     fields: Annotated[bool, typer.Option("--fields", help="List every field of a design file, then stop.")] = False,
-    out: Annotated[Path | None, typer.Option(help="JSON file to write the findings to.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="JSON file to write the findings to.")] = None,
     picture: Annotated[
-        Path | None,
-        typer.Option(
-            help="File to draw the predicted accuracy of each point in: .png, .pdf or .svg.", show_default=False
-        ),
+        Path | None, typer.Option(help="File to draw the predicted accuracy of each point in: .png, .pdf or .svg.")
     ] = None,
 ) -> None:
     """Validate a design and predict how well it will work.
@@ -100,26 +93,22 @@ def check(
 
 
 def wiring(
-    microphones: Annotated[
-        int, typer.Argument(metavar="MICROPHONES", help="Number of microphones, 2 to 16.", show_default=False)
-    ],
-    points: Annotated[
-        int, typer.Argument(metavar="POINTS", help="Points on each line, 1 to 1000.", show_default=False)
-    ],
+    microphones: Annotated[int, typer.Argument(metavar="MICROPHONES", help="Number of microphones, 2 to 16.")],
+    points: Annotated[int, typer.Argument(metavar="POINTS", help="Points on each line, 1 to 1000.")],
     out: Annotated[
-        Path | None,
-        typer.Option(help="File to draw the counts for 2 to MICROPHONES in: .png, .pdf or .svg.", show_default=False),
+        Path | None, typer.Option(help="File to draw the counts for 2 to MICROPHONES in: .png, .pdf or .svg.")
     ] = None,
 ) -> None:
-    """Compare how many points a number of microphones can serve, with other wirings.
+    """Compare how many points a given number of microphones can serve with different wirings.
 
-    Prints a row for every number of lines, beside one transducer per point and rows with columns.
+    Prints a row for every possible number of lines, and compares it with one transducer for each point and with rows
+    and columns.
 
     Example: [bold]acoustic-fem wiring 4 36 --out wiring.png[/bold]
     """
     found = studies.wiring_table(microphones, points, out)
     table = table_of(
-        "lines", "points", "against one transducer per point", "against rows + columns", numbers=(0, 1, 2, 3)
+        "lines", "points", "compared with one transducer per point", "with rows + columns", numbers=(0, 1, 2, 3)
     )
     for counts in found:
         table.add_row(
@@ -135,10 +124,7 @@ def wiring(
 
 def solve(
     design: Design,
-    out: Annotated[
-        Path,
-        typer.Option(help="Library to write, netCDF (.nc). A measured one is never overwritten.", show_default=False),
-    ],
+    out: Annotated[Path, typer.Option(help="Library to write, netCDF (.nc). A measured one is never overwritten.")],
     fidelity: Annotated[
         Fidelity,
         typer.Option(
@@ -153,11 +139,12 @@ def solve(
 ) -> None:
     """Compute the transfer functions from every point to every microphone.
 
-    Writes a library. 3-D cells are kept on disk, so designs that share them find them solved. The default frequencies
-    are those that a localizer needs, because touches contain sound up to 500 Hz. Fewer save hardly any time.
+    Writes a library. 3-D cells are kept on disk, so a design does not solve a cell that an earlier design had. The
+    default frequencies are those that a localizer needs, because touches contain sound up to 500 Hz. You save hardly
+    any time with fewer frequencies.
 
     Give the altitude or the pressure of the place if it differs from the design's, because air matters: at 2000 m the
-    far microphone of array-2x6 changes by up to 63 %.
+    signal of the far microphone of array-2x6 changes by up to 63 %.
 
     Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped[/bold]
     """
@@ -169,16 +156,14 @@ def solve(
 
 def parts(
     design: Design,
-    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.")],
     format: Annotated[
         str, typer.Option(metavar="FORMATS", help="File formats, with commas: stl, step, 3mf.")
     ] = ",".join(FORMATS),
     process: Annotated[
         str | None,
         typer.Option(
-            metavar="PROCESS",
-            help="Printing process to check for, a name or a .toml file. Default: the design's.",
-            show_default=False,
+            metavar="PROCESS", help="Printing process to check for, a name or a .toml file. Default: the design's."
         ),
     ] = None,
     allow_overlaps: AllowOverlaps = False,
@@ -205,10 +190,7 @@ def parts(
 
 def run(
     design: Design,
-    out: Annotated[
-        Path,
-        typer.Option(help="New or empty folder, or that of an earlier run, which is replaced.", show_default=False),
-    ],
+    out: Annotated[Path, typer.Option(help="New or empty folder, or that of an earlier run, which is replaced.")],
     allow_overlaps: AllowOverlaps = False,
 ) -> None:
     """Do everything for one design: parts, transfer functions, localizer and report.
@@ -230,9 +212,7 @@ def run(
     say(f"{out / 'report.html'}")
 
 
-def verify(
-    folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run.", show_default=False)],
-) -> None:
+def verify(folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run.")]) -> None:
     """Check that the folder of a run holds exactly the files that the run wrote.
 
     Compares every file with its SHA-256 in MANIFEST.json, which the run writes last. Lists the files that were changed,

@@ -48,14 +48,10 @@ def live(
         str | None,
         typer.Option(
             help="Sound card: its number, part of its name, or 'NAME, AUDIO SYSTEM' of a card that appears under "
-            "several. Default: the system's.",
-            show_default=False,
+            "several. Default: the system's."
         ),
     ] = None,
-    rate: Annotated[
-        int | None,
-        typer.Option(help="Sample rate of the sound card, Hz. Default: its own.", show_default=False),
-    ] = None,
+    rate: Annotated[int | None, typer.Option(help="Sample rate of the sound card, Hz. Default: its own.")] = None,
     list_devices: Annotated[
         bool, typer.Option("--list-devices", callback=_list_devices, is_eager=True, help="List sound cards, then stop.")
     ] = False,
@@ -65,29 +61,22 @@ def live(
             metavar="A=1,B=2",
             help="Channel of each microphone, counted from 1. Default: the first ones, in the order of the design; a "
             "file of --replay must then have as many channels as there are microphones.",
-            show_default=False,
         ),
     ] = None,
     full_scale: Annotated[
         float, typer.Option(help="Pressure at full scale of the sound card or file, Pa.")
     ] = FULL_SCALE,
     replay: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE.wav", help="Recording to play in real time in place of a sound card.", show_default=False
-        ),
+        Path | None, typer.Option(metavar="FILE.wav", help="Recording to play in real time in place of a sound card.")
     ] = None,
     record: Annotated[
         Path | None,
         typer.Option(
             metavar="FILE.wav",
             help="New file to record the input to, at its own sample rate; readable even if the program is killed.",
-            show_default=False,
         ),
     ] = None,
-    out: Annotated[
-        Path | None, typer.Option(help="File for a line of JSON per frame, every 16 ms.", show_default=False)
-    ] = None,
+    out: Annotated[Path | None, typer.Option(help="File for a line of JSON per frame, every 16 ms.")] = None,
     noise: DecoderNoise = None,
     library: ArrayLibrary = None,
     waveform: Annotated[
@@ -102,7 +91,6 @@ def live(
             metavar="MM",
             help="Report also the position on the surface of a contact of this radius, and its gestures; needs a "
             "library. Default: points alone.",
-            show_default=False,
         ),
     ] = None,
     pressure: Pressure = None,
@@ -172,11 +160,7 @@ class _Output:
             from studies.cli.live_display import LivePicture
 
             self._picture = LivePicture(
-                session.source,
-                session.array,
-                lambda: session.recent,
-                session.latencies,
-                self._waveform,
+                session.source, session.array, lambda: session.recent, session.latencies, self._waveform
             )
             self._stack.enter_context(self._picture.live(self._console))
         return self._picture

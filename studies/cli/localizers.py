@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
 def train(
     library: LibraryFile,
-    out: Annotated[Path, typer.Option(help="Folder to write the network to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write the network to.")],
     seconds: Annotated[
         float | None,
         typer.Option(
-            help="Time limit of training. A run cut short depends on the machine. Default: no limit.",
-            show_default=False,
+            help="Time limit of the training. If it is reached, the result depends on the speed of the machine. "
+            "Default: no limit.",
         ),
     ] = None,
     plan: Annotated[
@@ -36,28 +36,24 @@ def train(
         typer.Option(
             help="usual: 200 new touches of every point in each epoch, in room sound of 30 to 95 dB SPL. paper: 14,000 "
             "touches of every point in short windows, the paper's network, no noise; takes hours. The options below "
-            "change either."
+            "override both."
         ),
     ] = PLANS[0],
-    epochs: Annotated[
-        int | None, typer.Option(help="Number of epochs. Default: 20, or 30 with --plan paper.", show_default=False)
-    ] = None,
+    epochs: Annotated[int | None, typer.Option(help="Number of epochs. Default: 20, or 30 with --plan paper.")] = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Seed of the touches and the network.")] = TrainingPlan.seed,
     network: Annotated[
         str | None,
         typer.Option(
             help="patches, stride-2 or paper, each larger and slower than the one before; two-stage is the paper's "
-            "network for letters. Default: patches, paper with --plan paper, two-stage with --kind letters.",
-            show_default=False,
+            "network for letters. Default: patches, paper with --plan paper, two-stage with --kind letters."
         ),
     ] = None,
     stimuli: Annotated[
         list[str] | None,
         typer.Option(
             help="Signals of the touches: multi-sines, taps, friction or pulse-wave; repeat it for a mixture. A "
-            "network recognizes only signals that it was trained on. Default: multi-sines.",
-            show_default=False,
+            "network recognizes only signals that it was trained on. Default: multi-sines."
         ),
     ] = None,
     recordings: Annotated[
@@ -66,15 +62,13 @@ def train(
             metavar="MANIFEST",
             help="Recorded touches of your sensor, which become half of the training data: docs/localizer.md. A fifth "
             "of them is held out to measure the accuracy.",
-            show_default=False,
         ),
     ] = None,
     kind: Annotated[
         str | None,
         typer.Option(
             help="Train a recognizer of events, textures, letters (docs/letters.md) or labels, which are those of the "
-            "recordings (docs/kinds.md). Default: a localizer of points.",
-            show_default=False,
+            "recordings (docs/kinds.md). Default: a localizer of points."
         ),
     ] = None,
 ) -> None:
@@ -159,12 +153,7 @@ def _train_kinds(
 
 def evaluate(
     model: Annotated[
-        Path,
-        typer.Argument(
-            metavar="MODEL",
-            help="Trained localizer, a folder from train or run, or an .onnx file.",
-            show_default=False,
-        ),
+        Path, typer.Argument(metavar="MODEL", help="Trained localizer, a folder from train or run, or an .onnx file.")
     ],
     library: LibraryFile,
     touches: Annotated[int, typer.Option(help="Number of held-out touches of every point.")] = HELD_OUT_TOUCHES,
@@ -174,8 +163,7 @@ def evaluate(
         Path | None,
         typer.Option(
             help="Folder for evaluation.json and evaluation.html, which add other noise, room sound, kinds and lengths "
-            "of touches, as-built sensors and virtual rigs.",
-            show_default=False,
+            "of touches, as-built sensors and virtual rigs."
         ),
     ] = None,
 ) -> None:
@@ -185,7 +173,7 @@ def evaluate(
     is for multi-sine touches on the nominal sensor. The lines below it are for taps, and for multi-sine touches on
     as-built sensors.
 
-    Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
+    Example: [bold]acoustic-fem evaluate localizer library.nc --out evaluation[/bold]
     """
     level = noise_choice(noise)
     with display_on_stderr() as display:

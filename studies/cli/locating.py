@@ -37,8 +37,7 @@ DecoderNoise = Annotated[
     float | None,
     typer.Option(
         help="White noise of the microphones that the decoder of a library assumes, Pa rms over 0 to 500 Hz. Default: "
-        "the design's.",
-        show_default=False,
+        "the design's."
     ),
 ]
 DecoderAmbient = Annotated[
@@ -47,7 +46,6 @@ DecoderAmbient = Annotated[
         metavar="DB",
         help="Loudest room sound in which touches must be located, dB SPL; slower. Sound without a touch is detected "
         "in any case. Default: a quiet room.",
-        show_default=False,
         min=0,
         max=140,
     ),
@@ -55,18 +53,16 @@ DecoderAmbient = Annotated[
 ArrayLibrary = Annotated[
     Path | None,
     typer.Option(
-        help="Library of the array, which detects room sound and is needed by the options below. Default: MODEL, if it "
-        "is a library.",
-        show_default=False,
+        help="Library of the array. It is needed to detect room sound, and for --waveform, --ambient and --reject. "
+        "Default: MODEL, if it is a library.",
     ),
 ]
 RejectedFraction = Annotated[
     float | None,
     typer.Option(
         metavar="FRACTION",
-        help="Report frames that no single point explains as 'other'. The value is the fraction of true touches that "
-        "may be rejected, such as 1e-6. For a calibrated sensor. Default: the likeliest point is reported.",
-        show_default=False,
+        help="Report as 'other' the frames that no single point explains. The value is the fraction of true touches "
+        "that may be rejected, such as 1e-6. For a calibrated sensor. Default: the likeliest point is reported.",
     ),
 ]
 FollowDrift = Annotated[
@@ -84,11 +80,10 @@ def onnx(
         Path,
         typer.Argument(
             metavar="MODEL",
-            help="Trained localizer, a folder, or a library, whose decoder is exported.",
-            show_default=False,
+            help="The folder of a trained localizer, or a library, whose Bayes decoder is then exported.",
         ),
     ],
-    out: Annotated[Path, typer.Option(help="File to write, such as localizer.onnx.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="File to write, such as localizer.onnx.")],
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
 ) -> None:
@@ -108,11 +103,11 @@ def onnx(
 
 def embed(
     library: LibraryFile,
-    out: Annotated[Path, typer.Option(help="Folder to write the C files to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write the C files to.")],
     precision: Annotated[
         str,
         typer.Option(
-            metavar="float32|int16", help="Numbers of the large tables. int16 takes three fifths of the flash."
+            metavar="float32|int16", help="Number type of the large tables. int16 needs three fifths of the flash."
         ),
     ] = PRECISION,
     budget: Annotated[
@@ -120,8 +115,8 @@ def embed(
         typer.Option(
             metavar="BUDGET",
             help="Limits of the chip, such as flash=512k,ram=16k,stack=4k,instructions=2.5M: bytes (k is 1024), and "
-            "instructions of a decision, every 16 ms. A decoder that needs more is an error. Default: no limits.",
-            show_default=False,
+            "instructions of a decision, every 16 ms. If the decoder needs more, nothing is written. Default: no "
+            "limits.",
         ),
     ] = None,
     noise: DecoderNoise = None,
@@ -153,17 +148,10 @@ def embed(
 def locate(
     model: Model,
     recording: Recording,
-    out: Annotated[
-        Path | None,
-        typer.Option(help="File for a line of JSON per frame, every 16 ms.", show_default=False),
-    ] = None,
+    out: Annotated[Path | None, typer.Option(help="File for a line of JSON per frame, every 16 ms.")] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(
-            metavar="FILE.png",
-            help="Picture to draw of the signals and the touches: .png, .pdf or .svg.",
-            show_default=False,
-        ),
+        typer.Option(metavar="FILE.png", help="Picture to draw of the signals and the touches: .png, .pdf or .svg."),
     ] = None,
     full_scale: FullScale = None,
     noise: DecoderNoise = None,
@@ -190,7 +178,8 @@ def locate(
 ) -> None:
     """Find where and when the array was touched, from a recording.
 
-    Prints a row for each touch. Files hold a channel for each microphone, in pascals or with --full-scale.
+    Prints a row for each touch. The recording has a channel for each microphone. Give --full-scale unless its values
+    are in pascals.
 
     Example: [bold]acoustic-fem locate localizer recording.wav --picture touches.png[/bold]
     """
@@ -233,27 +222,20 @@ def _consequence(found: LocatedTouches) -> str:
 
 
 def recognize(
-    model: Annotated[
-        Path, typer.Argument(metavar="MODEL", help="Recognizer, a folder from train --kind.", show_default=False)
-    ],
+    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Recognizer, a folder from train --kind.")],
     library: LibraryFile,
     recording: Annotated[
-        Path,
-        typer.Argument(
-            metavar="RECORDING", help="Recording of the array's microphones, as for locate.", show_default=False
-        ),
+        Path, typer.Argument(metavar="RECORDING", help="Recording of the array's microphones, as for locate.")
     ],
-    out: Annotated[Path | None, typer.Option(help="File for a line of JSON per touch.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="File for a line of JSON per touch.")] = None,
     point: Annotated[
-        int | None,
-        typer.Option(help="Touched point. Default: the one that the library's decoder finds.", show_default=False),
+        int | None, typer.Option(help="Touched point. Default: the one that the library's decoder finds.")
     ] = None,
     speed: Annotated[
         float | None,
         typer.Option(
             help="Speed of the sliding contact, mm/s, for textures. Default: measured from a straight slide over three "
-            "points or more.",
-            show_default=False,
+            "points or more."
         ),
     ] = None,
     full_scale: FullScale = None,
@@ -302,14 +284,10 @@ def _show_touches(found: LocatedTouches) -> None:
 def track(
     library: LibraryFile,
     recording: Recording,
-    out: Annotated[Path, typer.Option(help="CSV file for a row per 16 ms of each path.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="CSV file for a row per 16 ms of each path.")],
     picture: Annotated[
         Path | None,
-        typer.Option(
-            metavar="FILE.png",
-            help="Picture to draw of the paths on the array: .png, .pdf or .svg.",
-            show_default=False,
-        ),
+        typer.Option(metavar="FILE.png", help="Picture to draw of the paths on the array: .png, .pdf or .svg."),
     ] = None,
     radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm; a stylus has 0.5.")] = MOVING,
     full_scale: FullScale = None,
@@ -351,24 +329,15 @@ def pulse(
     library: LibraryFile,
     recording: Annotated[
         Path,
-        typer.Argument(
-            metavar="RECORDING",
-            help="Recording of the array's microphones, as for locate; at least 3 s.",
-            show_default=False,
-        ),
+        typer.Argument(metavar="RECORDING", help="Recording of the array's microphones, as for locate; at least 3 s."),
     ],
-    out: Annotated[Path | None, typer.Option(help="CSV file to write the waveform to.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="CSV file to write the waveform to.")] = None,
     picture: Annotated[
         Path | None,
-        typer.Option(
-            metavar="FILE.png",
-            help="Picture to draw of the waveform and its waves: .png, .pdf or .svg.",
-            show_default=False,
-        ),
+        typer.Option(metavar="FILE.png", help="Picture to draw of the waveform and its waves: .png, .pdf or .svg."),
     ] = None,
     point: Annotated[
-        int | None,
-        typer.Option(help="Point under the finger. Default: the one that the decoder finds.", show_default=False),
+        int | None, typer.Option(help="Point under the finger. Default: the one that the decoder finds.")
     ] = None,
     full_scale: FullScale = None,
     noise: DecoderNoise = None,

@@ -20,9 +20,9 @@ _DIAMETER: float = defaults_of(new_design)["diameter"]
 
 def prototypes(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="Prototype whose design file is printed.", show_default=False)
+        str | None, typer.Argument(metavar="[NAME]", help="Prototype whose design file is printed.")
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="File to write it to instead.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="Write the design file to this file instead.")] = None,
 ) -> None:
     """List the designs that come with the program, or print the file of one.
 
@@ -43,28 +43,20 @@ def prototypes(
 
 
 def new(
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the design.", show_default=False)],
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the design.")],
     place: Annotated[
-        str | None,
-        typer.Option(help="Place of the array: flat, fingertip, wrist or hand. Default: flat.", show_default=False),
+        str | None, typer.Option(help="Place of the array: flat, fingertip, wrist or hand. Default: flat.")
     ] = None,
-    points: Annotated[int | None, typer.Option(help="Number of points. Default: 12.", show_default=False)] = None,
+    points: Annotated[int | None, typer.Option(help="Number of points. Default: 12.")] = None,
     pitch: Annotated[
         float | None,
-        typer.Option(
-            metavar="MM", help="Distance of neighbouring points. Default: usual at the place.", show_default=False
-        ),
+        typer.Option(metavar="MM", help="Distance between neighbouring points. Default: depends on the place."),
     ] = None,
-    microphones: Annotated[
-        int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.", show_default=False)
-    ] = None,
+    microphones: Annotated[int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.")] = None,
     diameter: Annotated[
-        float | None,
-        typer.Option(metavar="MM", help=f"Diameter of the wrist. Default: {_DIAMETER:g}.", show_default=False),
+        float | None, typer.Option(metavar="MM", help=f"Diameter of the wrist. Default: {_DIAMETER:g}.")
     ] = None,
-    out: Annotated[
-        Path | None, typer.Option(help="Design file to write. Default: NAME.toml.", show_default=False)
-    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Design file to write. Default: NAME.toml.")] = None,
 ) -> None:
     """Start a design of your own from its place, number of points, pitch and microphones.
 

@@ -18,83 +18,62 @@ if TYPE_CHECKING:
 
 Answer = TypeVar("Answer", str, int, float)
 
-Design = Annotated[
-    str, typer.Argument(metavar="DESIGN", help="Design file, or the name of a prototype.", show_default=False)
-]
+Design = Annotated[str, typer.Argument(metavar="DESIGN", help="Design file, or the name of a prototype.")]
 LibraryFile = Annotated[
-    Path,
-    typer.Argument(
-        metavar="LIBRARY", help="Library from solve, run or calibrate: .nc, .sofa, .npz or .csv.", show_default=False
-    ),
+    Path, typer.Argument(metavar="LIBRARY", help="Library from solve, run or calibrate: .nc, .sofa, .npz or .csv.")
 ]
 Noise = Annotated[
     float | None,
     typer.Option(
-        help="White noise of the microphones, Pa rms over 0 to 500 Hz. Default: that of the design's microphone.",
-        show_default=False,
+        help="White noise of the microphones, Pa rms over 0 to 500 Hz. Default: that of the design's microphone."
     ),
 ]
 Frequencies = Annotated[str, typer.Option(metavar="FIRST:LAST:COUNT", help="Frequencies in Hz, evenly spaced.")]
 Tolerances = Annotated[
     Path | None,
-    typer.Option(
-        help="TOML file of your workshop's tolerances: docs/tolerances.md. Default: assumed ones.", show_default=False
-    ),
+    typer.Option(help="TOML file of your workshop's tolerances: docs/tolerances.md. Default: assumed ones."),
 ]
 WorkerCount = Annotated[
     int | None,
-    typer.Option(help="Processes on this machine; 1 computes in this one. Default: one per core.", show_default=False),
+    typer.Option(help="Number of worker processes on this machine; 1 starts none. Default: one per core."),
 ]
 Scheduler = Annotated[
-    str | None,
-    typer.Option(metavar="tcp://HOST:PORT", help="Dask scheduler whose workers are used.", show_default=False),
+    str | None, typer.Option(metavar="tcp://HOST:PORT", help="Dask scheduler whose workers are used.")
 ]
 
 
 Pressure = Annotated[
     float | None,
-    typer.Option(
-        metavar="PA",
-        help="Air pressure of the place, Pa, not reduced to sea level. Default: the design's.",
-        show_default=False,
-    ),
+    typer.Option(metavar="PA", help="Air pressure of the place, Pa, not reduced to sea level. Default: the design's."),
 ]
-Altitude = Annotated[
-    float | None,
-    typer.Option(metavar="M", help="Height above the sea, m, in place of --pressure.", show_default=False),
-]
+Altitude = Annotated[float | None, typer.Option(metavar="M", help="Height above the sea, m, in place of --pressure.")]
 Temperature = Annotated[
     float | None,
     typer.Option(
-        "--temperature",
-        metavar="DEGC",
-        help="Temperature of the air, degrees Celsius. Default: the design's.",
-        show_default=False,
+        "--temperature", metavar="DEGC", help="Temperature of the air, degrees Celsius. Default: the design's."
     ),
 ]
 Model = Annotated[
     Path,
     typer.Argument(
         metavar="MODEL",
-        help="Library, whose decoder is used, a trained localizer (a folder), or an .onnx file. The decoder models "
-        "manufacturing tolerances unless the library is calibrated.",
-        show_default=False,
+        help="A library, the folder of a trained localizer, or an .onnx file. With a library its Bayes decoder is "
+        "used, which is tolerance-aware unless the library is calibrated.",
     ),
 ]
 Recording = Annotated[
     Path,
     typer.Argument(
         metavar="RECORDING",
-        help="WAV, FLAC or AIFF with a channel per microphone, CSV with their names on top, NPZ or MAT with 'signals'.",
-        show_default=False,
+        help="WAV, FLAC or AIFF with a channel per microphone, CSV with the microphones' names in the first line, "
+        "NPZ or MAT with 'signals'.",
     ),
 ]
 FullScale = Annotated[
     float | None,
     typer.Option(
-        help="Pressure at full scale of WAV files, Pa. In other files, the pressure at which they clip. Default: 1 Pa; "
-        "clipping is found by its flat tops.",
-        show_default=False,
+        help="Pressure at full scale of WAV files, Pa. For other files, the pressure at which the recorder clipped. "
+        "Default: 1 Pa for WAV files; in other files, clipping is detected by its flat tops.",
     ),
 ]
 Channels = Annotated[
@@ -103,7 +82,6 @@ Channels = Annotated[
         metavar="A=2,B=1",
         help="Channel of each microphone in the recording, counted from 1. Default: by their names, or in the order of "
         "the design.",
-        show_default=False,
     ),
 ]
 

@@ -38,14 +38,17 @@ _SHOWN = 10
 
 def tolerance(
     design: Design,
-    out: Annotated[Path, typer.Option(help="Folder to write to.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="Folder to write to.")],
     samples: Annotated[int, typer.Option(help="Number of as-built sensors.")] = SENSORS,
     base: Annotated[
-        int, typer.Option(help="Base samples of the Sobol indices; each costs ten sensors, 0 leaves them out.")
+        int,
+        typer.Option(
+            help="Base samples of the Sobol indices; each needs ten more sensors. With 0 there are no indices."
+        ),
     ] = BASE_SAMPLES,
     library: Annotated[
         int,
-        typer.Option(help="Sensors to store in OUT/library.zarr, for training; 0 leaves it out.", show_default=True),
+        typer.Option(help="Number of sensors to store in OUT/library.zarr, for training; 0 stores none."),
     ] = STORED_SENSORS,
     tolerances: Tolerances = None,
     noise: Noise = None,
@@ -122,12 +125,8 @@ def _in_words(quantity: str) -> str:
 
 
 def optimize(
-    study: Annotated[
-        str, typer.Argument(metavar="STUDY", help="Study file with a section \\[optimize].", show_default=False)
-    ],
-    out: Annotated[
-        Path, typer.Option(help="New folder, or that of the same search, which is continued.", show_default=False)
-    ],
+    study: Annotated[str, typer.Argument(metavar="STUDY", help="Study file with a section \\[optimize].")],
+    out: Annotated[Path, typer.Option(help="New folder, or that of the same search, which is continued.")],
     workers: WorkerCount = None,
     scheduler: Scheduler = None,
 ) -> None:

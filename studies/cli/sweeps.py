@@ -25,24 +25,18 @@ _LISTED = 10
 Results = Annotated[
     Path,
     typer.Argument(
-        metavar="RESULTS",
-        help="Results of a sweep (results.zarr), even while it runs, or the folder of a search.",
-        show_default=False,
+        metavar="RESULTS", help="Results of a sweep (results.zarr), even while it runs, or the folder of a search."
     ),
 ]
 
 
 def sweep(
-    study: Annotated[str, typer.Argument(metavar="STUDY", help="Study file: docs/studies.md.", show_default=False)],
-    out: Annotated[
-        Path | None,
-        typer.Option(help="Store to write or to continue, such as results.zarr.", show_default=False),
-    ] = None,
+    study: Annotated[str, typer.Argument(metavar="STUDY", help="Study file: docs/studies.md.")],
+    out: Annotated[Path | None, typer.Option(help="Store to write or to continue, such as results.zarr.")] = None,
     workers: Annotated[
         int | None,
         typer.Option(
-            help="Processes on this machine; 1 computes in this one. Default: one per core if that saves time.",
-            show_default=False,
+            help="Number of worker processes on this machine; 1 starts none. Default: one per core if that saves time.",
         ),
     ] = None,
     scheduler: Scheduler = None,
@@ -54,7 +48,7 @@ def sweep(
 
     Writes one store with all cases. If the sweep is killed, start it again to continue. The base design of the study
     must be valid. A case that cannot be built is stored with its reason and does not stop the others. The exit code is
-    1 if no case could be computed, or if one failed by a fault of the program.
+    1 if no case could be computed, or if one failed because of a bug in the program.
 
     Example: [bold]acoustic-fem sweep study.toml --out results.zarr[/bold]
     """
@@ -75,10 +69,7 @@ def sweep(
         raise studies.sweep.SweepError(summary.objection, kind=Kind.NO_RESULT, file=out)
 
 
-def report(
-    results: Results,
-    out: Annotated[Path, typer.Option(help="Page to write, HTML.", show_default=False)],
-) -> None:
+def report(results: Results, out: Annotated[Path, typer.Option(help="Page to write, HTML.")]) -> None:
     """Write one page about a sweep or a search.
 
     The page shows main effects, pairs, trade-offs, the best designs, and level and phase differences. It is one file
@@ -96,16 +87,14 @@ def report(
 
 def best(
     results: Results,
-    design: Annotated[
-        str | None, typer.Argument(metavar="[DESIGN]", help="Number of a design in the list.", show_default=False)
-    ] = None,
-    out: Annotated[Path | None, typer.Option(help="Design file to write.", show_default=False)] = None,
+    design: Annotated[str | None, typer.Argument(metavar="[DESIGN]", help="Number of a design in the list.")] = None,
+    out: Annotated[Path | None, typer.Option(help="Design file to write.")] = None,
     by: Annotated[
         str | None,
         typer.Option(
             metavar="METRIC",
-            help="Metric to sort by. Default: the first of the study, or of a sweep the first that includes noise.",
-            show_default=False,
+            help="Metric to sort by. Default: the first metric of a search; of a sweep, the first metric that "
+            "includes noise.",
         ),
     ] = None,
     count: Annotated[int, typer.Option(help="Number of designs to list.")] = BEST_DESIGNS,

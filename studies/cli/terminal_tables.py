@@ -173,7 +173,7 @@ def show_check(found: DesignCheck) -> None:
         for kind in found.kinds:
             table.add_row(kind.name or "as stated", kind.what, kind.sizes, str(kind.count))
         show(table)
-    table = table_of("fidelity", "time, and how far off it was")
+    table = table_of("fidelity", "computing time, and error")
     for line in found.fidelities:
         table.add_row(*line.split(": ", 1))
     show(table)
@@ -214,7 +214,7 @@ def _show_counts(counts: Mapping[str, int]) -> None:
 
 def _show_quality(quality: DesignQuality | None) -> None:
     if quality is not None:
-        table = table_of("how good", "value", "of", numbers=(1,))
+        table = table_of("predicted quality", "value", "remark", numbers=(1,))
         for row in quality.lines:
             table.add_row(*row)
         show(table)
@@ -229,8 +229,8 @@ def _show_wiring(wiring: WiringCounts) -> None:
         (lines, str(wiring.microphones)),
         ("points", str(wiring.points)),
         ("points per microphone", f"{wiring.points_per_microphone:.3g}"),
-        ("  against one microphone per point", f"{wiring.gain_over_one_transducer_per_point:.3g} times"),
-        ("  against addressing by rows + columns", f"{wiring.gain_over_row_column:.3g} times"),
+        ("  compared with one microphone per point", f"{wiring.gain_over_one_transducer_per_point:.3g} times"),
+        ("  compared with rows + columns", f"{wiring.gain_over_row_column:.3g} times"),
     ):
         table.add_row(*row)
     show(table)

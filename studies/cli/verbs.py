@@ -45,7 +45,7 @@ VERBS = {
     ),
     "check": Entry("designs", "Design", "Validate a design and predict how well it will work."),
     "wiring": Entry(
-        "designs", "Design", "Compare how many points a number of microphones can serve, with other wirings."
+        "designs", "Design", "Compare how many points a given number of microphones can serve with different wirings."
     ),
     "solve": Entry("designs", "Design", "Compute the transfer functions from every point to every microphone."),
     "run": Entry(

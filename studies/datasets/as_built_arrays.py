@@ -24,8 +24,8 @@ from studies.output.frequencies import FREQUENCIES
 class AsBuiltArrays:
     """As-built sensors of one design: an :class:`localize.datasets.ArraySource`, whose cases are numbered from 0.
 
-    Sensor k depends on design, tolerances, frequencies and (seed, k) alone; sensors are computed when they are asked
-    for. Sound from outside reaches their microphones as in the nominal array.
+    Sensor k depends only on design, tolerances, frequencies, seed and k. Sensors are computed when you use them. Room
+    sound reaches their microphones as in the nominal array.
     """
 
     def __init__(
@@ -57,6 +57,11 @@ class AsBuiltArrays:
         return self._scattered.design
 
     @property
+    def tolerances(self) -> tuple[Tolerance, ...]:
+        """Tolerances that the sensors are drawn by."""
+        return self._scattered.tolerances
+
+    @property
     def fidelity(self) -> str:
         """Fidelity of all transfer functions, one of :data:`acoustic_fem.FIDELITIES`."""
         return self._sensors.fidelity
@@ -73,12 +78,12 @@ class AsBuiltArrays:
 
     @property
     def parameter_units(self) -> tuple[str, ...]:
-        """Standard deviations, all of them."""
+        """Units of the parameters; each is a standard deviation."""
         return ("standard deviations",) * len(self.parameter_names)
 
     @property
     def array_sizes(self) -> NDArray[np.int64]:
-        """Number of points and of microphones, the same of all; (n_case, 2) int64."""
+        """Number of points and of microphones, equal for all cases; (n_case, 2) int64."""
         return np.tile((self.nominal.point_count, len(self.nominal.microphones)), (self._count, 1))
 
     def parameter_values(self, case: int) -> NDArray[np.float64]:
@@ -116,17 +121,18 @@ def as_built(
     fidelity: str | None = None,
     air: AirLike = None,
 ) -> AsBuiltArrays:
-    """As-built sensors of a design, drawn by manufacturing tolerances, for :class:`localize.TouchDataset` and others.
+    """As-built sensors of a design, generated at random from manufacturing tolerances, for
+    :class:`localize.TouchDataset` and others.
 
     Args:
         design: the nominal array: a design, the path of its file, or the name of a prototype.
-        count: how many sensors, 1 to a million.
-        seed: of the draws.
-        tolerances: what scatters, or a file of it; by default that of a careful workshop.
+        count: number of sensors, 1 to a million.
+        seed: seed of the random deviations.
+        tolerances: tolerances of the parts, or a TOML file of them; by default those of a careful workshop.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
-        fidelity: one of :data:`acoustic_fem.FIDELITIES`; by default ``atlas`` where it covers the design and all
-            sensors about it, and 3-D elsewhere.
-        air: of the place where the sensors are used, or a gas of its own; by default the design's.
+        fidelity: one of :data:`acoustic_fem.FIDELITIES`; by default ``atlas`` if it covers the design and all its
+            as-built sensors, otherwise 3-D.
+        air: air of the place where the sensors are used, or any other gas; by default the design's air.
 
     Raises:
         Refusal: a count, a frequency or a tolerance out of range; a design that cannot be built; at fidelity

@@ -13,6 +13,7 @@ from geometry.ground.refusal import counted
 from localize.datasets.array_source import ArraySource
 from localize.datasets.splits import SPLITS, Split
 from studies.datasets.columns import COLUMNS, columns_of
+from studies.datasets.origin import origin_lines
 from studies.datasets.shard_files import ONE_FILE
 
 if TYPE_CHECKING:
@@ -53,13 +54,16 @@ print(signals.shape, point[:5].values)
 }
 
 
-def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset], request: Mapping[str, Any]) -> str:
+def data_card(
+    arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset], request: Mapping[str, Any], design_file: str
+) -> str:
     """Markdown of a data set, for people.
 
     Args:
         arrays: source of its arrays.
         parts: data set of each split.
         request: what was asked for, of :data:`studies.datasets.export.DESCRIPTION`.
+        design_file: name of the file with the nominal design.
     """
     split, data = next(iter(parts.items()))
     first = f"{split}.zarr" if request["format"] == "zarr" else f"{split}-00000{ONE_FILE[request['format']][0]}"
@@ -79,35 +83,37 @@ def data_card(arrays: ArraySource, parts: Mapping[Split, localize.TouchDataset],
         *(f"| {name} | {len(each.cases):,} | {len(each):,} |" for name, each in parts.items()),
         "",
         "No design is in two splits."
-        + "".join(f" None fell into {name}." for name in SPLITS if name not in parts and request["shares"].get(name))
+        + "".join(f" No design is in {name}." for name in SPLITS if name not in parts and request["shares"].get(name))
         if len(arrays.case_numbers) > 1
         else "There is one design, so all splits have the same array; no touch is in two of them.",
         "",
-        "## What was drawn",
+        "## How the touches were generated",
         "",
-        "| kind of touch | share |",
+        "| kind of touch | fraction |",
         "|---|---|",
         *(f"| {name} | {share / sum(request['mix'].values()):.3g} |" for name, share in request["mix"].items()),
         "",
         "Noise of the microphones: "
         + ("that of each design's microphone." if noise == "design" else f"white, {noise:g} Pa rms over 0 to 500 Hz."),
-        "Sound outside: "
+        "Room sound: "
         + (
             "none."
             if request["ambient"] is None
             else "pink, {:g} to {:g} dB SPL, drawn for each sample.".format(*request["ambient"])
         ),
-        f"Seed: {request['seed']}. A sample follows from the seed, its split, `case` and `index` alone.",
+        f"Seed: {request['seed']}. A sample depends only on the seed, its split, `case` and `index`.",
         "",
         *_parameters(arrays),
+        *origin_lines(request["origin"], design_file),
         "## Columns",
         "",
-        "| column | shape | type | unit | what |",
+        "| column | shape | type | unit | meaning |",
         "|---|---|---|---|---|",
         *(_column(name, sample[name][0], mapped) for name in sample),
         "",
-        f"Kinds, in the order of `kind`: {', '.join(request['kinds'])}, from 0. A sample of an array with fewer points "
-        "or microphones than the largest is filled up with zeros; `points` and `microphones` say what is there.",
+        f"Kinds, in the order of `kind`: {', '.join(request['kinds'])}, from 0. If an array has fewer points "
+        "or microphones than the largest, its samples are filled up with zeros. `points` and `microphones` say "
+        "which exist.",
         "",
         "## How to read it",
         "",

@@ -38,6 +38,7 @@ from localize.signals.noise_model import NoiseChoice
 from studies.datasets.as_built_arrays import as_built
 from studies.datasets.columns import FileFormat, columns_of
 from studies.datasets.data_card import data_card
+from studies.datasets.origin import origin_of
 from studies.datasets.shard_files import FORMATS, ZarrShards, writer_of
 from studies.output.call_defaults import DATASET_FORMAT, SAMPLES_PER_SHARD, SEED, TOUCHES
 from studies.output.display import Display
@@ -46,7 +47,7 @@ from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.sweep.results import open_sweep
 
 #: Files of a data set beside its shards.
-DESCRIPTION, SUMS, CARD = "dataset.json", "SHA256SUMS", "README.md"
+DESCRIPTION, SUMS, CARD, DESIGN = "dataset.json", "SHA256SUMS", "README.md", "design.toml"
 
 
 @dataclass(frozen=True)
@@ -84,31 +85,32 @@ def export_dataset(
 ) -> ExportedDataset:
     """Write a data set of touches as files that other programs read without this package.
 
-    A folder gets the shards of each split, README.md (the data card), dataset.json (the same for programs) and
-    SHA256SUMS. Splits are by design; of a single array all splits have touches of their own. If writing is stopped,
-    the same call goes on from the last whole shard and ends with the same bytes.
+    The folder then holds the shards of each split, README.md (the data card), dataset.json (the same facts for
+    programs), design.toml (the nominal design) and SHA256SUMS. No design is in two splits; with a single array the
+    splits have different touches. If writing is stopped, the same call continues after the last complete shard and
+    ends with the same bytes.
 
     Args:
         source: as of :class:`localize.TouchDataset`; or the path of a library or of the results of a sweep; or, with
             ``as_built_sensors``, a design, the path of its file or the name of a prototype.
-        as_built_sensors: sensors that are drawn about a design by the tolerances of a careful workshop, from the same
-            seed, at 1 to 500 Hz.
-        out: new folder, or that of the same data set, which is finished.
+        as_built_sensors: number of as-built sensors to generate from a design, with the tolerances of a careful
+            workshop and frequencies of 1 to 500 Hz.
+        out: new folder, or the folder of this data set if writing it was stopped.
         file_format: "npz", "parquet", "webdataset" (tar files) or "zarr".
-        touches: samples of every design; of a single array of all splits together.
-        mix: share of each kind of touch; by default mostly those of fingers.
+        touches: number of samples for each design; with a single array, number for all splits together.
+        mix: fraction of each kind of touch; by default mostly finger touches.
         shares: fraction of the designs, or of the touches on a single array, in each split; by default 0.8, 0.1, 0.1.
-        seed: of as-built sensors, touches and order.
-        samples_per_shard: samples of every shard but the last of a split, 1 to 65,536.
-        features: maps in place of signals, as of :class:`localize.TouchDataset`.
-        microphone_noise: as of the same.
-        ambient: as of the same.
+        seed: seed of as-built sensors, touches and their order.
+        samples_per_shard: number of samples in a shard, 1 to 65,536; the last shard of a split may have fewer.
+        features: feature maps to write in place of signals, see :class:`localize.TouchDataset`.
+        microphone_noise: see :class:`localize.TouchDataset`.
+        ambient: see :class:`localize.TouchDataset`.
         licence: licence of the data, in words for the data card.
         display: shows progress.
 
     Raises:
-        Refusal: an argument out of range; a folder that holds anything else, or another data set; a format whose
-            packages are not installed; as :class:`localize.TouchDataset`.
+        Refusal: an argument out of range; a folder that holds another data set or other files; a format whose packages
+            are not installed; as :class:`localize.TouchDataset`.
     """
     check_choice("file_format", file_format, FORMATS)
     check_range("samples_per_shard", samples_per_shard, 1, 65_536, whole=True)
@@ -148,10 +150,13 @@ def export_dataset(
                 done += 1
             if isinstance(writer, ZarrShards):
                 sums |= writer.described
+        if "design" in request["origin"]:
+            write_text(folder / DESIGN, request["origin"]["design"])
+            sums[DESIGN] = sha256(request["origin"]["design"])
         write_text(folder / SUMS, _lines(sums))
         samples = {split: len(data) for split, data in parts.items()}
         write_json(folder / DESCRIPTION, {**request, "samples": samples, "complete": True})
-        write_text(folder / CARD, data_card(arrays, parts, request))
+        write_text(folder / CARD, data_card(arrays, parts, request, DESIGN))
     size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
     return ExportedDataset(folder, samples, total, continued, size)
 
@@ -226,6 +231,7 @@ def _request(
         "kinds": list(data.kinds),
         "microphones": list(first.microphones),
         "design": first.name,
+        "origin": origin_of(arrays),
         "first_array_sha256": sha256(first.transfer_function.tobytes(), first.frequency.tobytes()),
         "designs_sha256": sha256(*arrays.case_keys, *values),
         "licence": licence,

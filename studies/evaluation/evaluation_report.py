@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import base64
-from importlib import resources
 from pathlib import Path
 
-import studies
-from geometry.ground.refusal import counted
 from geometry.ground.whole_files import made_folder, temporary_folder, write_text
 from localize.evaluation.conditions import Outcome
 from studies.evaluation.evaluation_figures import draw_conditions, draw_reliability
 from studies.evaluation.full_evaluation import SENSORS, FullEvaluation
 from studies.evaluation.headline import SIGNALS, Headline
-from studies.output.display import number
 from studies.output.folders import write_json
-from studies.output.report_texts import percent, record_rows
+from studies.output.report_texts import inlined_picture, percent, record_rows, rendered_page
 from studies.output.response_figures import draw_confusion
 
 #: What is written into a folder, the page for people first.
@@ -36,15 +31,8 @@ def write_evaluation(found: FullEvaluation, folder: Path) -> None:
 
 def render(found: FullEvaluation) -> str:
     """Page of an evaluation as text: pictures inlined, no script, nothing fetched."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("studies"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
-        lstrip_blocks=True,
-    )  # fmt: skip
-    environment.filters |= {"number": number, "counted": counted}
-    return environment.get_template("evaluation_report.html").render(
-        style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
+    return rendered_page(
+        "evaluation_report.html",
         found=found,
         verdict=_verdict(found),
         accuracies=_accuracy_rows(found),
@@ -88,8 +76,7 @@ def _pictures(found: FullEvaluation) -> dict[str, str]:
         for index, each in enumerate(found.results):
             name = f"confusion-{index}"
             paths[name] = draw_confusion(each.overall.confusion, found.points, place / f"{name}.png")
-        encoded = {name: base64.b64encode(path.read_bytes()).decode("ascii") for name, path in paths.items()}
-    return {name: "data:image/png;base64," + text for name, text in encoded.items()}
+        return {name: inlined_picture(path) for name, path in paths.items()}
 
 
 def _provenance(found: FullEvaluation) -> list[tuple[str, str]]:

@@ -1,4 +1,4 @@
-"""Evaluation of a localizer beside the model-based decoder, under conditions that are not those of training."""
+"""Evaluation of a localizer beside the Bayes decoder, under conditions that are not those of training."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ def evaluate_fully(
             never more.
         microphone_noise: of the microphones, where the condition is not the noise.
         seed: of touches and of as-built sensors.
-        progress: called with what is being done and the fraction done.
+        progress: function that is called with the name of the step and the fraction done.
     """
     few = min(touches, max(round(SHARE * touches), math.ceil(LEAST / response.point_count)))
     progress("as-built sensors", 0.0)

@@ -1,7 +1,7 @@
 """Headline figures of a localizer: multi-sine touches on the nominal sensor, beside them what they do not promise.
 
 Taps on the same sensor, and the same sines on sensors that are not calibrated: made with a workshop's tolerances, which
-the tolerant decoder draws too, and virtual rigs, which have what no decoder knows.
+the tolerance-aware decoder models, and virtual rigs, which deviate in ways that no decoder is given.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from studies.evaluation.full_evaluation import LEAST, RIG_GROUP, RIGS, Progress,
 #: Signals of a headline figure.
 SIGNALS = "multi-sine touches on the nominal sensor"
 #: Name of the decoder that models manufacturing tolerances.
-TOLERANT = "tolerant decoder"
+TOLERANT = "tolerance-aware decoder"
 #: Number of as-built sensors, the seed that they are drawn with, and their fraction of the workshop's tolerances.
 SENSORS, SENSOR_SEED, WHOLE = 8, 1, 1.0
 
@@ -96,8 +96,8 @@ def evaluate_headlines(
         touches: held-out touches per point; beside the headline so many that all points together have 600, if they
             may be as many.
         microphone_noise: of the microphones.
-        seed: of the touches.
-        progress: called with what is being done and the fraction done.
+        seed: seed of the touches.
+        progress: function that is called with the name of the step and the fraction done.
     """
     progress("as-built sensors", 0.0)
     made, unscattered = scattered_sensors(library, response, SENSOR_SEED, SENSORS, (WHOLE,))

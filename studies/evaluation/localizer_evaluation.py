@@ -1,4 +1,4 @@
-"""A localizer evaluated on touches that it was not trained on, the model-based decoder beside it."""
+"""A localizer evaluated on touches that it was not trained on, the Bayes decoder beside it."""
 
 from __future__ import annotations
 
@@ -39,25 +39,26 @@ def evaluate_localizer(
     seed: int = SEED,
     display: Display | None = None,
 ) -> dict[str, Headline]:
-    """Evaluations of a localizer on touches that it was not trained on, the Bayes decoder beside it.
+    """Evaluations of a localizer and, for comparison, of the Bayes decoder, on touches that were not used in training.
 
-    The touches are multi-sine touches on the nominal sensor; beside them stand taps, and sensors that are made with a
-    workshop's tolerances.
+    The touches are multi-sine touches on the nominal sensor. Further results are for taps, and for as-built sensors
+    with a workshop's tolerances.
 
     Args:
-        model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
-        library: from which touches are made: its path, or a library or an open model in memory. By default the library
-            of the model, where it has one.
-        out: a folder for ``evaluation.json`` and ``evaluation.html``: with it, both are also judged under other noise,
-            ambient sound, touches and lengths, and on as-built sensors.
-        touches: held-out touches of every point.
-        microphone_noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
-        seed: of the touches.
-        display: shows what is being done.
+        model: a path, a library, a localizer or an open model, see :func:`localize.open_model`.
+        library: library that the touches are simulated with: its path, or a library or an open model in memory. By
+            default the library of the model, if it has one.
+        out: a folder for ``evaluation.json`` and ``evaluation.html``. If you give it, both are also evaluated with
+            other noise, room sound, kinds and lengths of touches, and on more as-built sensors.
+        touches: number of held-out touches of each point.
+        microphone_noise: white noise of the microphones, Pa rms over 0 to 500 Hz, or "design" for that of the design's
+            microphone.
+        seed: seed of the touches.
+        display: shows progress.
 
     Returns:
-        Each localizer's evaluation by its name: ``"network"``, or the kind of an ONNX file, ``"Bayes decoder"``,
-        and where the library is not that of a measured sensor ``"tolerant decoder"``.
+        Evaluation of each localizer by its name: ``"network"`` or the kind of an ONNX file, ``"Bayes decoder"`` and,
+        unless the library was measured, ``"tolerance-aware decoder"``.
 
     Raises:
         Refusal: no library for a model without one, a folder that cannot be written, a file that cannot be read, a

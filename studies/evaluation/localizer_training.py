@@ -42,16 +42,16 @@ def train_localizer(
     recordings: str | os.PathLike[str] | None = None,
     display: Display | None = None,
 ) -> TrainedLocalizer:
-    """Localizer trained on touches made from a library, and on recorded ones where there are some.
+    """Localizer trained on touches that are simulated with a library, and on recorded touches if you give any.
 
-    Killed and called again it goes on where it was, to the same weights.
+    If training is killed, call it again: it continues where it stopped and ends with the same weights.
 
     Args:
         library: its path, or a library or an open model in memory.
         out: the folder for the localizer, ``training.csv`` and ``confusion.csv``, and a picture of each.
-        plan: how to train; by default as :class:`localize.TrainingPlan` says.
-        recordings: a manifest of recorded touches, half of all that is trained on.
-        display: shows what is being done.
+        plan: plan of the training; by default that of :class:`localize.TrainingPlan`.
+        recordings: a manifest of recorded touches, which become half of the training data.
+        display: shows progress.
 
     Raises:
         Refusal: a folder that cannot be written or holds a finished localizer or another training, or a file that
@@ -83,17 +83,17 @@ def train_kinds(
     recordings: str | os.PathLike[str] | None = None,
     display: Display | None = None,
 ) -> localize.Recognizer:
-    """Recognizer of kinds of touch, as :func:`localize.load_recognizer` reads it from its folder.
+    """Trained recognizer of kinds of touch; :func:`localize.load_recognizer` reads it from its folder again.
 
-    Killed and called again it goes on where it was, to the same weights.
+    If training is killed, call it again: it continues where it stopped and ends with the same weights.
 
     Args:
         library: its path, or a library or an open model in memory.
         out: the folder for the recognizer, ``training.csv`` and ``confusion.csv``, and a picture of each.
-        kind: sort of what it tells, see :func:`localize.train_recognizer`.
+        kind: what to recognize, the ``subject`` of :func:`localize.train_recognizer`.
         plan: how to train.
-        recordings: a manifest of recorded touches with labels, where ``kind`` is "labels".
-        display: shows what is being done.
+        recordings: a manifest of recorded touches with labels, if ``kind`` is "labels".
+        display: shows progress.
 
     Raises:
         Refusal: as :func:`train_localizer` and :func:`localize.train_recognizer`.

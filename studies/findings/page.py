@@ -19,10 +19,10 @@ import studies
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry import ArrayDesign
 from geometry.design.design_file import value_of, write_design
-from geometry.ground.refusal import counted
 from geometry.ground.whole_files import write_text
 from studies.findings.result_table import Column, ResultTable, effect, pair_map
 from studies.output.display import number
+from studies.output.report_texts import rendered_page
 
 #: Designs that are drawn one by one; of more, all that lie on a front and a sample of the others.
 LARGEST_CLOUD = 8_000
@@ -46,20 +46,11 @@ def write_sweep_report(table: ResultTable, path: Path, command: str) -> None:
 
 def render_sweep(table: ResultTable, command: str) -> str:
     """Page of a sweep or a search as text; arguments as :func:`write_sweep_report`."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
     from plotly.offline import get_plotlyjs
 
-    environment = Environment(
-        loader=PackageLoader("studies"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["counted"] = counted
     best = _best(table)
-    return environment.get_template("sweep_report.html").render(
-        style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
+    return rendered_page(
+        "sweep_report.html",
         script=(resources.files(studies) / "templates" / "sweep_report.js").read_text(encoding="utf-8"),
         plotly=get_plotlyjs(),
         table=table,

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import studies
 from geometry import save_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.file_checks import check_local
 from geometry.ground.refusal import Kind, Refusal, counted
 from studies.findings.result_table import Column, ResultTable, table_of_search, table_of_sweep, with_base_metrics
@@ -51,9 +52,9 @@ def sweep_report(
     """Page about a sweep or a search: main effects, pairs, trade-offs, best designs, level and phase differences.
 
     Args:
-        results: as of :func:`read_results`.
+        results: results of a sweep or of a search, see :func:`read_results`.
         out: the page to write, HTML; an earlier one is replaced. It opens without a network.
-        display: shows what is being done.
+        display: shows progress.
 
     Returns:
         Contents of the page.
@@ -76,16 +77,15 @@ def best_designs(results: str | os.PathLike[str], by: str | None = None, count: 
     """Best designs of a sweep or a search by one metric.
 
     Args:
-        results: as of :func:`read_results`.
-        by: name of the metric that counts; by default the first of a search; of a sweep the first that needs no
-            caution, as differences of points do, which know no noise.
-        count: at most so many, at least 1.
+        results: results of a sweep or of a search, see :func:`read_results`.
+        by: name of the metric to rank by; by default the first metric of a search, or the first metric of a sweep that
+            includes noise.
+        count: largest number of designs, at least 1.
 
     Raises:
         Refusal: as :func:`read_results`, no such metric, or a count below 1.
     """
-    if count < 1:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="count", value=count, allowed="at least 1")
+    check_range("count", count, 1, whole=True)
     table = read_results(results)
     metric = table.metric(by) if by else table.leading
     return BestDesigns(table, metric, tuple(table.best(metric.name, count)))
@@ -95,9 +95,9 @@ def save_best_design(results: str | os.PathLike[str], design: str | int, out: st
     """Write the design file of one design of a sweep or a search.
 
     Args:
-        results: as of :func:`read_results`.
-        design: its number, or as it is called where it is listed.
-        out: a new file; a design that is there is kept.
+        results: results of a sweep or of a search, see :func:`read_results`.
+        design: number of the design, or its name in the list.
+        out: a new file; an existing design file is never overwritten.
 
     Raises:
         Refusal: as :func:`read_results`, no such design, or a file that exists or cannot be written.

@@ -37,20 +37,21 @@ def optimize(
     scheduler: str | None = None,
     display: Display | None = None,
 ) -> Search:
-    """Best designs of a study, of those that can be printed and laid out.
+    """Best designs of a study that can be printed and laid out.
 
-    Killed and called again it goes on where it was; with more trials in the study it goes on beyond.
+    If the search is killed, call it again: it continues where it stopped. To continue a finished search, give the study
+    more trials.
 
     Args:
-        study: a study file with a section ``[optimize]``, or what is in one.
-        out: a new folder, or that of the same search, which is continued.
-        workers: processes on this machine; 1 computes in this one; by default one per core.
+        study: a study file with a section ``[optimize]``, or an optimization that was read from one.
+        out: a new folder, or the folder of this search, which is then continued.
+        workers: number of processes on this machine; 1 computes in this process; by default one per core.
         scheduler: address of a dask scheduler whose workers are used instead.
-        display: shows what is being done.
+        display: shows progress.
 
     Raises:
-        Refusal: a study that cannot be read, a folder with files of others or of another search, or to which one is
-            writing, or no design that keeps the limits and can be printed.
+        Refusal: a study that cannot be read, a folder that holds other files or another search, or to which a search is
+            writing; or no design that meets the limits and can be printed.
     """
     folder, show = Path(out), display or Display()
     problem = study if isinstance(study, Optimization) else load_optimization(study)

@@ -43,12 +43,12 @@ def embed_decoder(
     """Write the decoder of a library, which needs no training, as C99 for the microcontroller on the sensor.
 
     Args:
-        library: of the array, a path, a library or an open model; its sensor is decoded as it is.
-        out: a folder, made if it does not exist. Files of an earlier call are replaced, and no others.
-        precision: of the large tables, ``float32`` or ``int16``.
-        budget: what the microcontroller has for it, such as ``flash=512k,ram=16k,instructions=2.5M``; by default all
-            that it takes.
-        microphone_noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        library: library of the array: a path, a library or an open model. Tolerances are not modelled.
+        out: a folder, created if needed. Only files of an earlier call are replaced.
+        precision: number type of the large tables, ``float32`` or ``int16``.
+        budget: limits of the microcontroller, such as ``flash=512k,ram=16k,instructions=2.5M``; by default no limits.
+        microphone_noise: white noise of the microphones, Pa rms over 0 to 500 Hz, or "design" for that of the design's
+            microphone.
 
     Raises:
         Refusal: over the budget, with the numbers; a file that cannot be read, a folder of others, or as

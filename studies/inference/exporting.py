@@ -34,14 +34,14 @@ def export_decoder(
     microphone_noise: NoiseChoice = "design",
     ambient: float | None = None,
 ) -> ExportedDecoder:
-    """Write a localizer as one ONNX graph, from 250 samples of each microphone to the probability of each point.
+    """Write a localizer as one ONNX graph. It maps 250 samples of each microphone to the probability of each point.
 
     Args:
-        model: as of :func:`localize.open_model`: a trained localizer, or a library for the decoder of its sensor as it
-            is.
+        model: a trained localizer, or a library, whose Bayes decoder is then written; see :func:`localize.open_model`.
         out: the file to write, such as ``localizer.onnx``; an earlier one is replaced.
-        microphone_noise: for a library: noise of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
-        ambient: for a library: sound in the room up to this level, dB SPL; by default a quiet room.
+        microphone_noise: white noise of the microphones that the decoder of a library assumes, Pa rms over 0 to 500 Hz,
+            or "design" for that of the design's microphone.
+        ambient: highest level of room sound that the decoder of a library assumes, dB SPL; by default a quiet room.
 
     Raises:
         Refusal: a file that cannot be written or read, or a noise or sound for a trained localizer.

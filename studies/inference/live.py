@@ -62,7 +62,7 @@ class LiveInput:
         check_full_scale(self.full_scale)
 
     def open(self, microphones: tuple[str, ...]) -> Source:
-        """Source of the microphones of these names, not listened to yet."""
+        """Source of the samples of these microphones; reading has not begun."""
         if self.replay is not None:
             return ReplaySource(self.replay, microphones, self.full_scale, self.channels)
         return DeviceSource(microphones, self.device, self.full_scale, self.channels, rate=self.rate)
@@ -141,23 +141,25 @@ def listen(
     contact_radius_mm: float | None = None,
     hear: Hear | None = None,
 ) -> LiveSummary:
-    """Summary of touches that are named while they happen, until the source ends, ``hear`` says so, or Ctrl-C.
+    """Summary of a live session, in which touches are located while they happen. It ends when the source ends, when
+    ``hear`` returns False, or with Ctrl-C.
 
-    A sound card that is unplugged is waited for.
+    If a sound card is unplugged, the session waits for it.
 
     Args:
-        model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
+        model: a path, a library, a localizer or an open model, see :func:`localize.open_model`.
         source: where samples come from; by default the system's sound card.
-        out: a file for a line of JSON for every frame, 16 ms apart, written as it comes; an earlier one is replaced.
-        record: a new WAV file for what comes in, at the rate at which it does; readable even if the program is killed.
-        decoding: how the model is opened, and what is reported beside the point; by default as it is.
-        contact_radius_mm: of a contact whose place on the surface is reported beside its point, and its gesture when
-            its path has ended, mm; needs a library. By default neither is.
-        hear: called with every event.
+        out: a file for a line of JSON for each frame, every 16 ms, written at once; an earlier file is replaced.
+        record: a new WAV file for the input, at its own sample rate; readable even if the program is killed.
+        decoding: options for opening the model and for what is reported besides the point.
+        contact_radius_mm: radius of the contact, mm. If you give it, its position on the surface is reported too, and
+            its gesture when its path has ended. This needs a library. By default only points are reported.
+        hear: function that is called with every event.
 
     Raises:
-        Refusal: a file that cannot be written or read, options that do not go together, or no such sound card.
-        OSError: a disk that is full: the lines cannot be written, or the recording cannot be begun.
+        Refusal: a file that cannot be written or read, options that contradict each other, or a sound card that does
+            not exist.
+        OSError: the disk is full.
     """
     lines, kept, heard_from = (
         None if out is None else Path(out),

@@ -11,6 +11,7 @@ import numpy as np
 import localize
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.sound.sound_file import check_sound_there
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
 from localize.model.located_touches import RecordingResult
@@ -48,13 +49,13 @@ def read_pulse(
     """Pulse of an artery under a finger that rests on an array, from a recording of its microphones.
 
     Args:
-        library: of the array, with a design: a path, a library or an open model; its sensor is decoded as it is.
+        library: library of the array, with its design: a path, a library or an open model. Tolerances are not modelled.
         recording: see :func:`localize.read_recording`; at least 3 s.
-        out: a table of the waveform, ``.csv``; an earlier one of a pulse is replaced.
-        picture: of the waveform with its waves, ``.png`` by default; an earlier one is replaced.
-        point: under which it is felt, from 1; by default that which is named.
-        full_scale: as of :func:`studies.locate_recording`.
-        decoding: noise and air of the place.
+        out: a CSV file for the waveform; an earlier file of a pulse is replaced.
+        picture: a file for a picture of the waveform with its waves, ``.png`` by default; an earlier file is replaced.
+        point: number of the point under the finger, from 1; by default the point that the decoder finds.
+        full_scale: see :func:`studies.locate_recording`.
+        decoding: options for the noise and for the air of the place.
 
     Raises:
         Refusal: a file that cannot be written or read; no library, or one without a design; a recording that is too
@@ -90,10 +91,8 @@ def read_pulse(
 
 def check_point(point: int | None, count: int) -> None:
     """Refuse a point that an array of so many does not have; None is for the one that is named."""
-    if point is not None and not 1 <= point <= count:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="point", value=point, allowed=f"from 1 to {count}, the points of the array"
-        )
+    if point is not None:
+        check_range("point", point, 1, count, whole=True, why="the points of the array")
 
 
 def draw_pulse(reading: localize.PulseReading, path: str | os.PathLike[str]) -> Path:

@@ -44,23 +44,24 @@ def recognize_recording(
     full_scale: float | None = None,
     decoding: Decoding | None = None,
 ) -> tuple[RecognizedTouch, ...]:
-    """Touches of a recording by their kind, in the order of time.
+    """Touches of a recording with their kinds, in the order of time.
 
     Args:
         model: a recognizer, or its folder.
-        library: of the array: a path, a library or an open model; where no point is given, its decoder names it.
+        library: library of the array: a path, a library or an open model. If you give no point, its decoder finds it.
         recording: see :func:`localize.read_recording`.
-        out: a file for a line of JSON for every touch.
-        point: that is touched, from 1; by default that which is named.
-        speed: of what slides, mm/s; by default that of a straight slide over three points at least, as it is heard.
+        out: a file for a line of JSON for each touch.
+        point: number of the touched point, from 1; by default the point that the decoder finds.
+        speed: speed of a sliding contact, mm/s; by default it is estimated from a straight slide over at least three
+            points.
         full_scale: pressure at full scale of WAV files, Pa.
-        decoding: noise, sound and air of the place; by default noise is that of the training where something is heard,
-            and that of the design's microphone where points are named.
+        decoding: options for noise, sound and air of the place. By default touches are detected with the noise of the
+            training, and points are located with the noise of the design's microphone.
 
     Raises:
         Refusal: a file that cannot be read or written; a library of another array than the recognizer's; a point that
-            the array does not have; a speed of no use, or of letters a point or a level of sound; a point without a
-            speed; no speed for a contact that does not slide straight.
+            the array does not have; a speed for kinds that need none; a point or a level of sound for letters; a point
+            without a speed for textures; no speed for a contact that does not slide straight.
     """
     path = None if out is None else Path(out)
     check_new_file(path, ".jsonl", reads=(*files_of(model), *files_of(library), recording))

@@ -40,22 +40,23 @@ def locate_recording(
     channels: Mapping[str, int] | None = None,
     correct: bool = False,
 ) -> LocatedTouches:
-    """Touches of an array, where and when, from a recording of its microphones.
+    """Touches in a recording of an array's microphones, with their points and times.
 
     Args:
-        model: as of :func:`localize.open_model`: its path, or a library, a localizer or an open model in memory.
+        model: a path, a library, a localizer or an open model, see :func:`localize.open_model`.
         recording: see :func:`localize.read_recording`.
-        out: a file for a line of JSON for every frame; an earlier one is replaced.
-        picture: of the signals and the touches, ``.png`` by default; an earlier one is replaced.
-        full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip, by
-            default recognised by flat tops.
-        decoding: how the model is opened, and what is reported beside the point; by default as it is.
-        channels: microphone -> channel of the recording, from 1; by default by their names or their order.
+        out: a file for a line of JSON for each frame; an earlier file is replaced.
+        picture: a file for a picture of the signals and the touches, ``.png`` by default; an earlier file is replaced.
+        full_scale: pressure at full scale of WAV files, Pa, by default 1 Pa. For other files, the pressure at which the
+            recorder clipped; by default clipping is detected by its flat tops.
+        decoding: options for opening the model and for what is reported besides the point.
+        channels: channel of each microphone in the recording, counted from 1; by default found by the names of the
+            channels or by their order.
         correct: whether a reversed, exchanged or late microphone is corrected before touches are located, if the check
             of the sensor finds one; by default the fault is reported and probabilities are lowered.
 
     Raises:
-        Refusal: a file that cannot be written or read, or options that do not go together.
+        Refusal: a file that cannot be written or read, or options that contradict each other.
     """
     path = None if out is None else Path(out)
     reads = (*files_of(model), recording, *files_of(None if decoding is None else decoding.library))

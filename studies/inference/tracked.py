@@ -62,14 +62,15 @@ def track_recording(
     """Paths of contacts over the surface of an array, from a recording of its microphones.
 
     Args:
-        library: of the array, with a design: a path, a library or an open model.
+        library: library of the array, with its design: a path, a library or an open model.
         recording: see :func:`localize.read_recording`.
-        out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
-        picture: of the paths on the array, ``.png`` by default; an earlier one is replaced.
-        contact_radius_mm: of the contact, mm, 0.05 to 100.
-        full_scale: as of :func:`studies.locate_recording`.
-        decoding: how signals are read.
-        channels: microphone -> channel of the recording, from 1; by default by their names or their order.
+        out: a CSV file with a row for every 16 ms of each path; an earlier file of paths is replaced.
+        picture: a file for a picture of the paths on the array, ``.png`` by default; an earlier file is replaced.
+        contact_radius_mm: radius of the contact, mm, 0.05 to 100.
+        full_scale: see :func:`studies.locate_recording`.
+        decoding: options for noise, sound and air of the place.
+        channels: channel of each microphone in the recording, counted from 1; by default found by the names of the
+            channels or by their order.
 
     Raises:
         Refusal: a file that cannot be written or read, no library, or a radius out of range.

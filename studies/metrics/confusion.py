@@ -28,6 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.quantities.checks import FrequencyLike, frequencies
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals.noise_model import NoiseSpectrum
@@ -318,9 +319,7 @@ def _check(h: ComplexArray, grid: Array, touches: int) -> None:
     check_grid(grid)
     if not np.all(np.isfinite(h)):
         raise Refusal(kind=Kind.UNSUITABLE, field="transfer_function", allowed="finite")
-    if isinstance(touches, bool) or not 1 <= touches <= 100_000:
-        allowed = "a whole number from 1 to 100000"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="touches", value=touches, allowed=allowed)
+    check_range("touches", touches, 1, 100_000, whole=True)
 
 
 def check_grid(grid: Array) -> None:

@@ -30,7 +30,7 @@ def coverage(design: ArrayDesign, contact_radius_mm: float = FINGER, layout: Arr
     Args:
         design: the array.
         contact_radius_mm: of the contact's area, mm, 0 to 1000.
-        layout: where its parts lie, where it is known already.
+        layout: layout of the array, if you have it already.
 
     Raises:
         Refusal: a radius out of range.

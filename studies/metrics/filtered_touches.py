@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import localize
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals import stimulus
@@ -156,8 +157,7 @@ def standard_noise(points: int, microphones: int, listener: Listener, touches: i
 @lru_cache(maxsize=2)
 def filters_of(listener: Listener) -> ComplexArray:
     """(n_filter, FRAME) complex128."""
-    if listener not in get_args(Listener):
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="listener", value=listener, allowed=get_args(Listener))
+    check_choice("listener", listener, get_args(Listener))
     if listener == "model":
         time = np.arange(FRAME)
         taper = math.sqrt(2) * np.sin(np.pi * (time + 0.5) / FRAME)

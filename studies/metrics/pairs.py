@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from localize.signals.stimulus import BAND
@@ -172,9 +173,7 @@ def _values(transfer_function: xr.DataArray) -> NDArray[np.complex128]:
 
 def _at(array: xr.DataArray, frequency: float) -> NDArray[np.complex128]:
     grid = np.asarray(array["frequency"].values, np.float64)
-    if not grid[0] - 1e-9 <= frequency <= grid[-1] + 1e-9:
-        allowed = f"between {grid[0]:g} and {grid[-1]:g} Hz"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="frequency", value=frequency, unit="Hz", allowed=allowed)
+    check_range("frequency", frequency, grid[0] - 1e-9, grid[-1] + 1e-9, "Hz")
     values = _values(array)
     upper = min(int(np.searchsorted(grid, frequency)), len(grid) - 1)
     lower = max(upper - 1, 0)

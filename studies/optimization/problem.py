@@ -100,7 +100,7 @@ _Real = Annotated[float, Field(strict=True)]
 class _Objective(FileSection):
     metric: str = Field(description="name of a metric")
     better: Literal["larger", "smaller"] | None = Field(
-        default=None, description="which values are wanted, where those of the metric are not meant"
+        default=None, description="values that are wanted; by default those that the metric calls better"
     )
 
 
@@ -113,20 +113,22 @@ class _Limit(FileSection):
 class OptimizeFields(FileSection):
     """Section ``[optimize]`` of a study file."""
 
-    trials: Annotated[_Whole, Field(ge=1, le=1_000_000)] = Field(default=2000, description="designs to try")
-    batch: Annotated[_Whole, Field(ge=1, le=10_000)] = Field(default=64, description="designs computed in one call")
+    trials: Annotated[_Whole, Field(ge=1, le=1_000_000)] = Field(default=2000, description="number of designs to try")
+    batch: Annotated[_Whole, Field(ge=1, le=10_000)] = Field(
+        default=64, description="number of designs that are computed in one call"
+    )
     method: Method | None = Field(
         default=None,
-        description="`nsga2` for several objectives, `tpe` for one, `random` to compare with, `gradient` along slopes; "
-        "by default by the number of objectives",
+        description="`nsga2` for several objectives, `tpe` for one, `random` for comparison, `gradient` to follow "
+        "derivatives; by default `nsga2` or `tpe`, depending on the number of objectives",
     )
     printable: Demand = Field(
         default="base",
-        description="`least`: no print rule fails; `advised`: nothing is at risk; `base`: nothing below what is "
-        "advised, unless the base is, and then not below the base",
+        description="demand on the parts: `least` for no failed print rule; `advised` for every measure at its advised "
+        "value or better; `base` for the advised values, or those of the base design where it falls short of them",
     )
-    objectives: tuple[_Objective, ...] = Field(min_length=1, max_length=4, description="figures to be made best")
-    limits: tuple[_Limit, ...] = Field(default=(), description="bounds on figures")
+    objectives: tuple[_Objective, ...] = Field(min_length=1, max_length=4, description="metrics to optimise")
+    limits: tuple[_Limit, ...] = Field(default=(), description="bounds on metrics")
 
 
 def load_optimization(path: str | os.PathLike[str]) -> Optimization:

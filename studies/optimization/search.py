@@ -79,7 +79,7 @@ def search_designs(
         out: folder of the journal; it must exist.
         workers: processes on this machine; 1 computes in this one; None: one per core.
         scheduler: address of a dask scheduler whose workers are used instead.
-        progress: called with what is being done and the fraction done, 0 to 1.
+        progress: function that is called with the name of the step and the fraction done, 0 to 1.
 
     Raises:
         StudyError: the folder holds the journal of another problem.

@@ -74,11 +74,11 @@ class Display:
 
     @property
     def terminal(self) -> bool:
-        """True if it draws bars, which can change often; elsewhere every message stays as a line."""
+        """True if progress bars are drawn. Otherwise every message is printed as a line."""
         return self._stream is not None and self._stream.isatty()
 
     def note(self, text: str) -> None:
-        """Write a line that stays."""
+        """Print a line that is not overwritten by progress bars."""
         text = in_one_line(text)
         if self._bars is not None:
             self._bars.console.print(text, markup=False, highlight=False)
@@ -87,11 +87,11 @@ class Display:
 
     @contextmanager
     def stage(self, name: str, of: int = 1) -> Iterator[Report]:
-        """Show one stage: yields the function that takes its progress.
+        """Show one stage of a job. Yields a function that you call with its progress.
 
         Args:
-            name: of the stage.
-            of: how many stages the job has; where there are several, each says which of them it is.
+            name: name of the stage.
+            of: number of stages of the job. If there are several, each shows its number.
         """
         started = perf_counter()
         title = f"{name} ({len(self.seconds) + 1} of {of})" if of > 1 else name

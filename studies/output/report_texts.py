@@ -1,8 +1,42 @@
-"""Texts that every report shares: percentages, and the rows of a table of provenance."""
+"""Texts that every report shares: its page, percentages, and the rows of a table of provenance."""
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Iterator, Mapping
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import studies
+from geometry.ground.refusal import counted
+from studies.output.display import number
+
+
+def rendered_page(template: str, **values: Any) -> str:
+    """Page of HTML from a template of the package, in the style of all reports.
+
+    Args:
+        template: name of the template, which can use the filters ``number`` and ``counted``.
+        values: values by the names that the template uses; each of these needs one.
+    """
+    import jinja2
+
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("studies"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters |= {"number": number, "counted": counted}
+    style = (resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8")
+    return environment.get_template(template).render(style=style, **values)
+
+
+def inlined_picture(path: Path) -> str:
+    """Address that holds a PNG picture itself, for an image of a page."""
+    return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode("ascii")
 
 
 def percent(fraction: float) -> str:

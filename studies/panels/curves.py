@@ -15,7 +15,7 @@ from acoustic_fem import Library
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from acoustic_fem.quantities.checks import FrequencyLike
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_choice
 from localize.signals.stimulus import BAND
 from studies.metrics.pairs import microphone_ratios
 
@@ -98,8 +98,7 @@ def curves_of(transfer_function: xr.DataArray, quantity: str, fidelity: str) -> 
     Raises:
         Refusal: there is no such quantity.
     """
-    if quantity not in _QUANTITIES:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="quantity", value=quantity, allowed=CURVES)
+    check_choice("quantity", quantity, CURVES)
     chosen = _QUANTITIES[quantity]
     names = [str(name) for name in transfer_function["microphone"].values]
     ordered = transfer_function.transpose("point", "microphone", "frequency")

@@ -20,6 +20,7 @@ from acoustic_fem.numerics.disk_cache import cache_folder
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, MANY_DESIGNS
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import parse_toml
 from geometry.ground.whole_files import temporary_folder, write_text
@@ -78,8 +79,7 @@ def study_file(
             value=list(metrics),
             allowed=f"1 to {MOST_METRICS} figures of merit",
         )
-    if not 1 <= designs <= MOST_DESIGNS:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="designs", value=designs, allowed=f"between 1 and {MOST_DESIGNS}")
+    check_range("designs", designs, 1, MOST_DESIGNS, whole=True)
     stated: dict[str, Any] = {
         "name": f"{design.name[:70]}-{'search' if search else 'sweep'}",
         "base": f"{design.name}.toml",

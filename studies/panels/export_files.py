@@ -11,7 +11,6 @@ from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
 from geometry.ground.argument_checks import check_choice
-from geometry.ground.refusal import Kind, Refusal
 from studies.panels.cad_panel import CallbackDisplay
 from studies.run.library_files import convert_library, solve_library
 from studies.run.part_folder import export_parts
@@ -87,7 +86,6 @@ def make_export(
     Raises:
         Refusal: no such export or fidelity, or what the verb of the command line refuses.
     """
-    if name not in EXPORTS:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="export", value=name, allowed=EXPORTS)
+    check_choice("export", name, EXPORTS)
     check_choice("fidelity", fidelity, FIDELITIES)
     return str(EXPORTS[name].make(design, Path(folder), fidelity, CallbackDisplay(notify)))

@@ -14,6 +14,7 @@ import numpy as np
 
 import localize
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from localize.model.opened_model import open_library
 from localize.recognition import LETTERS, Hand, written
@@ -74,8 +75,7 @@ def write_letter(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any
     Raises:
         Refusal: no such letter, or a design without places, or one that cannot be decoded.
     """
-    if letter not in LETTERS:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="letter", value=letter, allowed=LETTERS)
+    check_choice("letter", letter, LETTERS)
     decoder = decoder_of(design)
     response = decoder.recorder.response
     take = decoder.recorder.take(written(letter, response, Hand(), sample=sample), sample)

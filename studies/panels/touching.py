@@ -1,4 +1,4 @@
-"""Touches on a design: simulated ones or those of a recording, and what the model-based decoder answers."""
+"""Touches on a design: simulated ones or those of a recording, and what the Bayes decoder answers."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ import acoustic_fem
 import localize
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import temporary_folder
 from localize import Decision, gesture_of, read_recording, touches_of
@@ -70,10 +71,8 @@ def simulate_touch(design: ArrayDesign, point: int, kind: str, sample: int) -> d
         Refusal: no such point or kind, or a design that cannot be decoded.
     """
     made: dict[str, Callable[..., Contact]] = dict(zip(TOUCHES, (tap, double_tap, press), strict=True))
-    if kind not in made:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="kind", value=kind, allowed=TOUCHES)
-    if not 1 <= point <= design.point_count:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="point", value=point, allowed=f"between 1 and {design.point_count}")
+    check_choice("kind", kind, TOUCHES)
+    check_range("point", point, 1, design.point_count, whole=True)
     decoder = decoder_of(design)
     place, _ = surface_of(decoder.recorder.response)
     x, y = (float(each) for each in place[point - 1])
@@ -97,11 +96,7 @@ def simulate_slide(design: ArrayDesign, start: Sequence[float], end: Sequence[fl
         Refusal: a slide of no length or too long a one, or a design that cannot be decoded.
     """
     length = math.dist(start, end)
-    if not 1 <= length <= LONGEST_SLIDE:
-        allowed = f"between 1 and {LONGEST_SLIDE:g} mm"
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="length of the slide", value=round(length, 1), unit="mm", allowed=allowed
-        )
+    check_range("length of the slide", round(length, 1), 1, LONGEST_SLIDE, "mm")
     decoder = decoder_of(design)
     (x0, y0), (x1, y1) = start, end
     take = decoder.recorder.take(slide((x0, y0), (x1, y1), SLIDE_SPEED, sample=sample), sample)

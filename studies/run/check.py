@@ -70,7 +70,7 @@ class KindUse:
 
 @dataclass(frozen=True, repr=False)
 class DesignCheck(Shown):
-    """Findings on a design before it is solved: everything that ``acoustic-fem check`` says."""
+    """Findings on a design before it is solved: everything that ``acoustic-fem check`` prints."""
 
     design: ArrayDesign
     """Design that was checked."""
@@ -121,17 +121,17 @@ class DesignCheck(Shown):
 
     @property
     def covered(self) -> str:
-        """Line on the share of its area in which a finger is felt."""
-        return f"coverage {self.coverage:.0%}: there a contact of {FINGER:g} mm radius touches a membrane"
+        """Line on the fraction of the area in which a finger reaches a membrane."""
+        return f"coverage {self.coverage:.0%}: area where a contact of {FINGER:g} mm radius touches a membrane"
 
     @property
     def fidelities(self) -> tuple[str, ...]:
-        """Lines on what each fidelity costs and how far it is from the default."""
+        """Lines on the cost of each fidelity and its difference from the default."""
         return fidelity_lines(self.design, [cell for cell, _ in self.cells])
 
     @property
     def failures(self) -> tuple[str, ...]:
-        """Lines on what stands in the way of making the array."""
+        """Lines on the problems that prevent the array from being made."""
         return tuple(
             f"{f.part}: {f.rule} {f.value:.3g} {f.unit} must be {f.relation} {f.limit:.3g} {f.unit}".replace(
                 "  ", " "
@@ -142,15 +142,16 @@ class DesignCheck(Shown):
 
     @property
     def problems(self) -> tuple[str, ...]:
-        """Lines on why the array cannot be made; none where it can.
+        """Lines on the reasons why the array cannot be made; empty if it can be made.
 
-        A layout that cannot be built overlaps as it is drawn too: it counts once, by the layout.
+        If a layout cannot be built, its parts also overlap in the drawing. Such a problem is listed once, for the
+        layout.
         """
         return self.overlaps or self.misfits or self.failures
 
     @property
     def verdict(self) -> str:
-        """Verdict on the array: a valid design, as far as was looked, or one that cannot be built or printed."""
+        """Verdict on the array: valid as far as it was checked, or impossible to build or to print."""
         if self.overlaps or self.misfits:
             return "cannot be built"
         if self.printing is None:
@@ -159,7 +160,7 @@ class DesignCheck(Shown):
 
     @property
     def error(self) -> DesignError | None:
-        """The error of a design that cannot be made, with every problem; None where it can be made."""
+        """Error with all problems of a design that cannot be made; None if it can be made."""
         if not self.problems:
             return None
         return DesignError.of_notes(self.design.name, self.problems, self.verdict, self.mend)
@@ -198,16 +199,20 @@ def check_design(
     quality: bool = True,
     display: Display | None = None,
 ) -> DesignCheck:
-    """Findings on a design: laid out, its parts drawn and judged, the models' assumptions compared with their limits.
+    """Findings on a design: its layout, its parts compared with the print rules, and the assumptions of the models
+    compared with their limits.
 
-    Parts are left out where the extra ``cad`` is not installed, and how good it is without ``train``: findings say so.
+    Without the extra ``cad`` the parts are not checked, and without ``train`` the accuracy is not predicted. The
+    findings say so.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
         out: a JSON file for all findings; an earlier one is replaced.
-        picture: a file, ``.png`` by default, for the array in plan, each point coloured by its predicted accuracy.
-        quality: whether to predict how good it is: :func:`studies.run.design_quality`; with a picture in any case.
-        display: shows what is being done.
+        picture: a file, ``.png`` by default, for a plan view of the array with each point coloured by its predicted
+            accuracy.
+        quality: whether to predict the accuracy with :func:`studies.run.design_quality`. For a picture it is always
+            predicted.
+        display: shows progress.
 
     Raises:
         Refusal: no such design, a part cannot be built, the membrane's proportions are outside what can be solved, a
@@ -295,16 +300,16 @@ def _drawn(
 def fidelity_lines(design: ArrayDesign, cells: Sequence[Cell]) -> tuple[str, ...]:
     """Lines on what each fidelity costs for the distinct cells of a design, and how far from the default it was."""
     lumped, helmholtz = (
-        "; ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
+        ", ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
         for measured in (LUMPED_IS_OFF, HELMHOLTZ_IS_OFF)
     )
     seconds = SECONDS_PER_CELL * len(cells)
     return (
-        f"lumped: milliseconds; from navier-stokes, {BAND[0]:g} to {BAND[1]:g} Hz, it was at most {lumped}",
+        f"lumped: milliseconds; differs from navier-stokes by up to {lumped} ({BAND[0]:g} to {BAND[1]:g} Hz)",
         f"atlas: milliseconds; {_of_atlas(design, cells)}",
-        f"helmholtz, a cross-check: as long as navier-stokes; from it at most {helmholtz}",
-        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s of one processor per distinct cell, here "
-        f"{len(cells)}: {seconds:g} s; then from the cache",
+        f"helmholtz, a cross-check: as long as navier-stokes; differs from it by up to {helmholtz}",
+        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s of one processor per distinct cell, {seconds:g} s "
+        f"for the {len(cells)} of this design; later from the cache",
     )
 
 
@@ -318,7 +323,7 @@ def _of_atlas(design: ArrayDesign, cells: Sequence[Cell]) -> str:
         return f"not for this design: {error}"
     off = 100 * atlas.errors["transfer function by 1 + |ln H|"]
     band = f"1 to {atlas.known_up_to:g} Hz"
-    return f"from navier-stokes, {band}, it was at most {off:.2g} % x (1 + |ln H|) on 40 random designs"
+    return f"differs from navier-stokes by up to {off:.2g} % x (1 + |ln H|) on 40 random designs ({band})"
 
 
 def cell_uses(design: ArrayDesign, layout: ArrayLayout) -> tuple[tuple[Cell, int], ...]:

@@ -40,7 +40,7 @@ class FolderCheck:
 
     @property
     def complete(self) -> bool:
-        """True if the folder holds what the run wrote, all of it and nothing else."""
+        """True if the folder holds exactly the files that the run wrote."""
         return not (self.changed or self.missing or self.extra)
 
 
@@ -67,8 +67,8 @@ def write_file_list(folder: Path, names: Sequence[str]) -> None:
 def verify_run(folder: PathLike) -> FolderCheck:
     """Comparison of the folder of a run with its ``MANIFEST.json``: changed, missing and extra files.
 
-    It finds damage and later changes. It does not replace a signature, because a person who can
-    write to the folder can write another list as well.
+    It finds damage and later changes. It does not replace a signature, because a person who can write to the folder can
+    also write another list.
 
     Args:
         folder: of :func:`studies.run_design`.

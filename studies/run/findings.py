@@ -68,7 +68,7 @@ def verdict(result: RunResult) -> str:
         found += f" As-built sensors are left out: {network.unscattered}."
     (first, second), *others = result.separability.equally_hard
     level, phase, _ = result.separability.between(first, second)
-    hardest = f"Hardest to tell apart are points {first} and {second}"
+    hardest = f"The points that are hardest to tell apart are {first} and {second}"
     if others:
         more = len(others) - NAMED_PAIRS
         hardest += " (and equally " + ", ".join(f"{i} and {j}" for i, j in others[:NAMED_PAIRS])
@@ -106,7 +106,10 @@ def printing_sentence(result: RunResult) -> str:
     if failing:
         return f"The parts cannot be printed as they are ({report.process.title}): see {', '.join(failing)}."
     if warned:
-        return f"The parts can be printed with care: {counted(warned, 'measure')} between limit and advised value."
+        return (
+            f"The parts can be printed with care: {counted(warned, 'measure')} between the limit of the process "
+            "and its advised value."
+        )
     return "The parts can be printed."
 
 
@@ -117,16 +120,16 @@ def confusion_sentence(result: RunResult) -> str:
         return f"The localizer missed none of {result.network.touches} held-out touches."
     named, share = _numbers(result, pair), pair[2]
     text = (
-        f"The localizer most often takes points {named[0]} and {named[1]} for each other: {percent(share)} of their "
-        "touches. "
+        f"The localizer most often confuses points {named[0]} and {named[1]}: it assigns {percent(share)} of their "
+        "touches to the other point. "
     )
     if named in result.separability.equally_hard:
         return text + "They are also the hardest pair by distance."
     rank = 1 + result.separability.hardest_pairs.index(named)
     return text + (
         f"By distance this pair is number {rank} of {len(result.separability.hardest_pairs)}, hardest first. The two "
-        "need not agree: the distance weighs all frequencies alike and knows no noise, whereas each touch holds some "
-        "frequencies only, and a network is never trained to the end."
+        "need not agree, because the distance weights all frequencies equally and ignores noise, whereas each touch "
+        "contains only some frequencies, and the training of a network ends before its result is perfect."
     )
 
 
@@ -138,8 +141,9 @@ def noise_sentence(result: RunResult) -> str:
         return text + ", not that of the design's microphone."
     return text + (
         f": {microphone.noise_density:g} Pa/√Hz, rising as 1/f in power below {microphone.noise_corner:g} "
-        f"Hz, divided by the microphone's response, which falls below {microphone.vent_corner:g} Hz, and so given as "
-        f"pressure in its chamber. Where all microphone figures come from ({microphone.model}): {microphone.source}."
+        "Hz. It is given as pressure in the chamber of the microphone, so it is divided by the microphone's response, "
+        f"which falls below {microphone.vent_corner:g} Hz. Source of the data of {microphone.model}: "
+        f"{microphone.source}."
     )
 
 
@@ -149,12 +153,13 @@ def training_sentence(result: RunResult) -> str:
     text = f"The localizer was trained on {counted(training['touches'], 'touch')}"
     if training["seconds"]:  # 0 where the clock of files is stopped
         text += f" in {training['seconds']:.0f} s"
+    text += "."
     if not training["cut_short"]:
-        return text + "."
+        return text
     touches = planned["epochs"] * planned["seconds_per_point"] * result.design.point_count
     return text + (
-        f" of {touches} planned: its limit of {planned['time_limit']:g} s cut it short, so that its accuracy depends "
-        "on how busy the machine was. More time makes it better."
+        f" The plan had {touches} touches, but the training reached its limit of {planned['time_limit']:g} s. So its "
+        "accuracy depends on how busy the machine was. Give it more time for a better localizer."
     )
 
 
@@ -162,9 +167,9 @@ def agreement_sentence(result: RunResult) -> str:
     """Sentences on how far the closed forms are from the 3-D cells, and why."""
     found = result.disagreement
     if found is None:
-        return "The library itself is lumped; there is nothing to compare it with."
+        return "The library itself was solved with the lumped model, so there is no comparison."
     text = (
-        f"Largest difference of lumped from Navier-Stokes transfer functions, {BAND[0]:g} to {BAND[1]:g} Hz: "
+        f"The lumped transfer functions differ from those of Navier-Stokes, {BAND[0]:g} to {BAND[1]:g} Hz, by at most "
         f"{100 * found.magnitude:.2g} % in magnitude ({_where(found.magnitude_at)}) and {found.phase:.2g} degrees in "
         f"phase ({_where(found.phase_at)}); the limits are {100 * AGREEMENT[0]:g} % and {AGREEMENT[1]:g} degree. "
     )
@@ -175,13 +180,13 @@ def agreement_sentence(result: RunResult) -> str:
             found.magnitude_at if found.magnitude / AGREEMENT[0] > found.phase / AGREEMENT[1] else found.phase_at
         )
         text += (
-            f"Lumped is outside them. The cells of one line act one after the other, so that their small differences "
-            f"(last column of the table of cells) add up on the way from point {point} to microphone {microphone}, "
-            f"most of all where the way attenuates most, here at {frequency:g} Hz. Trust Navier-Stokes there. "
+            "Lumped is outside them. The small differences of the cells (last column of the table of cells) add up "
+            f"along the path from point {point} to microphone {microphone}. They are largest at {frequency:g} Hz, "
+            "where the path attenuates most. Use Navier-Stokes there. "
         )
     return text + (
-        "The lumped model treats a cavity as one pressure and the opening of a tube as a resistance and an inertance "
-        "measured on a flat wall; the 3-D cells have the real mouths of their tubes."
+        "The lumped model assumes a uniform pressure in a cavity, and at the opening of a tube the resistance and "
+        "inertance of an opening in a flat wall. The 3-D cells contain the real openings."
     )
 
 
@@ -199,15 +204,20 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
         KeyFigure(
             "size",
             f"{max(sides):.1f} x {min(sides):.1f} x {height:.1f} mm",
-            "of all that is built, membranes, boards and tubes included",
+            "of the whole array, with membranes, boards and tubes",
         ),
         KeyFigure(
             "coverage",
             f"{coverage(design, layout=result.layout):.0%}",
-            f"of the area, where a contact of {FINGER:g} mm radius touches a membrane",
+            f"fraction of the area where a contact of {FINGER:g} mm radius touches a membrane",
         ),
         KeyFigure("localizer, top-1", percent(network.top1), f"{network.touches} {network.signals}, {noise}"),
-        KeyFigure("localizer, top-2", percent(network.top2), f"within one place: {percent(network.within_one)}"),
+        KeyFigure(
+            "localizer, top-2",
+            percent(network.top2),
+            "correct point among the two most probable; correct point or a neighbour on its line: "
+            f"{percent(network.within_one)}",
+        ),
         KeyFigure(
             "hardest pair",
             f"points {first} and {second}",
@@ -217,7 +227,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     ]
     pair = network.hardest_pair
     confused = "none" if pair is None else "points {} and {}".format(*_numbers(result, pair))
-    share = "" if pair is None else f"taken for each other in {percent(pair[2])} of their touches"
+    share = "" if pair is None else f"{percent(pair[2])} of their touches are assigned to the other point"
     figures.append(KeyFigure("most confused by the localizer", confused, share))
     for frequency in (10.0, 100.0):
         weakest, point = worst_heard(h, frequency)

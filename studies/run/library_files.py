@@ -30,15 +30,16 @@ def solve_library(
     air: LocalAir | None = None,
     display: Display | None = None,
 ) -> Library:
-    """Library of a design, also in a file: transfer functions from every point to every microphone.
+    """Library of a design, which is also written to a file: transfer functions from every point to every microphone.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
-        out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
+        out: the library to write, netCDF (``.nc``); a computed library is replaced, but a measured one is never
+            overwritten.
         fidelity: see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
-        air: air of the place where it is used; values that are not given are the design's.
-        display: shows what is being done, then a line for each distinct cell.
+        air: air of the place where the sensor is used; values that you do not give are those of the design.
+        display: shows progress, then a line for each distinct cell.
 
     Raises:
         Refusal: a file that cannot be written, a bad frequency, fidelity or air, or a design that cannot be solved.
@@ -59,11 +60,11 @@ def solve_library(
 
 
 def convert_library(library: PathLike, out: PathLike) -> Library:
-    """Library of a file, written in another format, to the last digit.
+    """Library that was read from a file and written in another format, with all digits.
 
     Args:
         library: the file to read: netCDF (``.nc``), SOFA (``.sofa``), ``.npz`` or ``.csv``.
-        out: the file to write, with another such suffix; a measured library is kept.
+        out: the file to write, with another of these suffixes; a measured library is never overwritten.
 
     Raises:
         Refusal: a file that is not a library, or cannot be written.

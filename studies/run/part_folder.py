@@ -36,7 +36,7 @@ ALL_THE_SAME = (Field("allow_overlaps"), " draws it all the same")
 
 @dataclass(frozen=True)
 class MadeParts:
-    """Parts of an array as they lie in a folder, and what was found on them."""
+    """Part files of an array in a folder, and the findings on them."""
 
     design: ArrayDesign
     """Array that the parts are of."""
@@ -65,20 +65,21 @@ def export_parts(
     allow_overlaps: bool = False,
     display: Display | None = None,
 ) -> MadeParts:
-    """Parts of a design, drawn, exported and judged, and the array put together, all of it or nothing.
+    """Parts of a design, drawn, exported and compared with the print rules, and the assembled array. Either all files
+    are written or none.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
-        out: a folder, made if it does not exist. Files of an earlier call in it are replaced when all is made; files
-            of others stay, but for those of the same name.
+        out: a folder, created if needed. When everything is made, files of an earlier call are replaced. Other files
+            stay, unless they have the name of a new file.
         formats: formats of the files of each part.
         process: printing process whose rules are applied: a name or a ``.toml`` file; by default that of the design.
-        allow_overlaps: draw a design that cannot be built too; overlaps are then noted.
-        display: shows what is being made.
+        allow_overlaps: draw the design even if parts overlap; the overlaps are then listed.
+        display: shows progress.
 
     Raises:
-        Refusal: parts are in each other's way, a part cannot be built or written, an unknown process or format, or the
-            folder's list of files contains a file that is not its own.
+        Refusal: parts overlap, a part cannot be built or written, an unknown process or format, or the folder's list of
+            files contains a file that is not its own.
         OSError: the folder cannot be written.
     """
     stopped_time()

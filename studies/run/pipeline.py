@@ -81,23 +81,22 @@ def run_design(
 ) -> RunResult:
     """Result of the whole chain for one design, written into a folder with ``report.html``.
 
-    Cells come from the disk cache where an earlier run solved them. Files are written beside, then renamed, so
-    that a run that is killed leaves no half of one; ``report.html``, ``results.json`` and the list of all files,
+    Cells that an earlier run solved come from the disk cache. Files are written under another name and then renamed, so
+    a run that is killed leaves no incomplete file. ``report.html``, ``results.json`` and the list of all files,
     ``MANIFEST.json``, come last. With ``SOURCE_DATE_EPOCH`` set, runs of one design on one machine write equal bytes.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype; it must have at least two points.
         out: a new or empty folder, or one that an earlier run made.
-        display: shows what is being done.
+        display: shows progress.
         fidelity: fidelity of the library, see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, covering 1 to 100 Hz, or FIRST:LAST:COUNT.
-        plan: plan of the localizer's training; by default :func:`training_plan`, with which the same design gives the
-            same report whatever else the machine does. The localizer is evaluated with the noise of the plan.
-        allow_overlaps: go on also where parts are in each other's way; the report then says which.
+        plan: plan of the localizer's training; by default :func:`training_plan`, with which a design always gives the
+            same report, however busy the machine is. The localizer is evaluated with the noise of the plan.
+        allow_overlaps: continue even if parts overlap; the report then lists them.
 
     Raises:
-        Refusal: parts are in each other's way, the folder holds something else, or the design cannot be built, solved
-            or decoded.
+        Refusal: parts overlap, the folder holds other files, or the design cannot be built, solved or decoded.
         OSError: the folder cannot be written.
     """
     show, design = display or Display(), _with_points(design)
@@ -247,7 +246,7 @@ def _solved(
 def _trained_localizer(
     library: Library, plan: TrainingPlan, folder: Path, show: Display
 ) -> tuple[Localizer, Headline, Headline, Headline | None]:
-    """The trained localizer, and evaluations of it, the model-based decoder and the tolerance-aware one."""
+    """The trained localizer, and evaluations of it, the Bayes decoder and the tolerance-aware one."""
     from studies.evaluation.headline import TOLERANT, evaluate_headlines
 
     with show.stage("Localizer", of=_STAGES) as report:

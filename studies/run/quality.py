@@ -75,17 +75,17 @@ class DesignQuality:
         """Rows of a table: what, value, and what the value is of."""
         first, second = self.hardest
         made = f"{100 * self.as_built:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
-        of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "told by acoustic-fem tolerance"
+        of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "use acoustic-fem tolerance"
         fidelities = {"nominal sensor": self.fidelity, "as-built sensors": self.as_built_fidelity}
         return (
             (
-                "classified correctly, nominal sensor",
+                "top-1 accuracy, nominal sensor",
                 f"{100 * self.nominal:.1f} %",
                 "multi-sine touches, predicted for a localizer",
             ),
-            ("classified correctly, as-built sensors", made, of),
+            ("top-1 accuracy, as-built sensors", made, of),
             ("hardest pair", f"{first} and {second}", f"{self.level:.2g} dB, {self.phase:.2g} degrees apart"),
-            ("smallest force", f"{number(1e9 * self.force)} nN", f"rms, point {self.weakest}, over the noise"),
+            ("smallest detectable force", f"{number(1e9 * self.force)} nN", f"rms, at point {self.weakest}"),
             ("cost", f"{self.cost:.2f} USD", "materials of one array, assumed prices"),
             *((f"fidelity, {whose}", each.name, each.outside) for whose, each in fidelities.items() if each),
         )

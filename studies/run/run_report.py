@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Sequence
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-import studies
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from geometry.air.cells import Cell
-from geometry.ground.refusal import counted
 from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import cutting_list
 from localize.signals.stimulus import BAND
-from studies.output.display import number
-from studies.output.report_texts import record_rows
+from studies.output.report_texts import inlined_picture, record_rows, rendered_page
 from studies.run.check import cell_uses
 from studies.run.findings import (
     SENSITIVITY_AT,
@@ -49,26 +44,16 @@ def write_report(result: RunResult, path: Path) -> None:
 
 def render(result: RunResult) -> str:
     """Page of a run as text."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("studies"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters |= {"number": number, "counted": counted}
     layout = result.layout
-    return environment.get_template("report.html").render(
-        style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
+    return rendered_page(
+        "report.html",
         result=result,
         design=result.design,
         band=BAND,
         verdict=verdict(result),
         accuracies=accuracy_rows(result),
         figures=key_figures(result),
-        pictures={name: _inlined(path) for name, path in result.figures.items()},
+        pictures={name: inlined_picture(path) for name, path in result.figures.items()},
         confusion=confusion_sentence(result),
         agreement=agreement_sentence(result),
         printing=printing_sentence(result),
@@ -86,10 +71,6 @@ def render(result: RunResult) -> str:
         assumptions=_assumptions(result),
         provenance=_provenance(result),
     )
-
-
-def _inlined(path: Path) -> str:
-    return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode("ascii")
 
 
 def _part_rows(result: RunResult) -> list[dict[str, Any]]:
@@ -132,18 +113,18 @@ def _assumptions(result: RunResult) -> list[str]:
     design = result.design
     membrane = design.material(design.membrane.material)
     return [
-        "Sound is small and linear; walls are at the temperature of the air, and rigid but for floors and "
-        "sheaths whose material is named.",
-        "A plane wave travels in the tubes; the grooves of a spring count as a wider bore, bends are left out.",
+        "Sound pressures are small, so all equations are linear. Walls are rigid and have the temperature of the air. "
+        "Only floors and sheaths move, if the design names their material.",
+        "Waves in tubes are plane. The grooves of a spring are modelled as a wider bore. Bends are ignored.",
         f"A membrane is {_MOUNTING[design.membrane.mounting]}, stretched by {design.membrane.stretch - 1:.3g}, and "
-        "pushes the air in the shape of its first mode; its material: "
-        f"{design.membrane.material}, {membrane.law_in_words} ({membrane.source}).",
+        "displaces the air in the shape of its first mode. Its material is "
+        f"{design.membrane.material}: {membrane.law_in_words} ({membrane.source}).",
         noise_sentence(result),
         "One point is touched at a time. The nominal sensor is exactly as designed. As-built sensors have the "
-        "tolerances of bores, lengths, cavities and membranes of a careful workshop. They are not calibrated: "
-        "calibration removes most of their loss. Virtual rigs are not calibrated either. Their rubber, microphones "
-        "and air also differ from the design in ways that no decoder is given.",
-        f"Multi-sine touches have 1 to 100 components from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are "
+        "tolerances of bores, lengths, cavities and membranes of a careful workshop. They are not calibrated. "
+        "Calibration would remove most of their loss of accuracy. Virtual rigs are not calibrated either. Their "
+        "rubber, microphones and air also differ from the design in ways that no decoder is given.",
+        f"Multi-sine touches have 1 to 100 sines from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are "
         "pulses of 5 to 100 ms. A network recognizes only the touches that it was trained on, here multi-sine touches.",
     ]
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RunResult(Shown):
-    """Result of a run; the report is made from nothing else."""
+    """Result of a run, with everything that its report contains."""
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
@@ -33,8 +33,8 @@ class RunResult(Shown):
             "folder": self.folder,
             "fidelity": self.library.fidelity,
             "localizer, top-1 accuracy on multi-sine touches": f"{self.network.top1:.1%}",
-            "model-based decoder": f"{self.bayes.top1:.1%}",
-            "decoder that models manufacturing tolerances": "" if tolerant is None else f"{tolerant.top1:.1%}",
+            "Bayes decoder": f"{self.bayes.top1:.1%}",
+            "tolerance-aware decoder": "" if tolerant is None else f"{tolerant.top1:.1%}",
             "parts": f"{sum(self.part_counts.values())}, in {len(self.files)} files",
             "warnings": len(self.warnings) or "none",
             "time": f"{sum(self.seconds.values()):.0f} s",
@@ -58,7 +58,7 @@ class RunResult(Shown):
     network: Headline
     """Results of the trained localizer on held-out multi-sine touches, beside them taps and as-built sensors."""
     bayes: Headline
-    """Results of the model-based decoder on the same touches."""
+    """Results of the Bayes decoder on the same touches."""
     tolerant: Headline | None
     """Results of the decoder that models manufacturing tolerances on the same touches; None if the tolerances of the
     design are not known."""

@@ -7,13 +7,13 @@ import math
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from numbers import Integral, Real
 from pathlib import Path
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import changed
 from geometry.design.design_file import prototype, prototype_text, save_design, value_of
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal, Text
 from geometry.ground.whole_files import write_text
 from geometry.layout.arrangement import lay_out
@@ -91,11 +91,11 @@ class _Asked:
 
 
 def copy_prototype(name: str, out: str | os.PathLike[str]) -> Path:
-    """Write the design file of a prototype, with its comments, to start one's own from.
+    """Write the design file of a prototype, with its comments, as the start of a design of your own.
 
     Args:
         name: one of :func:`geometry.prototype_names`.
-        out: a new file; a design that is there is kept.
+        out: a new file; an existing design file is never overwritten.
 
     Raises:
         Refusal: no prototype of that name, or a file that exists or cannot be written.
@@ -116,28 +116,28 @@ def new_design(
     microphones: int | None = None,
     diameter: float = 60.0,
 ) -> ArrayDesign:
-    """Write a design that can be built and has room where it goes, made from the parts of a prototype.
+    """Write a design that can be built and fits its place, made from the parts of a prototype.
 
-    Tubes lie straight, as long as the pitch leaves between two cavities. If shells of the prototype's size would be
-    in each other's way they are made smaller; grids are tried from that of half as many rows as columns on. In a plane
-    the last row may be short, where full ones would be over twice as long or short as that.
+    Tubes are straight and fill the distance between two cavities. If shells of the prototype's size would overlap, they
+    are made smaller. Several grids are tried, beginning with half as many rows as columns. In a plane the last row may
+    have fewer points, if a grid of full rows would be more than twice as long or as short.
 
     Args:
-        name: of the design.
+        name: name of the design.
         out: a new TOML file; by default NAME.toml.
         place: one of :data:`PLACES`.
-        points: number of points, a whole number; by default what is usual at the place.
-        pitch: distance of neighbours along their tube, mm, a few percent less in space around a wrist; by default
-            what is usual at the place.
-        microphones: number of microphones, a whole number; by default what is usual at the place.
-        diameter: of what a ``wrist`` array goes around, mm.
+        points: number of points; the default depends on the place.
+        pitch: distance between neighbours along their tube, mm; around a wrist the straight distance is a few percent
+            smaller. The default depends on the place.
+        microphones: number of microphones; the default depends on the place.
+        diameter: diameter of the wrist or tool that a ``wrist`` array goes around, mm.
 
     Returns:
         The design, as it is in the file.
 
     Raises:
-        Refusal: a value out of range, no layout of them that can be built or has room at the place (the next values
-            that have are named), or a file that exists or cannot be written.
+        Refusal: a value out of range, values for which no layout can be built or fits the place (the message suggests
+            the nearest values that fit), or a file that exists or cannot be written.
     """
     if place not in PLACES:
         raise Refusal(kind=Kind.UNKNOWN, field="place", value=place, allowed=tuple(PLACES))
@@ -147,10 +147,7 @@ def new_design(
     microphones = usual.microphones if microphones is None else microphones
     chosen = {"points": points, "pitch": pitch, "microphones": microphones, "diameter": diameter}
     for field, (least, most) in _LIMITS.items():
-        kind, words = (Integral, "a whole number ") if isinstance(least, int) else (Real, "")
-        if not (isinstance(chosen[field], kind) and least <= chosen[field] <= most):
-            allowed = f"{words}from {least:g} to {most:g}"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field=field, value=chosen[field], allowed=allowed)
+        check_range(field, chosen[field], least, most, whole=isinstance(least, int))
     if microphones > (most := _most_microphones(usual, points)):
         allowed = f"{'2' if most == 2 else f'from 2 to {most}'} for {points} points {usual.words}"
         raise Refusal(kind=Kind.CONFLICT, field="microphones", value=microphones, allowed=allowed)

@@ -78,7 +78,7 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
             "at least",
             highest,
             "Hz",
-            f"where the widest cavity, {widest:g} mm, is a tenth of the wavelength",
+            f"frequency at which the widest cavity, {widest:g} mm, is a tenth of the wavelength",
         ),
         Validity(
             "first resonance of the membrane, without air",
@@ -86,15 +86,17 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
             "at least",
             3 * highest,
             "Hz",
-            f"the membrane moves in one shape up to a third of it; the band ends at {highest:g} Hz",
+            "up to a third of this frequency the membrane moves in its first mode alone; the band ends at "
+            f"{highest:g} Hz",
         ),
         Validity(
-            "stiffening of the membrane that its loss asks for and its law lacks",
+            "stiffening of the membrane that its material law neglects",
             100 * ((BAND[1] / BAND[0]) ** float(missing) - 1),
             "at most",
             5.0,
             "%",
-            f"from {BAND[0]:g} to {BAND[1]:g} Hz; {design.membrane.material}: {material.law_in_words}",
+            f"rise of the modulus from {BAND[0]:g} to {BAND[1]:g} Hz that the loss factor implies; "
+            f"{design.membrane.material}: {material.law_in_words}",
         ),
         Validity(
             "slip of the air in the narrowest bore",
@@ -102,7 +104,8 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
             "at most",
             0.5,
             "%",
-            f"more flow than computed through a bore of {min(bores):g} mm; the models let the air stick to walls",
+            f"the real flow through a bore of {min(bores):g} mm is larger by this, because the models assume no slip "
+            "at walls",
         ),
         Validity(
             f"shear number of the widest bore at {highest:g} Hz",
@@ -110,7 +113,8 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
             "at most",
             LARGEST_SHEAR_NUMBER,
             "",
-            f"a sqrt(w/nu) of a bore of {max(bores):g} mm; above, the entrance loss of lumped is not fit",
+            "bore radius over the thickness of the viscous boundary layer, sqrt(nu / omega), for a bore of "
+            f"{max(bores):g} mm; above the limit the entrance loss of the lumped model is not valid",
         ),
         Validity(
             f"weakest touch over the microphone's noise at {highest:g} Hz",
@@ -118,7 +122,7 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
             "at least",
             10.0,
             "dB",
-            f"a sinusoid of {WEAKEST_SINUSOID:g} Pa in the worst-heard cavity at its second-loudest microphone, in "
-            f"{FRAME_SECONDS:g} s; noise of the microphone: {microphone.source}",
+            f"a sinusoid of {WEAKEST_SINUSOID:g} Pa in the cavity with the weakest signal, at its second-loudest "
+            f"microphone, in {FRAME_SECONDS:g} s; source of the microphone's noise: {microphone.source}",
         ),
     )

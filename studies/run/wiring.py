@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_range
 from geometry.plan.wiring_graph import WiringCounts, wiring_counts
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 from studies.output.folders import new_picture
@@ -32,8 +32,7 @@ def wirings(microphones: int, points_per_line: int) -> tuple[WiringCounts, ...]:
         ("microphones", microphones, 2, MOST_MICROPHONES),
         ("points_per_line", points_per_line, 1, MOST_POINTS),
     ):
-        if not least <= value <= most:
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=f"from {least} to {most}")
+        check_range(name, value, least, most, whole=True)
     fewest, most_lines = microphones - 1, microphones * (microphones - 1) // 2
     return tuple(wiring_counts(microphones, [points_per_line] * lines) for lines in range(fewest, most_lines + 1))
 
@@ -41,7 +40,8 @@ def wirings(microphones: int, points_per_line: int) -> tuple[WiringCounts, ...]:
 def wiring_table(
     microphones: int, points_per_line: int, out: str | os.PathLike[str] | None = None
 ) -> tuple[WiringCounts, ...]:
-    """Points that so many microphones serve, for every number of lines that connects them; drawn where asked.
+    """Number of points that a number of microphones can serve, for every number of lines that connects them; drawn if
+    you give ``out``.
 
     Args:
         microphones: M, 2 to 16.

@@ -30,7 +30,7 @@ from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidel
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals import noise_model
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -145,20 +145,15 @@ def scatter_effects(
         microphone_noise: white noise of every microphone, Pa rms over 0 to 500 Hz; by default the noise of the
             design's microphone.
         seed: seed of all draws.
-        progress: called with what is being done and the fraction done.
+        progress: function that is called with the name of the step and the fraction done.
 
     Raises:
         Refusal: a value out of range, or a design that the batch does not take.
     """
     for name, value, least in (("samples", samples, 2), ("base_samples", base_samples, 0)):
-        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 1_000_000:
-            allowed = f"a whole number from {least} to 1000000"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=allowed)
-    if microphone_noise != "design" and not 0 < microphone_noise <= 100:
-        allowed = "above 0 and at most 100 Pa"
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="microphone_noise", value=microphone_noise, unit="Pa", allowed=allowed
-        )
+        check_range(name, value, least, 1_000_000, whole=True)
+    if microphone_noise != "design":
+        check_range("microphone_noise", microphone_noise, 0, 100, "Pa", excluded="low")
     report = progress or (lambda message, fraction: None)
     grid, air = frequency_grid(frequency), design_air(design)
     check_grid(grid)

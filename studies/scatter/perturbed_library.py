@@ -26,6 +26,7 @@ from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors, as_built_fidel
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, read_completed, write_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.file_checks import check_local, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Kind, Refusal
@@ -69,18 +70,15 @@ def write_perturbed_library(
         count: sensors, 1 to a million.
         frequency: (n_freq,), Hz, ascending.
         tolerances: what scatters.
-        seed: of the draws.
-        progress: called with what is being done and the fraction done.
+        seed: seed of the random deviations.
+        progress: function that is called with the name of the step and the fraction done.
 
     Raises:
         Refusal: a path that exists or cannot be written, a count or grid out of range, or a design that the
             batch does not take.
     """
     target = Path(path)
-    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_SENSORS:
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE, field="count", value=count, allowed=f"a whole number from 1 to {MOST_SENSORS}"
-        )
+    check_range("count", count, 1, MOST_SENSORS, whole=True)
     if target.exists():
         raise Refusal("exists; a library is never overwritten", kind=Kind.EXISTS, file=target)
     check_folder(target)

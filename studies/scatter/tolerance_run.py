@@ -12,6 +12,7 @@ from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import PathLike
 from localize.signals.noise_model import NoiseChoice
@@ -54,8 +55,8 @@ def tolerance_study(
 ) -> ToleranceStudy:
     """Spread of transfer functions and accuracy by manufacturing scatter, and which tolerance matters most.
 
-    Every tube, cavity and membrane deviates by itself. The fidelity is ``atlas`` if that covers the design and all
-    sensors about it, otherwise 3-D. :func:`studies.scatter.scatter_effects` does the same without files.
+    Every tube, cavity and membrane deviates independently. The fidelity is ``atlas`` if it covers the design and all
+    its as-built sensors, otherwise 3-D. :func:`studies.scatter.scatter_effects` does the same without files.
 
     Args:
         design: the nominal array: a design, the path of its file, or the name of a prototype.
@@ -69,17 +70,15 @@ def tolerance_study(
             microphone.
         seed: seed of all draws.
         frequency: (n_freq,) Hz, over 1 to 100 Hz, or FIRST:LAST:COUNT.
-        display: shows what is being done.
+        display: shows progress.
 
     Raises:
-        Refusal: a value out of range, a folder that cannot be written or has such a library, tolerances that cannot be
-            read, or a design that the batch does not take.
+        Refusal: a value out of range, a folder that cannot be written or already has such a library, tolerances that
+            cannot be read, or a design that cannot be solved with scatter.
     """
     folder, show, design = Path(out), display or Display(), resolve_design(design)
     for name, value, most in (("library_size", library_size, MOST_SENSORS), ("seed", seed, math.inf)):
-        if not 0 <= value <= most:
-            allowed = "0 or above" if most == math.inf else f"from 0 to {most}"
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=allowed)
+        check_range(name, value, 0, most, whole=True)
     workshop = tolerances if isinstance(tolerances, str | os.PathLike) else None
     check_folder(folder, "tolerance", SUMMARY, reads=(workshop,))
     grid, scatter = frequency_grid(frequency), tolerances_of(tolerances)

@@ -15,6 +15,7 @@ from threadpoolctl import threadpool_limits
 
 import studies
 from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.extras import check_extras
 from geometry.ground.refusal import Field, Kind, Refusal
 
@@ -40,15 +41,16 @@ def serve_studio(
     """Serve the studio until it is interrupted.
 
     Args:
-        design: that a page begins with: a design, the path of its file, or the name of a prototype.
-        port: to listen at, 0 to 65535, 0 for any; by default 8765, or the next one that is free.
-        host: address of this machine to listen at; other machines reach any but those of its loopback.
+        design: design that the page shows first: a design, the path of its file, or the name of a prototype.
+        port: port to listen at, 0 to 65535, with 0 for any; by default 8765, or the next free port.
+        host: address of this machine to listen at. Other machines can reach every address except those of the loopback,
+            such as 127.0.0.1.
         browser: open the page in the browser of the user.
-        notify: called with the lines for the user. The address of the page is in the first one. It holds a code that
-            works once, so a line with another address follows when it was used.
+        notify: function that is called with each line for the user. The first line has the address of the page. The
+            address contains a code that works once. When it was used, a line with another address follows.
 
     Raises:
-        Refusal: what it takes is not installed, no port is free, or an address that is not one of this machine.
+        Refusal: a package is missing, no port is free, or the address is not one of this machine.
     """
     check_extras("the server of the page", "studio")
     is_visible = _is_visible(host)
@@ -136,8 +138,8 @@ def _is_visible(host: str) -> bool:
 
 def _bound(host: str, port: int | None) -> socket.socket:
     """A socket that is bound to the port, or to the usual one or one of the next."""
-    if port is not None and not 0 <= port <= 65535:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="port", value=port, allowed="between 0 and 65535")
+    if port is not None:
+        check_range("port", port, 0, 65535, whole=True)
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     tried = [port] if port is not None else range(USUAL_PORT, USUAL_PORT + _PORTS)
     for number in tried:

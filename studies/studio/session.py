@@ -12,6 +12,7 @@ from typing import Any
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import prototype, write_design
+from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
@@ -319,8 +320,7 @@ class Session:
     # -- files --------------------------------------------------------------------------------------
     async def _export(self, message: Mapping[str, Any]) -> None:
         name, fidelity = text_of(message, "name"), message.get("fidelity", ONE_DESIGN)
-        if name not in EXPORTS:
-            raise MessageError(kind=Kind.OUT_OF_RANGE, field="export", value=name, allowed=EXPORTS)
+        check_choice("export", name, EXPORTS, error=MessageError)
         if name == "design.toml":
             await self._save()
             return

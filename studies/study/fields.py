@@ -26,14 +26,14 @@ class FileSection(BaseModel):
 class RangeFields(FileSection):
     """Range of a parameter in a study file."""
 
-    first: Annotated[float, Field(strict=True, alias="from", description="where the range begins")]
-    last: Annotated[float, Field(strict=True, alias="to", description="where the range ends")]
+    first: Annotated[float, Field(strict=True, alias="from", description="first value of the range")]
+    last: Annotated[float, Field(strict=True, alias="to", description="last value of the range")]
     count: Annotated[int, Field(strict=True, ge=2, le=100_000)] | None = Field(
         default=None, description="number of values; in a grid only"
     )
     scale: Literal["linear", "log"] = Field(default="linear", description="equal steps or equal ratios")
     step: Annotated[float, Field(strict=True, gt=0)] | None = Field(
-        default=None, description="between values that can be bought, from the beginning of the range"
+        default=None, description="difference between values that can be bought, counted from the first value"
     )
 
 
@@ -45,51 +45,55 @@ class StudyFields(FileSection):
         min_length=1,
         max_length=80,
         pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$",
-        description="of the study, for people",
+        description="name of the study, used in reports",
     )
-    description: str = Field(default="", description="what it asks, for people")
+    description: str = Field(default="", description="question that the study answers, used in reports")
     base: str = Field(description="a prototype, a design file beside the study, or a section `[base]` with the design")
-    sampling: Sampling = Field(default="grid", description="every combination (`grid`), or samples")
+    sampling: Sampling = Field(
+        default="grid", description="every combination of values (`grid`), or samples of the ranges"
+    )
     cases: Annotated[int, Field(strict=True, ge=1, le=LARGEST)] | None = Field(
-        default=None, description="number of samples, a power of 2 for Sobol points; not for a grid"
+        default=None, description="number of samples, preferably a power of 2 for `sobol`; not for a `grid`"
     )
     seed: Annotated[int, Field(strict=True, ge=0, le=2**53)] = Field(
-        default=0, description="of the samples: the same seed gives the same cases, everywhere"
+        default=0, description="seed of the samples; the same seed gives the same cases on every machine"
     )
     constraints: tuple[str, ...] = Field(
-        default=(), description="conditions on a case; a case that breaks any is left out and counted"
+        default=(), description="conditions that each case must meet; other cases are left out and counted"
     )
     fidelity: Fidelity | None = Field(
         default=None,
-        description="what the cells are computed with; by default `atlas` if it covers the base, otherwise "
+        description="method by which the cells are solved; by default `atlas` if it covers the base design, otherwise "
         "`navier-stokes`",
     )
     outside: Outside = Field(
         default="fail",
-        description="what becomes of a case outside the atlas: it fails by name (`fail`), or its cells are solved in "
-        "3-D (`navier-stokes`); only with the fidelity `atlas`",
+        description="treatment of a case outside the atlas: it fails with its reason (`fail`), or its cells are solved "
+        "in 3-D (`navier-stokes`); only with the fidelity `atlas`",
     )
     frequency: str = Field(
-        default="1:100:64", description="FIRST:LAST:COUNT or a list, Hz; it must cover the band of every metric"
+        default="1:100:64",
+        description="frequencies in Hz, FIRST:LAST:COUNT or a list; they must cover the band of every metric",
     )
-    metrics: tuple[str, ...] = Field(min_length=1, description="names of figures of merit")
+    metrics: tuple[str, ...] = Field(min_length=1, description="names of the metrics to compute")
     keep: Keep = Field(
         default="metrics",
-        description="what the store holds of each case: its `metrics`; also the `responses`, which are its transfer "
-        "functions; or everything that `libraries` need",
+        description="results that the store keeps of each case: only its `metrics`; also the `responses`, which are "
+        "its transfer functions; or everything that its library needs (`libraries`)",
     )
     precision: Precision = Field(
-        default="double", description="of the responses that are kept: 16 bytes for each value, or 8"
+        default="double",
+        description="precision of the responses that are kept: 16 bytes for each value (`double`), or 8 (`single`)",
     )
     membranes: Membranes = Field(
         default="interpolated",
-        description="how many membranes of different proportions are computed: 50 or more are interpolated between a "
-        "few dozen solutions, or each is solved, which takes a fifth of a second",
+        description="treatment of 50 or more membranes of different proportions: they are `interpolated` between a few "
+        "dozen solutions, or each is `solved`, which takes a fifth of a second per membrane",
     )
     vary: dict[str, Any] = Field(
         default_factory=dict,
-        description="what varies, each on its own: dotted names of fields, with a list of values or a range",
+        description="fields that vary independently: their dotted names, each with a list of values or a range",
     )
     together: tuple[dict[str, Any], ...] = Field(
-        default=(), description="groups of parameters that vary together, like the columns of a table"
+        default=(), description="groups of fields that vary together, like the columns of a table"
     )

@@ -133,7 +133,8 @@ def _of_distances(
     return reduce(getattr(figures.distances(band), field), axis=1)
 
 
-_RATIO = "r_i = H_ia / H_ib; root mean square over 1 to 100 Hz and all pairs a, b of microphones"
+_OVER = "The rms is taken over 1 to 100 Hz and over all pairs of microphones."
+_EXTENTS = {"smallest": "Smallest value over all", "mean": "Mean over all"}
 #: Where slow presses and pulse waves have their energy, Hz.
 LOW_BAND = (1.0, 20.0)
 _IGNORES_NOISE = (
@@ -144,16 +145,22 @@ _IGNORES_NOISE = (
 
 def _separation() -> Iterable[Metric]:
     for kind, field, unit, title, what in (
-        ("ild", "level", "dB", "level difference", "level difference 20 log10 |r_i / r_j|"),
-        ("ipd", "phase", "degree", "phase difference", "phase difference arg(r_i / r_j), the short way round"),
-        ("distance", "combined", "1", "distance", "distance |log(r_i / r_j)|, nepers and radians,"),
+        ("ild", "level", "dB", "level difference", "20 log10 |r_i / r_j|"),
+        ("ipd", "phase", "degree", "phase difference", "arg(r_i / r_j), between -180 and 180 degrees"),
+        (
+            "distance",
+            "combined",
+            "1",
+            "distance",
+            "|log(r_i / r_j)|, with the level in nepers and the phase in radians",
+        ),
     ):
         for extent, reduce in (("smallest", np.min), ("mean", np.mean)):
             yield Metric(
                 name=f"{kind}_{extent}",
                 unit=unit,
                 long_name=f"{extent} {title} of two points",
-                definition=f"The {extent} over all pairs of points i, j of the {what} of {_RATIO}.",
+                definition=f"{_EXTENTS[extent]} pairs of points i and j of the rms of {what}. {_OVER}",
                 compute=partial(_of_distances, field, reduce, BAND),
                 band=BAND,
                 caution=_IGNORES_NOISE,
@@ -163,7 +170,7 @@ def _separation() -> Iterable[Metric]:
             name=f"distance_{extent}_low",
             unit="1",
             long_name=f"{extent} distance of two points below {LOW_BAND[1]:g} Hz",
-            definition=f"As distance_{extent}, over {LOW_BAND[0]:g} to {LOW_BAND[1]:g} Hz only.",
+            definition=f"Like distance_{extent}, but over {LOW_BAND[0]:g} to {LOW_BAND[1]:g} Hz only.",
             compute=partial(_of_distances, "combined", reduce, LOW_BAND),
             band=LOW_BAND,
             caution=_IGNORES_NOISE,
@@ -198,7 +205,7 @@ def _predicted() -> Iterable[Metric]:
             unit="1",
             long_name=f"predicted top-1 accuracy{', 0.05 Pa of noise' * bool(level)}",
             definition="Fraction of simulated touches that a trained network is predicted to assign to the correct "
-            f"point, under {where} (studies.metrics, 64 multi-sine touches per point).",
+            f"point, with {where} and 64 multi-sine touches per point.",
             compute=partial(_top1, level),
             needs=needs,
             band=BAND,
@@ -209,8 +216,8 @@ def _predicted() -> Iterable[Metric]:
             name=f"confused_pair{suffix}",
             unit="1",
             long_name=f"confusion of the hardest pair{', 0.05 Pa of noise' * bool(level)}",
-            definition="How often, if only the two points of the hardest pair are touched, the other one of the two is "
-            f"the likelier, under {where}; 0.5 is chance.",
+            definition="Fraction of touches of the two points of the hardest pair for which the other point of the "
+            f"pair is more likely than the touched one, with {where}. Chance is 0.5.",
             compute=partial(_hardest_pair, level),
             needs=needs,
             better="smaller",
@@ -249,23 +256,24 @@ def _scatter_slopes(design: ArrayDesign, names: Sequence[str], discs: KnownDiscs
 def _forgiving() -> Iterable[Metric]:
     yield Metric(
         "scattered_top1", "1", "predicted top-1 accuracy of sensors with manufacturing scatter",
-        f"Mean over {SENSORS} sensors made with the scatter of acoustic_fem.scatter.TOLERANCES of the predicted top-1 "
-        "of one localizer that was trained on the nominal design; the design's microphone noise, lumped fidelity. Two "
-        "seconds per design.",
+        f"Mean predicted top-1 accuracy of {SENSORS} as-built sensors (acoustic_fem.scatter.TOLERANCES) with a "
+        "localizer that is trained on the nominal design, with the noise of the design's microphone. Computed with "
+        "lumped fidelity; takes two seconds per design.",
         _scattered_top1, frozenset({"designs"}), band=BAND, extras=("train",),
     )  # fmt: skip
     yield Metric(
         "scatter_detection", "1", "predicted error of sensors with manufacturing scatter",
-        "How often another point is likelier than the touched one, summed over all others and mean over the points, "
-        "for a decoder of the nominal design on sensors with the scatter of acoustic_fem.scatter.UNCALIBRATED; to the "
-        "power 5/6, times the same of the worst pairs, by the mean of fourth powers, to the power 1/6. To first order, "
-        "at eight frequencies, lumped fidelity: right as a ranking, not as a level.",
+        "Probability that another point is more likely than the touched one, for a decoder of the nominal design on "
+        "as-built sensors (acoustic_fem.scatter.UNCALIBRATED). It is summed over all other points and averaged over "
+        "the touched ones. This mean to the power 5/6 is multiplied by the fourth-power mean, which gives weight to "
+        "the worst pairs, to the power 1/6. Computed to first order at eight frequencies with lumped fidelity, so "
+        "use it to rank designs and not as an error rate.",
         _scatter_detection, frozenset({"designs"}), "smaller", slopes=_scatter_slopes,
     )  # fmt: skip
 
 
 def _touches() -> Iterable[Metric]:
-    worst = "rms over 1 to 100 Hz at the loudest microphone, of the point where that is least"
+    worst = "rms over 1 to 100 Hz, at the loudest microphone, for the point where this is smallest"
     yield Metric(
         "sensitivity_force", "Pa/N", "sensitivity to force", f"Microphone pressure per force on the membrane: {worst}.",
         lambda figures: touch_metrics.smallest_sensitivity(figures.responses, figures.touch_response("force")),
@@ -281,15 +289,15 @@ def _touches() -> Iterable[Metric]:
     )  # fmt: skip
     yield Metric(
         "noise_equivalent_force", "N", "noise-equivalent force",
-        "Rms force of flat spectrum from 1 to 100 Hz that equals thermal and microphone noise, all microphones "
-        "combined best, at the point where it is largest.",
+        "Rms force with a flat spectrum from 1 to 100 Hz whose signal equals the thermal noise and the noise of the "
+        "microphones, with all microphones combined optimally, for the point where this force is largest.",
         lambda figures: touch_metrics.noise_equivalent_force(figures.responses, figures.touch_response("force")),
         touch_metrics.NOISE_NEEDS, "smaller", BAND,
     )  # fmt: skip
     yield Metric(
         "bandwidth", "Hz", "bandwidth",
-        "Width of the range around its maximum where microphone pressure per force is within 3 dB of it, at the "
-        "point's loudest microphone and within the grid; the narrowest of all points.",
+        "Width of the frequency range around the maximum in which the pressure per force at the point's loudest "
+        "microphone is within 3 dB of this maximum, for the point where this range is narrowest.",
         lambda figures: touch_metrics.bandwidth(figures.responses, figures.touch_response("force")),
         touch_metrics.NEEDS,
     )  # fmt: skip
@@ -297,20 +305,23 @@ def _touches() -> Iterable[Metric]:
 
 def _build() -> Iterable[Metric]:
     for name, unit, long_name, definition, compute, better in (
-        ("coverage", "1", "coverage", "Fraction of the area within the hull of all membranes, in plan, in which a "
-         f"contact of {FINGER:g} mm radius reaches a membrane.", partial(_of_designs, coverage), "larger"),
-        ("length", "mm", "length", "Longer side of the box around all that is built, tubes and boards included.",
+        ("coverage", "1", "coverage", "Fraction of the area in which a contact of "
+         f"{FINGER:g} mm radius reaches a membrane. The area is the convex hull of all membranes in plan.",
+         partial(_of_designs, coverage), "larger"),
+        ("length", "mm", "length", "Longer side of the box around the whole array, with its tubes and boards.",
          lambda figures: figures.sizes[:, 0], "smaller"),
         ("width", "mm", "width", "Shorter side of that box.", lambda figures: figures.sizes[:, 1], "smaller"),
         ("height", "mm", "height", "Height of the array, from the lowest floor to the highest membrane or microphone.",
          lambda figures: figures.sizes[:, 2], "smaller"),
-        ("volume", "mm^3", "volume of all parts", "Shells, housings, boards, membranes and tubes, without their air.",
+        ("volume", "mm^3", "volume of all parts",
+         "Volume of shells, housings, boards, membranes and tubes, without their air.",
          partial(_of_parts, build.volume), "smaller"),
         ("mass", "g", "mass", "Mass of the parts that `volume` counts and of the microphones.",
          partial(_of_parts, build.mass), "smaller"),
         ("cost", "USD", "cost of materials", "Cost of the bill of materials for one array, without molds.",
          partial(_of_parts, build.cost), "smaller"),
-        ("smallest_wall", "mm", "thinnest printed wall", "Thinnest wall, floor, lip or cover of a socket.",
+        ("smallest_wall", "mm", "thinnest printed wall",
+         "Thickness of the thinnest wall, floor, lip or cover of a socket.",
          partial(_of_designs, build.smallest_wall), "larger"),
     ):  # fmt: skip
         yield Metric(

@@ -179,7 +179,7 @@ class Study(Shown):
 
     @classmethod
     def load(cls, path: PathLike) -> Study:
-        """Study read from a file; a ``base`` that is a file is looked for in its folder.
+        """Study read from a file. If ``base`` is a file, its path is relative to the folder of the study.
 
         Raises:
             StudyError: no such file, not TOML, or not a valid study.
@@ -244,9 +244,18 @@ class Study(Shown):
             "keeps": f"{self.keep}, {self.precision} precision" if self.keep != "metrics" else self.keep,
         }
 
+    def __eq__(self, other: object) -> bool:
+        """True if the other is a study of the same name and description that gives the same results."""
+        if not isinstance(other, Study):
+            return NotImplemented
+        return (self.name, self.description, self.content()) == (other.name, other.description, other.content())
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.description, self.digest()))
+
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Parameters, all that varies, in the order of the file."""
+        """Parameters that vary, in the order of the file."""
         return tuple(parameter for axis in self.axes for parameter in axis)
 
     @property
@@ -262,7 +271,7 @@ class Study(Shown):
         return "navier-stokes" if self.fidelity in CLOSED_FORMS else self.fidelity
 
     def content(self) -> dict[str, Any]:
-        """Content that decides the results, as plain values: neither comments nor the order of lines count."""
+        """Content that determines the results, as plain values, without comments and whatever the order of lines."""
         return {
             "base": hashlib.sha256(write_design(self.base).encode()).hexdigest(),
             "vary": [[parameter_content(parameter) for parameter in axis] for axis in self.axes],
@@ -294,7 +303,7 @@ def resolve_study(study: Study | PathLike) -> Study:
 
 
 def load_study(path: PathLike) -> Study:
-    """Study read from a file; ``base`` is looked for in its folder.
+    """Study read from a file. If ``base`` is a file, its path is relative to the folder of the study.
 
     Raises:
         StudyError: no such file, not TOML, or not a valid study.

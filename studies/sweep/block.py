@@ -23,14 +23,15 @@ from numpy.typing import NDArray
 
 from acoustic_fem import Medium
 from acoustic_fem.atlas.cell_table import OutsideAtlas, cell_atlas
-from acoustic_fem.batch.network import batch_response
-from acoustic_fem.batch.openings import designs_outside
-from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
+from acoustic_fem.batch.network import batch_response, each_alone
+from acoustic_fem.batch.openings import OpeningSizes, designs_outside
+from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, fits_batch
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import kept_cell, solve_cells
 from acoustic_fem.cell.one_cell import CellError, CellRecord, CellSolution
-from acoustic_fem.library.network_responses import closed_form, joined_cells
-from acoustic_fem.membrane.disc import KnownDiscs, design_rubber, design_shape
+from acoustic_fem.library.network_responses import closed_form, joined_cells, named_responses
+from acoustic_fem.library.transfer_functions import VARIABLES
+from acoustic_fem.membrane.disc import KnownDiscs, design_shape
 from acoustic_fem.membrane.disc_table import ACCURACY
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, Fidelity
 from acoustic_fem.quantities.local_air import design_air
@@ -218,12 +219,10 @@ def _responses(
     groups: dict[Topology, list[int]] = {}
     alone: list[int] = []
     for number, design in designs.items():
-        stretched = design.membrane.stretch != 1 and not design_rubber(design).elastic
-        # a library is what `acoustic_fem.solve` computes of the design alone, to the last bit
-        if job.fidelity not in CLOSED_FORMS or stretched or job.keep == "libraries":
-            alone.append(number)
-        else:
+        if job.fidelity in CLOSED_FORMS and fits_batch(design):
             groups.setdefault(Topology.of(design), []).append(number)
+        else:
+            alone.append(number)
     found: list[tuple[list[int], Responses]] = []
     for topology, numbers in groups.items():
         try:
@@ -235,7 +234,10 @@ def _responses(
         else:
             alone += compress(numbers, ~inside)
             if responses is not None:
-                found.append((list(compress(numbers, inside)), responses))
+                within = list(compress(numbers, inside))
+                found.append((within, responses))
+                for number in within if job.keep == "libraries" else ():
+                    block.about[number] = _provenance(job, designs[number], cells, job.fidelity)
     single: dict[tuple[int, ...], list[tuple[int, Responses]]] = {}
     for number in sorted(alone):
         try:
@@ -264,25 +266,33 @@ def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> tupl
     joined = parameters[0] if len(parameters) == 1 else _in_order(parameters, designs, list(states))
     inside = np.ones(len(designs), dtype=bool)
     if job.fidelity == "atlas":
-        inside = ~designs_outside(joined, topology, job.frequency, medium)
+        inside = ~designs_outside(OpeningSizes.of(joined), topology, job.frequency, medium)
     if not inside.any():
         return inside, None
     if not inside.all():
         designs, media = list(compress(designs, inside)), list(compress(media, inside))
         joined = joined.map(lambda values: values[inside])
         medium = media[0] if len(set(media)) == 1 else MediumParameters.from_media(media)
-    response = batch_response(joined, topology, job.frequency, medium, job.fidelity)
     return inside, Responses(
         frequency=job.frequency,
-        transfer_function=response.transfer_function,
         designs=tuple(designs),
         medium=tuple(media),
-        source_response=response.source_response,
-        point_impedance=response.point_impedance,
-        microphone_impedance=response.microphone_impedance,
         discs=job.discs,
         parameters=joined,
+        **_batch_responses(job, joined, topology, medium),
     )
+
+
+def _batch_responses(
+    job: Job, parameters: ArrayParameters, topology: Topology, medium: Medium | MediumParameters
+) -> dict[str, Complex]:
+    """Responses of the designs of a batch by their names; those of a library as :func:`acoustic_fem.solve` has them."""
+    if job.keep == "libraries":
+        alone = each_alone(parameters, topology, job.frequency, medium, job.fidelity)
+        named = [named_responses(one) for one in alone]
+        return {name: np.stack([one[name] for one in named]) for name in named[0]}
+    response = batch_response(parameters, topology, job.frequency, medium, job.fidelity)
+    return {name: getattr(response, name) for name in VARIABLES}
 
 
 def _in_order(parts: list[ArrayParameters], designs: Sequence[ArrayDesign], states: list[Any]) -> ArrayParameters:

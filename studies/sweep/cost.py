@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from time import process_time
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,8 +24,17 @@ _SECONDS_PER_DISC = 0.22
 START_UP = 4.0
 #: Workers must save so many times their start-up; what is expected is not known better.
 _WORTH = 2.0
-#: Cases that are timed, how often cheap ones are repeated to a batch of the usual size, and what is long enough, s.
-_TIMED, _REPEATED, _LONG = 4, 16, 0.5
+#: Cases that are timed, how often cheap ones are repeated up to a batch of the usual size, and what is long enough, s.
+_TIMED, _REPEATED, _LONG = 4, (4, 16), 0.1
+
+
+class Expected(NamedTuple):
+    """Processor time that cases take."""
+
+    seconds: float
+    """Time of all of them, s."""
+    loading: float
+    """Time in which this process loaded what they need, once, s; 0 where it was there."""
 
 
 def team_size(seconds: float) -> int:
@@ -45,8 +55,8 @@ def seconds_of(
     missing: float,
     discs: Sequence[DiscShape],
     fraction: float = 1.0,
-) -> float:
-    """Processor time that some cases will take, s.
+) -> Expected:
+    """Processor time that some cases will take.
 
     Args:
         study: the study.
@@ -56,18 +66,23 @@ def seconds_of(
         discs: the membranes of all cases, which are solved together.
         fraction: size of the sample, of one; the others take as long.
     """
-    return (
-        _seconds_per_case(study, cases, numbers) * len(numbers) / fraction
+    each, loading = _seconds_per_case(study, cases, numbers)
+    seconds = (
+        each * len(numbers) / fraction
         + SECONDS_PER_CELL * missing
         + _SECONDS_PER_DISC * (disc_count(discs) if study.membranes == "interpolated" else len(discs))
     )
+    return Expected(seconds, loading)
 
 
-def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> float:
-    """Processor time of one case without its 3-D cells and membranes; a 3-D network costs as much as a lumped one."""
+def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> tuple[float, float]:
+    """Processor time of one case without its 3-D cells and membranes, and that of the first one beyond it, s.
+
+    A 3-D network costs as much as a lumped one.
+    """
     chosen: list[int] = []
     if not len(numbers):
-        return 0.0
+        return 0.0, 0.0
     for number in np.array(numbers, int)[np.unique(np.linspace(0, len(numbers) - 1, _TIMED + 1).astype(int))]:
         try:
             design = cases.design(int(number))
@@ -77,13 +92,13 @@ def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> flo
             continue  # the case fails by name when it is computed
         chosen.append(int(number))
     if not chosen:
-        return 0.0
-    _timed(study, cases, chosen[:1])  # all modules are loaded
-    for batch in (chosen[-1:], chosen, chosen * _REPEATED):
+        return 0.0, 0.0
+    first = _timed(study, cases, chosen[:1])  # all modules are loaded
+    for batch in (chosen[-1:], chosen, *(chosen * often for often in _REPEATED)):
         seconds = _timed(study, cases, batch)
         if seconds * len(batch) > _LONG:
             break
-    return seconds
+    return seconds, max(0.0, first - seconds)
 
 
 def _timed(study: Study, cases: Cases, chosen: Sequence[int]) -> float:

@@ -57,15 +57,15 @@ class Plan:
 
 
 def plan_sweep(study: Study | PathLike, workers: int | None = None, *, display: Display | None = None) -> Plan:
-    """Cost of a study: its cases and cells counted, a few of its cases measured in closed form.
+    """Cost of a study: number of cases and cells, and a time that is estimated from a few cases in closed form.
 
-    If the study has more than 5000 cases, a random sample of so many stands for all: every number of designs and cells
-    is then an estimate.
+    If the study has more than 5000 cases, 5000 of them are drawn at random. The numbers of designs and cells are then
+    estimates.
 
     Args:
         study: the study, or its file.
-        workers: processes on this machine; by default as many as pay.
-        display: shows how many designs were looked at.
+        workers: number of processes on this machine; by default chosen for the shortest time.
+        display: shows how many designs were checked.
 
     Raises:
         Refusal: as :func:`studies.sweep.survey.surveyed`.
@@ -85,7 +85,9 @@ def _planned(study: Study, found: Survey, workers: int | None) -> Plan:
     distinct = len(cells) if fraction == 1 else _distinct(found, valid)
     cached_in_all = round(cached * distinct / max(len(cells), 1))
     alone = seconds_of(study, cases, valid, distinct - cached_in_all, found.discs, fraction)
-    team = workers or team_size(alone)
+    team = workers or team_size(alone.seconds)
+    # processes of their own load what they need while they start
+    seconds = alone.loading + alone.seconds if team == 1 else elapsed(alone.seconds, team)
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency) * 16
     size = {"double": 16, "single": 8}[study.precision]
     kept = sum(math.prod(sizes) for sizes in response_shapes(study, point_count(cases)).values()) * size
@@ -98,7 +100,7 @@ def _planned(study: Study, found: Survey, workers: int | None) -> Plan:
         for reasons in (found.refused, found.outside)
     )
     return Plan(
-        count, round(cases.left_out / fraction), refused, outside, distinct, cached_in_all, elapsed(alone, team),
+        count, round(cases.left_out / fraction), refused, outside, distinct, cached_in_all, seconds,
         team, memory, stored * count, _note(study, cases, fraction), len(cases) + cases.left_out if fraction < 1 else 0,
     )  # fmt: skip
 

@@ -26,6 +26,7 @@ from geometry.ground.file_checks import read_bytes
 from geometry.ground.record import packed, read_record, sha256, unpacked, write_record
 from geometry.ground.refusal import Kind
 from geometry.schema.declared_fields import field_named
+from localize.datasets.splits import DEFAULT_SHARES, split_of
 from studies.output.zarr_files import Layout, Variable, chunk_name, read_dense
 from studies.study.cases import Cases
 from studies.study.fields import Keep
@@ -37,7 +38,7 @@ FOLDER = "records"
 """Folder of the records in a store."""
 MARK = "acoustic_fem_sweep"
 """Attribute that marks a store and states the format of it and of its records."""
-FORMAT = 5
+FORMAT = 6
 _KIND = f"sweep {FORMAT}"
 RESPONSES = "responses"
 """Group of the store with the responses, where the study keeps them."""
@@ -53,6 +54,8 @@ _LIBRARIES = ("gmsh", "numcodecs", "numpy", "scikit-fem", "scipy", "xarray", "za
 #: Complex values of transfer functions worked on in one block, and most cases of one.
 _BLOCK_VALUES = 400_000
 _LARGEST_BLOCK = 1024
+SPLIT = "split"
+"""Variable with the split of each case."""
 PARTS = ("real", "imag")
 """Parts of a complex response, each of which is a variable."""
 WAITING, DONE, FAILED = 0, 1, 2
@@ -102,13 +105,13 @@ def layout_of(study: Study, cases: Cases, metrics: Sequence[Metric]) -> Layout:
         "base_design": write_design(study.base.completed()),
         "parameter_names": json.dumps(cases.names),
         "metric_names": json.dumps([metric.name for metric in metrics]),
-        "coordinates": " ".join(cases.names),
+        "coordinates": " ".join([SPLIT, *cases.names]),
         "block": block,
         "left_out": cases.left_out,
         **made,
     }
     numbers = Variable(("case",), {"long_name": "number of the case"}, np.arange(count))
-    variables = {"case": numbers}
+    variables = {"case": numbers, SPLIT: _splits(cases)}
     for name, column in zip(cases.names, cases.columns, strict=True):
         known = field_named(ArrayDesign, name)
         about = {"long_name": known.description, "units": known.unit or "1"} if known else {"units": "mm"}
@@ -120,15 +123,28 @@ def layout_of(study: Study, cases: Cases, metrics: Sequence[Metric]) -> Layout:
     variables["state"] = Variable(("case",), state, shape=(count,), dtype="int8", fill=WAITING)
     variables["reason"] = Variable(("case",), reason, shape=(count,), dtype="string", fill="")
     if KEPT[study.keep]:
-        variables |= _responses(study, numbers, points)
+        variables |= _responses(study, numbers, variables[SPLIT], points)
     return Layout(attributes, variables, block)
 
 
-def _responses(study: Study, numbers: Variable, points: int) -> dict[str, Variable]:
+def case_key(values: Mapping[str, Any]) -> str:
+    """Key of a case, on which its split depends: the values of its parameters by name, as JSON."""
+    return json.dumps(values)
+
+
+def _splits(cases: Cases) -> Variable:
+    """Split of each case, that which data sets deal it to where nobody asks for other shares or another seed."""
+    splits = split_of([case_key(cases.case(number)) for number in range(len(cases))])
+    shares = ", ".join(f"{share:g} {name}" for name, share in DEFAULT_SHARES.items())
+    return Variable(("case",), {"long_name": "split by design, seed 0", "shares": shares}, splits.astype(object))
+
+
+def _responses(study: Study, numbers: Variable, splits: Variable, points: int) -> dict[str, Variable]:
     """Variables of the group of responses: coordinates, and real and imaginary part of each response."""
     microphones = np.array(study.base.microphones, dtype=object)
     coordinates = {
         "case": numbers,
+        SPLIT: splits,
         "point": Variable(("point",), {"long_name": "sensing point, from 1"}, np.arange(1, points + 1)),
         "microphone": Variable(("microphone",), {"long_name": "microphone"}, microphones),
         "frequency": Variable(("frequency",), {"units": "Hz", "long_name": "frequency"}, study.frequency),

@@ -28,7 +28,7 @@ from studies.output.zarr_files import METADATA
 from studies.study.metric_registry import METRICS
 from studies.study.parameter import StudyError
 from studies.sweep.plots import plot_effects, plot_trade_off
-from studies.sweep.records import DONE, FAILED, FOLDER, FORMAT, MARK, WAITING, Records
+from studies.sweep.records import DONE, FAILED, FOLDER, FORMAT, MARK, SPLIT, WAITING, Records, case_key
 from studies.sweep.summary import Summary
 
 if TYPE_CHECKING:
@@ -82,7 +82,8 @@ class Sweep(Shown):
 
         Args:
             metric: name of a metric of the study; by default its first.
-            against: another metric, for a trade-off; cases that no other beats in both carry their number.
+            against: another metric, for a trade-off. Cases that no other case beats in both metrics are labelled with
+                their number.
 
         Raises:
             Refusal: the study does not compute a metric.
@@ -123,7 +124,9 @@ class Sweep(Shown):
 
     @property
     def keep(self) -> str:
-        """Results that are kept of each case: "metrics", also its "responses", or everything that "libraries" need."""
+        """Results that are kept for each case: "metrics", "responses" (with metrics), or "libraries" (everything that a
+        library needs).
+        """
         return str(self.records.content["keep"])
 
     @property
@@ -152,10 +155,10 @@ class Sweep(Shown):
         return pd.DataFrame(columns, index=pd.RangeIndex(len(self), name="case"))
 
     def to_xarray(self) -> xr.Dataset:
-        """Results as one data set along ``case``, with the parameters as coordinates.
+        """Results as one data set along ``case``, with the parameters and the ``split`` of each case as coordinates.
 
-        Its variables are the metrics, ``status``, ``reason`` and the responses that are kept, complex, which are read
-        when they are used. NaN stands where a case is waiting, failed or has fewer points.
+        Its variables are the metrics, ``status``, ``reason`` and the responses that are kept. Responses are complex and
+        are loaded from disk when you use them. They are NaN if a case is waiting, has failed or has fewer points.
         """
         import xarray as xr
 
@@ -165,7 +168,7 @@ class Sweep(Shown):
             return ("case",), self.values[name], variables[name].attributes
 
         coordinates: dict[str, Any] = {"case": np.arange(len(self))}
-        coordinates |= {name: column(name) for name in self.parameters}
+        coordinates |= {name: column(name) for name in (SPLIT, *self.parameters)}
         rows: dict[str, Any] = {name: column(name) for name in self.metrics}
         rows |= {"status": (("case",), _STATUS[self.values["state"]]), "reason": column("reason")}
         for name in self.records.kept:
@@ -211,11 +214,11 @@ class Sweep(Shown):
 
     @property
     def failed(self) -> NDArray[np.bool_]:
-        """True if a case failed, why is in ``values["reason"]``; (n_case,) bool."""
+        """True if a case failed; the reason is in ``values["reason"]``; (n_case,) bool."""
         return np.asarray(self.values["state"] == FAILED)
 
     def best(self, metric: str, count: int = 10) -> list[int]:
-        """Numbers of the best cases by one metric, the best first; equals by number.
+        """Numbers of the best cases by one metric, the best first; equal cases in the order of their numbers.
 
         Args:
             metric: name of a metric of the study.
@@ -240,7 +243,7 @@ class Sweep(Shown):
         """Design of one case.
 
         Raises:
-            DesignError: its values do not go together: the reason it failed for.
+            DesignError: its values contradict each other, which is why it failed.
             Refusal: the study has no such case.
         """
         return self.base.with_values(self.case(number))
@@ -248,9 +251,9 @@ class Sweep(Shown):
     def library(self, number: int) -> acoustic_fem.Library:
         """Library of one case, of a study with ``keep = "libraries"``.
 
-        In double precision it is the one that :func:`acoustic_fem.solve` computes for the design, bit for bit, but for
-        membranes that the sweep interpolated: its provenance says so, and ``membranes = "solved"`` prevents it. One
-        block of cases is held in memory, so read the cases in order.
+        In double precision it equals, bit for bit, the library that :func:`acoustic_fem.solve` computes for the design,
+        unless the sweep interpolated its membrane. Its provenance says whether it did, and ``membranes = "solved"``
+        prevents it. One block of cases is held in memory, so read the cases in order.
 
         Args:
             number: of the case.
@@ -291,7 +294,12 @@ class Sweep(Shown):
     @property
     def case_keys(self) -> tuple[str, ...]:
         """Values of the parameters of each case that was computed, as JSON."""
-        return tuple(json.dumps(self.case(int(number))) for number in self.case_numbers)
+        return tuple(case_key(self.case(int(number))) for number in self.case_numbers)
+
+    @property
+    def splits(self) -> NDArray[np.object_]:
+        """Split of each case, "train", "validation" or "test", as data sets deal it by default; (n_case,) texts."""
+        return self.values[SPLIT]
 
     @property
     def parameter_names(self) -> tuple[str, ...]:
@@ -315,16 +323,22 @@ class Sweep(Shown):
         sizes = np.column_stack([points, np.full(len(self), len(self.base.microphones))])
         return np.asarray(sizes[self.done])
 
+    def texts(self, name: str) -> tuple[str, ...]:
+        """Texts that the numbers of a parameter stand for in :meth:`parameter_values`, from 0; none if it is a number.
+
+        Args:
+            name: of the parameter.
+        """
+        column = self.values[name]
+        return tuple(np.unique(column.astype(str)).tolist()) if column.dtype == object else ()
+
     def parameter_values(self, case: int) -> NDArray[np.float64]:
         """Values of the parameters of one case, in the units of :attr:`parameter_units`; (n_parameter,) float64."""
         case = self._checked(case)
-        columns = [self.values[name] for name in self.parameters]
         return np.array(
             [
-                np.unique(column.astype(str)).searchsorted(str(column[case]))
-                if column.dtype == object
-                else column[case]
-                for column in columns
+                self._texts[name].index(str(self.values[name][case])) if self._texts[name] else self.values[name][case]
+                for name in self.parameters
             ],
             np.float64,
         )
@@ -334,7 +348,7 @@ class Sweep(Shown):
 
         Args:
             cases: numbers of the cases.
-            sound: whether their response to sound outside is needed, for which the study must keep libraries and the
+            sound: whether their response to room sound is needed. For this the study must keep libraries, and the
                 membranes are solved.
 
         Raises:
@@ -378,17 +392,17 @@ class Sweep(Shown):
         return found
 
     @cached_property
+    def _texts(self) -> dict[str, tuple[str, ...]]:
+        return {name: self.texts(name) for name in self.parameters}
+
+    @cached_property
     def _last(self) -> dict[str, Any]:
         return {}
 
     def _checked(self, number: int) -> int:
         """The number of a case of the study, as a plain whole number."""
         check_type("case", number, (int, np.integer), "a whole number")
-        if not 0 <= number < len(self):
-            allowed = f"between 0 and {len(self) - 1}, the cases of the study"
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE, file=self.records.path, field="case", value=int(number), allowed=allowed
-            )
+        check_range("case", number, 0, len(self) - 1, whole=True, why="the cases of the study", file=self.records.path)
         return int(number)
 
 
@@ -398,7 +412,7 @@ def base_of(path: Path, text: str) -> ArrayDesign:
 
 
 def open_sweep(path: str | os.PathLike[str]) -> Sweep:
-    """Results of a study, opened, also while it runs; responses are read when they are used.
+    """Results of a study, even while it runs. Responses are loaded from disk when you use them.
 
     Raises:
         StudyError: the folder is not the results of a sweep, it holds a pipe, a device or a link, or a record is

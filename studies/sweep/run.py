@@ -52,16 +52,16 @@ def run_sweep(
     progress: Callable[[Progress], None] | None = None,
     display: Display | None = None,
 ) -> Sweep:
-    """Results of a study that is computed, or what an earlier run left of it; their ``summary`` is that of this run.
+    """Results of a study, which is computed or continued. Their ``summary`` is that of this run.
 
     Args:
         study: the study, or its file.
-        out: the store, a folder ``*.zarr``; that of an earlier run of the same study is continued.
-        workers: processes on this machine, one thread each; 1 computes in this process; by default one per core if
-            that saves more than their start, or 1.
+        out: the store, a folder ``*.zarr``. If it holds an earlier run of this study, that run is continued.
+        workers: number of processes on this machine, with one thread each; 1 computes in this process. By default one
+            per core if that saves more time than their start takes, otherwise 1.
         scheduler: address of a dask scheduler whose workers are used instead, such as ``tcp://10.0.0.1:8786``.
-        progress: called as results come.
-        display: shows what is being done.
+        progress: function that is called when results arrive.
+        display: shows progress.
 
     Raises:
         StudyError: ``out`` holds something else or another study, or a metric does not suit the study.
@@ -164,7 +164,7 @@ def _team(
         return workers
     numbers = [number for block in waiting for number in range(*block)]
     missing = len(cells) - cached_count(cells, study.frequency, study.solid_fidelity)
-    return team_size(seconds_of(study, cases, numbers, missing, discs))
+    return team_size(seconds_of(study, cases, numbers, missing, discs).seconds)
 
 
 def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> DiscTables:

@@ -32,7 +32,7 @@ class Summary:
 
     @property
     def program_errors(self) -> list[int]:
-        """Numbers of the cases that failed by a mistake of the program."""
+        """Numbers of the cases that failed because of a bug in the program."""
         return [n for why, numbers in self.failures.items() if why.startswith(PROGRAM_ERROR) for n in numbers]
 
     @property

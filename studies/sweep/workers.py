@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from typing import Any, Protocol
 
 from acoustic_fem.numerics.processors import cores
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal, said_by
 from studies.sweep.cluster import Cluster, WorkersLost, in_one_thread
 from studies.sweep.processes import Processes
@@ -55,8 +56,8 @@ def open_workers(count: int | None, scheduler: str | None) -> Iterator[Workers]:
         Refusal: a bad count, or both given.
         WorkersLost: no scheduler or no worker answers.
     """
-    if count is not None and not 1 <= count <= 1024:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="workers", value=count, allowed="between 1 and 1024")
+    if count is not None:
+        check_range("workers", count, 1, 1024, whole=True)
     if scheduler is not None:
         if count is not None:
             problem = ("must not be given beside ", Field("scheduler"), ", which has its own")

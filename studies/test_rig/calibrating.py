@@ -34,7 +34,7 @@ from studies.test_rig.priors import fit_priors, model_deviation
 
 @dataclass(frozen=True, eq=False)
 class SensorCalibration:
-    """Calibration of a made sensor, and the library that was written."""
+    """Calibration of a sensor, and the library that was written."""
 
     out: Path
     """File of the library."""
@@ -64,19 +64,21 @@ def calibrate_sensor(
     air: LocalAir | None = None,
     display: Display | None = None,
 ) -> SensorCalibration:
-    """Calibration of a made sensor from recordings: measured transfer functions with their uncertainty, in a library.
+    """Calibration of an as-built sensor from recordings: a library of measured transfer functions with their
+    uncertainty.
 
-    Bad recordings are left out and named. If points lack a good one, all follow from a fit of the sensor's parts to
-    the measured points; where no sensor within the tolerances is like the measured one, they keep those of the design.
+    Bad recordings are left out and listed. The transfer functions of points without a good recording are computed with
+    dimensions of the parts that are fitted to the measured points. If no sensor within the tolerances fits, these
+    points keep the transfer functions of the design.
 
     Args:
         recordings: a manifest (TOML), or a folder with one called ``calibration.toml``.
         out: the library to write, netCDF (``.nc``), a new file; a figure goes beside it.
-        fidelity: fidelity of the design's own transfer functions, which replace those of missing points.
+        fidelity: fidelity of the design's transfer functions, which are used for points without a recording.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
         tolerances: tolerances of the workshop, or a TOML file of them; by default assumed ones.
-        air: air of the room of the recordings; values that are not given are the design's.
-        display: shows what is being done.
+        air: air during the recordings; values that you do not give are those of the design.
+        display: shows progress.
 
     Raises:
         Refusal: a file that exists or cannot be written, a manifest or tolerances that cannot be read, a bad frequency,

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Recalibration:
-    """Recalibration of a sensor that was accepted."""
+    """Result of a recalibration that was accepted."""
 
     out: Path
     """File that was written."""
@@ -59,22 +59,23 @@ def recalibrate(
     channels: Mapping[str, int] | None = None,
     display: Display | None = None,
 ) -> Recalibration:
-    """Recalibration of a sensor from touches whose points nobody knows.
+    """Recalibration of a sensor from touches whose points need not be known.
 
     A quarter of the frames is held out for validation. If they contradict the sensor found, nothing is written.
 
     Args:
-        library: the file of the design, or of the last calibration.
+        library: file of the design's library, or of the last calibration.
         recordings: files of touches of fingers or of a shaker, one at a time, spread over all points.
         out: the library to write, netCDF (``.nc``), a new file.
         full_scale: Pa, see :func:`localize.read_recording`.
         microphone_noise: white noise of the microphones, Pa rms over 0 to 500 Hz; by default the noise of the design's
             microphone.
         seed: seed of the choice of the held-out touches.
-        air: air of the place of the recordings, to which the library is brought first; values that are not given are
-            the library's.
-        channels: microphone -> channel of all recordings, from 1; by default by their names or their order.
-        display: shows what is being done.
+        air: air during the recordings, to which the library is converted first; values that you do not give are those
+            of the library.
+        channels: channel of each microphone in all recordings, counted from 1; by default found by the names of the
+            channels or by their order.
+        display: shows progress.
 
     Raises:
         Refusal: a file that exists or cannot be written, recordings that cannot be read or used, the same take twice,

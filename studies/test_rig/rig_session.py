@@ -32,7 +32,7 @@ TRUE_FREQUENCIES = "1:150:150"
 
 @dataclass(frozen=True, eq=False)
 class RigSession:
-    """Session with a virtual made sensor, as it lies on disk."""
+    """Files of a session with a virtual rig."""
 
     folder: Path
     """Folder of all that was written."""
@@ -62,23 +62,24 @@ def record_rig(
     session: TouchSession | None = None,
     display: Display | None = None,
 ) -> RigSession:
-    """Recordings of a virtual made sensor: a calibration of all its points, touches of each, and what was hidden.
+    """Recordings of a virtual rig: a calibration of all points, touches of each point, and the hidden parameters.
 
-    The sensor has what no fit and no decoder knows, :class:`studies.HiddenScatter`; so have the recordings,
-    :class:`studies.Recorder`, and the touches, :class:`studies.TouchSession`. The same seed gives the same files.
+    The sensor deviates from the design in ways that no fit and no decoder is given (:class:`studies.HiddenScatter`).
+    The same holds for the recordings (:class:`studies.Recorder`) and the touches (:class:`studies.TouchSession`). The
+    same seed gives the same files.
 
     Args:
         design: the nominal array: a design, the path of its file, or the name of a prototype.
         out: a new or empty folder, or one of an earlier session.
         seed: seed of the hidden parameters and of all recordings.
         fidelity: fidelity of the transfer functions of the nominal design, see :func:`acoustic_fem.solve`.
-        scatter: spread of the hidden parameters about nominal.
+        scatter: standard deviations of the hidden parameters.
         recorder: settings of the recordings; by default 30 s for each point of the calibration.
         session: settings of the touches; by default two takes of 6 s of each part.
-        display: shows what is being done.
+        display: shows progress.
 
     Raises:
-        Refusal: a negative seed, a design that the lumped batch does not take, or a folder that holds anything else or
+        Refusal: a negative seed, a design for which scatter cannot be computed, or a folder that holds anything else or
             cannot be written.
     """
     folder, show = Path(out), display or Display()

@@ -37,7 +37,9 @@ _LEVEL = 0.3
 
 @dataclass(frozen=True)
 class TouchSession:
-    """Settings of touches recorded at a point; random parts and friction are on for two seconds, off for one."""
+    """Settings of touches that are recorded at a point. Random signals and friction are on for two seconds and off for
+    one.
+    """
 
     takes: int = 5
     """Number of recordings of each part."""
@@ -67,8 +69,8 @@ def record_touches(
 
     Args:
         rig: the made sensor.
-        folder: a new or empty one, or one that a rig recorded to.
-        points: numbers, from 1.
+        folder: a new or empty folder, or one to which a rig recorded before.
+        points: numbers of the points, from 1.
         session: what is recorded.
         recorder: how; the lengths and levels of the touches are those of the session.
 

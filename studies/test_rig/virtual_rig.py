@@ -36,7 +36,6 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.ground.argument_checks import check_choice, check_range
-from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
 from studies.output.folders import check_folder, make_folder
@@ -71,7 +70,9 @@ _RANGES = {
 
 @dataclass(frozen=True)
 class HiddenScatter(PartScatter):
-    """Standard deviations of the hidden parameters, as fractions unless said otherwise; normal, cut off at three."""
+    """Standard deviations of the hidden parameters, as fractions unless stated otherwise. They have a normal
+    distribution that is cut off at three standard deviations.
+    """
 
     volume: float = 0.05
     """Deviation, of one, of the volume of each cavity, by its height."""
@@ -108,7 +109,7 @@ class HiddenScatter(PartScatter):
 
 @dataclass(frozen=True)
 class Recorder:
-    """Settings by which recordings are made."""
+    """Settings of the recordings."""
 
     seconds: float = 60.0
     """Length of each recording, s."""
@@ -139,13 +140,13 @@ class Recorder:
 
 
 class Rig:
-    """Virtual rig: a made sensor whose parameters are hidden.
+    """Virtual rig: a simulated as-built sensor whose parameters are hidden.
 
     Args:
         design: the nominal array: a design, the path of its file, or the name of a prototype.
-        seed: of the hidden parameters; recordings use children of it.
-        scatter: how far they lie from nominal.
-        fidelity: of the transfer functions of the nominal design, see :func:`acoustic_fem.solve`.
+        seed: seed of the hidden parameters, from which the seeds of recordings are derived.
+        scatter: standard deviations of the hidden parameters.
+        fidelity: fidelity of the transfer functions of the nominal design, see :func:`acoustic_fem.solve`.
 
     Raises:
         Refusal: a negative seed, or a design that the lumped batch does not take.
@@ -158,8 +159,7 @@ class Rig:
         scatter: HiddenScatter | None = None,
         fidelity: str = ONE_DESIGN,
     ) -> None:
-        if seed < 0:
-            raise Refusal(kind=Kind.OUT_OF_RANGE, field="seed", value=seed, allowed="0 or above")
+        check_range("seed", seed, 0, whole=True)
         design = resolve_design(design)
         check_choice("fidelity", fidelity, FIDELITIES)
         self.design, self.seed, self.fidelity = design, seed, fidelity
@@ -237,8 +237,8 @@ class Rig:
         """Write a WAV recording of each point, the nominal design and a manifest.
 
         Args:
-            folder: a new or empty one, or one that a rig recorded to.
-            points: numbers, from 1.
+            folder: a new or empty folder, or one to which a rig recorded before.
+            points: numbers of the points, from 1.
             recorder: how.
 
         Returns:

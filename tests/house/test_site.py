@@ -120,7 +120,10 @@ def test_the_fields_of_a_study_file_are_those_that_are_read(site) -> None:
 
 def test_the_page_of_metrics_has_them_all(site) -> None:
     table = site("fields").metric_table()
-    assert "| `volume` | mm^3 | smaller | Shells, housings, boards, membranes and tubes, without their air. |" in table
+    assert (
+        "| `volume` | mm^3 | smaller | Volume of shells, housings, boards, membranes and tubes, without their air. |"
+        in table
+    )
     assert [line.split("`")[1] for line in table.splitlines()[2:]] == list(METRICS)
     assert "```{metrics}" in (ROOT / "docs" / "metrics.md").read_text(encoding="utf-8")
 

@@ -10,12 +10,12 @@ export interface Word { title: string; unit: string; definition: string; better:
 
 const COLUMNS: [string, string, (p: Figures["points"][0]) => string][] = [
   ["point", "", (p) => String(p.number)],
-  ["named right", "%", (p) => words(100 * p.named, 3)],
+  ["top-1 accuracy", "%", (p) => words(100 * p.named, 3)],
   ["hardest to tell from", "", (p) => String(p.nearest)],
   ["distance", "", (p) => words(p.distance, 3)],
   ["level", "dB", (p) => words(p.level, 3)],
   ["phase", "°", (p) => words(p.phase, 3)],
-  ["least force", "µN", (p) => words(1e6 * p.force, 3)],
+  ["smallest detectable force", "µN", (p) => words(1e6 * p.force, 3)],
 ];
 
 export class PointsPanel {
@@ -101,7 +101,7 @@ export class PointsPanel {
       c.strokeRect(room, room + index * cell, count * cell - 1, cell - 1);
     }
     const wrong = now.points.filter((point) => point.named < 1).length;
-    canvas.setAttribute("aria-label", `predicted confusion of ${count} points; ${wrong} of them are not always named right; the table beside has the figures`);
+    canvas.setAttribute("aria-label", `predicted confusion of ${count} points; ${wrong} of them are not always assigned to the correct point; the table beside has the figures`);
   }
 
   restyle(): void { this.matrix(); }
@@ -109,8 +109,8 @@ export class PointsPanel {
   table(name: string): void {
     if (!this.now) return;
     const keys = ["number", "named", "nearest", "distance", "level", "phase", "force"] as const;
-    csv([["point", "named right", "hardest to tell from", "distance", "level (dB)", "phase (degrees)", "least force (N)",
-      ...this.now.points.map((point) => `named as ${point.number}, of ${this.now!.touches} touches`)],
+    csv([["point", "top-1 accuracy", "hardest to tell from", "distance", "level (dB)", "phase (degrees)", "smallest detectable force (N)",
+      ...this.now.points.map((point) => `assigned to ${point.number}, of ${this.now!.touches} touches`)],
       ...this.now.points.map((point, k) => [...keys.map((key) => point[key]), ...this.now!.confusion[k]])], `${name}-points.csv`);
   }
 

@@ -336,7 +336,7 @@ export class TouchPanel {
       while (at + 1 < decisions.length && decisions[at + 1][0] <= k / 1000) at += 1;
       return [k / 1000, ...found.names.map((_, m) => found.of(m)[k]), (at >= 0 && decisions[at][1] === "touch" && decisions[at][2]) || ""];
     });
-    csv([["time (s)", ...found.names.map((each) => `${each} (Pa)`), "named"], ...rows], `${name}-touch.csv`);
+    csv([["time (s)", ...found.names.map((each) => `${each} (Pa)`), "located point"], ...rows], `${name}-touch.csv`);
   }
 
   picture(name: string): void { sheet([byId<HTMLCanvasElement>("plan"), byId<HTMLCanvasElement>("waves")], `${name}-touch.png`, 1); }

@@ -10,24 +10,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sofar
+from libraries import GRID, assert_same_library, library_of, three_points
 
 import acoustic_fem
 import geometry
 from acoustic_fem.library.exchange import export, load
 from acoustic_fem.library.netcdf_file import LibraryError
-from acoustic_fem.library.transfer_functions import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
+from acoustic_fem.library.transfer_functions import MEASURED, VARIABLES, Library, library_from_arrays
 from geometry.ground.refusal import Kind
-
-GRID = np.linspace(1.0, 100.0, 7)
-
-
-def library_of(name: str, **changes: object) -> Library:
-    return acoustic_fem.solve(geometry.prototype(name).with_values(changes), GRID, "lumped")
 
 
 @pytest.fixture(scope="module")
 def library() -> Library:
-    return library_of("array-2x6", **{"lines.0.points": 3, "layout.columns": 3})
+    return three_points()
 
 
 def with_deviation(library: Library) -> Library:
@@ -39,29 +34,13 @@ def with_deviation(library: Library) -> Library:
     )  # fmt: skip
 
 
-def assert_same(found: Library, expected: Library, without: tuple[str, ...] = ()) -> None:
-    for name in (*VARIABLES, "transfer_function_deviation"):
-        one, other = getattr(found, name), getattr(expected, name)
-        if name in without:
-            assert one is None
-        elif other is None:
-            assert one is None, name
-        else:
-            dimensions = {**VARIABLES, "transfer_function_deviation": DEVIATION}[name][0]
-            assert np.array_equal(one.transpose(*dimensions).values, other.transpose(*dimensions).values), name
-    assert np.array_equal(found.frequency, expected.frequency)
-    assert found.design == expected.design
-    assert (found.medium, found.fidelity) == (expected.medium, expected.fidelity)
-    assert dict(found.provenance) == dict(expected.provenance)
-
-
 @pytest.mark.parametrize("suffix", [".sofa", ".npz", ".csv", ".nc"])
 @pytest.mark.parametrize("measured", [False, True], ids=["computed", "measured"])
 def test_what_is_read_back_is_what_was_written(suffix: str, measured: bool, library: Library, tmp_path: Path) -> None:
     expected = with_deviation(library) if measured else library
     path = tmp_path / f"library{suffix}"
     export(expected, path)
-    assert_same(load(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
+    assert_same_library(load(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
 
 
 @pytest.mark.parametrize("suffix", [".sofa", ".npz", ".csv"])
@@ -72,7 +51,7 @@ def test_one_point_one_frequency_and_three_microphones_come_back_too(suffix: str
     for number, expected in enumerate((single, library_of("fingertip-3x4"))):
         path = tmp_path / f"{number}{suffix}"
         export(expected, path)
-        assert_same(load(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
+        assert_same_library(load(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
 
 
 def test_sofar_verifies_the_file_and_finds_points_as_emitters_and_microphones_as_receivers(

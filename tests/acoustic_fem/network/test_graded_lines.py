@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from joined_cells import library_of_cells
 
 import acoustic_fem
 from acoustic_fem.batch.network import batch_response
@@ -100,7 +101,8 @@ def test_a_graded_line_is_the_network_built_by_hand(stated, library):
     np.testing.assert_allclose(library.transfer_function.values, source / own[:, None], rtol=1e-10)
 
 
-def test_the_batch_solves_a_graded_line_as_solve_in_columns_of_kinds_and_of_its_own(design, library):
+def test_the_batch_solves_a_graded_line_as_its_cells_in_columns_of_kinds_and_of_its_own(design):
+    library = library_of_cells(design, BAND)
     topology, parameters = Topology.of(design), ArrayParameters.from_design(design)
     (line,) = topology.lines
     assert topology.tube_names == ("microphone_tube", "tube_kinds.long", "tube_kinds.short")

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from joined_cells import library_of_cells
 
 import acoustic_fem
 import geometry
@@ -83,10 +84,10 @@ def test_soft_walls_change_what_the_page_of_theory_says():
 
 
 @pytest.mark.parametrize("material", [RUBBER, TABLE], ids=["spring-pot", "prony"])
-def test_the_batch_yields_as_solve_does(material):
+def test_the_batch_yields_as_the_network_of_cells_does(material):
     values = {"materials": {"own": material}, **FLOOR, "tube.sheath_material": "own", "resonator.leak_diameter": 0.05}
     design = geometry.prototype("array-2x6").with_values(values)
-    library = acoustic_fem.solve(design, BAND, "lumped")
+    library = library_of_cells(design, BAND)
     for parameters in (ArrayParameters.from_design(design), ArrayParameters.from_design(design).tensors()):
         found = batch_response(parameters, Topology.of(design), BAND, library.medium)
         for name in ("source_response", "point_impedance", "microphone_impedance"):

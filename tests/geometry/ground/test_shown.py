@@ -2,20 +2,32 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from refusals import refused
+from small_run import small_run
 
 import acoustic_fem
 import geometry
 import localize
 import studies
 from geometry.ground.refusal import Kind
-from geometry.ground.shown import MOST_LINES, Shown
+from geometry.ground.shown import LONGEST_LINE, MOST_LINES, Shown
 
 DESIGN = geometry.prototype("array-2x6")
+#: Three places are detected, one between them is not.
+TRACK = localize.tracking.Track(
+    time=np.array([0.0, 0.016, 0.032, 0.048]),
+    place=np.array([[0.0, 0.0], [10.0, 0.0], [20.0, 0.0], [30.0, 0.0]]),
+    deviation=np.full(4, 1.0),
+    speed=np.full(4, 625.0),
+    force=np.array([0.1, np.nan, 0.1, 0.1]),
+    detected=np.array([True, False, True, True]),
+    pitch=12.0,
+)
 
 
 class Many(Shown):
@@ -30,7 +42,7 @@ def test_a_text_has_at_most_twelve_lines_and_a_table_no_markup_of_its_facts() ->
     assert len(lines) == MOST_LINES
     assert lines[1] == "  fact 0: x y"
     assert "empty" not in repr(Many())
-    assert max(map(len, lines)) <= 105
+    assert max(map(len, lines)) <= LONGEST_LINE
     assert "<b>Many &lt;b&gt;</b>" in Many()._repr_html_()
 
 
@@ -45,6 +57,11 @@ def objects(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Shown]:
         "study": study,
         "sweep": studies.run_sweep(study, tmp_path_factory.mktemp("shown") / "r.zarr", workers=1),
         "evaluation": localize.evaluate(decoder, library, 2, 1e-3),
+        "check": studies.check_design(DESIGN),
+        "run": small_run(),
+        "localizer": localize.load_localizer(small_run().folder / "localizer"),
+        "model": localize.open_model(library, tolerances=False),
+        "track": TRACK,
     }
 
 
@@ -56,11 +73,17 @@ def objects(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Shown]:
         ("study", "tube.length: 12.0, 14.0"),
         ("sweep", "2: 2 done, 0 failed, 0 waiting"),
         ("evaluation", "top-1 accuracy"),
+        ("check", "12"),
+        ("run", "model-based decoder"),
+        ("localizer", "points"),
+        ("model", "model-based decoder"),
+        ("track", "30 mm"),
     ],
 )
 def test_an_object_says_what_it_is(name: str, words: str, objects: dict[str, Shown]) -> None:
     text = repr(objects[name])
     assert 3 <= len(text.splitlines()) <= MOST_LINES
+    assert max(map(len, text.splitlines())) <= LONGEST_LINE
     assert words in text
     assert words in objects[name]._repr_html_()
 
@@ -95,6 +118,24 @@ def test_objects_draw_themselves(objects: dict[str, Shown], tmp_path: Path) -> N
     for figure in (level, effects, confusion, plan):
         figure.savefig(tmp_path / "figure.png")
         assert (tmp_path / "figure.png").stat().st_size > 5000
+
+
+def test_a_path_draws_where_its_contact_was_and_when(tmp_path: Path) -> None:
+    figure = TRACK.plot()
+    axes, colours = figure.axes
+    (dots,) = axes.collections
+    np.testing.assert_array_equal(dots.get_offsets(), TRACK.place[TRACK.detected])
+    np.testing.assert_array_equal(dots.get_array(), TRACK.time[TRACK.detected])
+    assert (axes.get_xlabel(), axes.get_ylabel(), colours.get_ylabel()) == ("x  (mm)", "y  (mm)", "time  (s)")
+    (line,) = axes.lines
+    np.testing.assert_array_equal(line.get_xydata(), TRACK.place)
+    figure.savefig(tmp_path / "figure.png")
+    assert (tmp_path / "figure.png").stat().st_size > 5000
+
+
+def test_a_path_without_a_contact_says_so() -> None:
+    nothing = replace(TRACK, detected=np.zeros(4, bool))
+    assert repr(nothing) == "Path\n  contact: none detected"
 
 
 def test_a_design_lists_its_fields_and_our_methods_alone() -> None:

@@ -109,12 +109,24 @@ def test_machines_share_an_epoch_without_overlap(array):
     assert [len(each) for each in of_all] == [len(list(each)) for each in of_all]
 
 
-def test_a_sample_is_made_again_by_its_case_and_index(array):
-    data = localize.TouchDataset(Family(array, [12] * 5), touches=130, batch_size=32, seed=8, ambient=(40.0, 60.0))
-    for batch in list(data)[::3]:
-        alone = data.sample(int(batch["case"][1]), int(batch["index"][1]))
-        for name, value in alone.items():
-            torch.testing.assert_close(value, batch[name][1], rtol=0, atol=1e-6, equal_nan=True)
+@pytest.mark.parametrize("features", [None, "phasors"])
+@pytest.mark.parametrize("ambient", [None, (40.0, 60.0)])
+def test_a_sample_is_made_again_by_its_case_and_index_to_the_last_bit(array, features, ambient):
+    data, again = (
+        localize.TouchDataset(
+            Family(array, [12] * 5), touches=300, batch_size=32, seed=8, epoch=1, features=features, ambient=ambient
+        )
+        for _ in range(2)
+    )
+    for batch in list(data)[::7]:
+        for row in (0, 1, -1):
+            alone = again.sample(int(batch["case"][row]), int(batch["index"][row]))
+            for name, value in alone.items():
+                torch.testing.assert_close(value, batch[name][row], rtol=0, atol=0, equal_nan=True)
+
+
+def test_samples_of_other_seeds_differ(array):
+    data = localize.TouchDataset(Family(array, [12] * 5), touches=130, batch_size=32, seed=8)
     other = localize.TouchDataset(Family(array, [12] * 5), touches=130, batch_size=32, seed=9)
     assert not torch.equal(other.sample(1, 4)["signals"], data.sample(1, 4)["signals"])
 

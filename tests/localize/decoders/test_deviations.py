@@ -54,18 +54,31 @@ def tables(response: ArrayResponse) -> tuple[DeviatingTables, np.ndarray]:
     return DeviatingTables(decoder.tables[0], hypotheses, whiten, OPTIONS), whiten
 
 
+#: Point that the first touch of the generator is at, from 0.
+POINT = 0
+
+
+@pytest.fixture(scope="module")
+def waves_of_deviations(response: ArrayResponse) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Eigenvalues and vectors of the whitened covariance of a touch at each of the amplitudes."""
+    whiten = tables(response)[1]
+    of_point = (touch_covariances(deviating(response, float(each)), np.eye(SAMPLES))[POINT] for each in AMPLITUDES)
+    return [np.linalg.eigh(whiten @ touched @ whiten.T) for touched in of_point]
+
+
 @pytest.mark.parametrize("true", [-1.5, 0.0, 1.0])
-def test_the_gain_is_that_of_the_integral_over_the_deviation(response: ArrayResponse, true: float) -> None:
-    deviations, whiten = tables(response)
+def test_the_gain_is_that_of_the_integral_over_the_deviation(
+    response: ArrayResponse, waves_of_deviations: list[tuple[np.ndarray, np.ndarray]], true: float
+) -> None:
+    deviations, _ = tables(response)
     touch = localize.TouchGenerator(deviating(response, true), 0, "evaluation", NOISE).samples(0, 4)
     point = int(touch.point[0]) - 1
     x = touch.signals[0, :, -250:].numpy().reshape(1, -1) @ deviations.tables.reduce
     temperature = OPTIONS.relative_temperature * OPTIONS.temperature
     size = 2 * SAMPLES
     each = []
-    for amplitude in AMPLITUDES:
-        touched = touch_covariances(deviating(response, float(amplitude)), np.eye(SAMPLES))[point]
-        values, vectors = np.linalg.eigh(whiten @ touched @ whiten.T)
+    assert point == POINT
+    for amplitude, (values, vectors) in zip(AMPLITUDES, waves_of_deviations, strict=True):
         gain = np.clip(values, 0, None)[:, None] * OPTIONS.tried_powers
         fit = -0.5 * ((x @ vectors) ** 2 @ (1 / (1 + gain)) + np.log1p(gain).sum(0))
         each.append(vertex(fit)[0] / temperature - amplitude**2 / 2)

@@ -108,6 +108,7 @@ def test_what_is_in_memory_answers_as_its_file_does(folder: Path) -> None:
     assert np.array_equal(localize.open_model(decoder).locate(frame), decoder.locate(frame))
 
 
+@pytest.mark.slow
 def test_tracks_pulses_and_exports_take_what_is_in_memory(folder: Path, tmp_path: Path) -> None:
     library = acoustic_fem.load(folder / "library.nc")
     model, touch = localize.open_model(library), folder / "touch.wav"
@@ -196,7 +197,7 @@ def test_a_library_is_decoded_with_the_tolerances_until_its_sensor_is_measured()
 def test_assumptions_and_warnings_are_those_of_the_model(folder: Path) -> None:
     library = solved("array-2x6", np.arange(1.0, 101.0))
     model = localize.open_model(replace(library, fidelity=MEASURED))
-    assert model.assumptions == "that the sensor is as its library has it, in air of 101.3 kPa"
+    assert model.assumptions == "that the sensor is as its library describes it, in air of 101.3 kPa"
     assert model.warnings == ()
     dome = replace(library, design=library.design.with_values({"resonator.shape": "dome"}))
     model = localize.open_model(dome)
@@ -207,7 +208,7 @@ def test_assumptions_and_warnings_are_those_of_the_model(folder: Path) -> None:
     assert exactly.endswith("without manufacturing tolerances")
     # A graph is of the library as it is, and says so wherever it is read.
     assert localize.open_model(folder / "decoder.onnx").assumptions.startswith(
-        "that the sensor is as its library has it"
+        "that the sensor is as its library describes it"
     )
 
 
@@ -305,7 +306,7 @@ def test_a_radius_that_no_contact_has_is_refused(radius: Any) -> None:
     with refused(kind, "contact_radius_mm"):
         localize.tracking.PathTracker(library, radius)
     with refused(kind, "contact_radius_mm"):
-        localize.open_model(library).tracker(radius)
+        localize.open_model(library, tolerances=False).tracker(radius)
 
 
 def test_an_open_model_names_the_argument_that_comes_too_late() -> None:

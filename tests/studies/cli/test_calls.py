@@ -262,7 +262,7 @@ def test_a_localizer_in_python_is_that_of_the_verbs(command: Callable[..., str],
 
     out = command("evaluate", "verb", library, "--touches", 20)
     judged = studies.evaluate_localizer("call", library, touches=20)
-    assert list(judged) == ["network", "Bayes decoder", "tolerant decoder"]
+    assert list(judged) == ["network", "Bayes decoder", "tolerance-aware decoder"]
     for title, each in judged.items():
         after = [line for line in out.partition(title)[2].splitlines() if line.strip()]
         assert "multi-sine touches on the nominal sensor" in after[0]

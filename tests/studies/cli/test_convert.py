@@ -7,53 +7,21 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from libraries import assert_same_library, three_points
 from typer.testing import CliRunner
 
 import acoustic_fem
-import geometry
 from acoustic_fem.library import exchange
 from acoustic_fem.library.exchange import export
-from acoustic_fem.library.transfer_functions import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
+from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.sound.sound_file import SoundFileWarning
-from geometry.layout.arrangement import lay_out
 from localize.signals.array_response import UncoveredWarning
 from studies.cli.app import app
-
-GRID = np.linspace(1.0, 100.0, 7)
-
-
-def library_of(name: str, **changes: object) -> Library:
-    return acoustic_fem.solve(geometry.prototype(name).with_values(changes), GRID, "lumped")
 
 
 @pytest.fixture(scope="module")
 def library() -> Library:
-    return library_of("array-2x6", **{"lines.0.points": 3, "layout.columns": 3})
-
-
-def with_deviation(library: Library) -> Library:
-    values = {name: getattr(library, name).values for name in VARIABLES}
-    deviation = np.random.default_rng(0).uniform(0, 0.1, values["transfer_function"].shape)
-    return library_from_arrays(
-        library.design, lay_out(library.design), library.frequency, values, "measured", library.medium,
-        library.provenance, deviation,
-    )  # fmt: skip
-
-
-def assert_same(found: Library, expected: Library, without: tuple[str, ...] = ()) -> None:
-    for name in (*VARIABLES, "transfer_function_deviation"):
-        one, other = getattr(found, name), getattr(expected, name)
-        if name in without:
-            assert one is None
-        elif other is None:
-            assert one is None, name
-        else:
-            dimensions = {**VARIABLES, "transfer_function_deviation": DEVIATION}[name][0]
-            assert np.array_equal(one.transpose(*dimensions).values, other.transpose(*dimensions).values), name
-    assert np.array_equal(found.frequency, expected.frequency)
-    assert found.design == expected.design
-    assert (found.medium, found.fidelity) == (expected.medium, expected.fidelity)
-    assert dict(found.provenance) == dict(expected.provenance)
+    return three_points()
 
 
 def test_the_verb_converts_there_and_back(library: Library, tmp_path: Path) -> None:
@@ -62,7 +30,7 @@ def test_the_verb_converts_there_and_back(library: Library, tmp_path: Path) -> N
         result = CliRunner().invoke(app, ["convert", str(tmp_path / source), "--out", str(tmp_path / target)])
         assert result.exit_code == 0, result.output
         assert "3 points, 2 microphones, 7 frequencies" in result.output
-    assert_same(acoustic_fem.load(tmp_path / "again.nc"), library)
+    assert_same_library(acoustic_fem.load(tmp_path / "again.nc"), library)
 
 
 @pytest.fixture(scope="module")

@@ -50,10 +50,10 @@ def test_a_prototype_passes_the_check(command: Command, name: str, tmp_path: Pat
         assert words in told.out
     # What each fidelity costs, and how far off it is.
     out = " ".join(told.out.split())
-    assert "lumped milliseconds; from navier-stokes, 1 to 100 Hz, it was at most 0.3 % and 0.2 degrees on" in out
+    assert "lumped milliseconds; differs from navier-stokes by up to 0.3 % and 0.2 degrees on" in out
     assert "1.7 % and 0.6 degrees on line-3" in out
     count = len(found["cells"])
-    costs = f"about 3 s of one processor per distinct cell, here {count}: {3 * count} s; then from the cache"
+    costs = f"about 3 s of one processor per distinct cell, {3 * count} s for the {count} of this design; later from"
     assert f"navier-stokes, the default {costs}" in out
 
 

@@ -66,7 +66,7 @@ def test_a_check_fits_and_says_of_a_wiring_what_its_figures_compare_with(
     assert max(len(line) for line in told.splitlines() if "pip install" not in line) <= 80
     assert " ".join(told.split()).count("navier-stokes, the default about") == 1
     assert re.search(r"microphones joined by 1 line +2\b", told)
-    assert re.search(r"against one microphone per point +6 times", told)
+    assert re.search(r"compared with one microphone per point +6 times", told)
 
 
 def headline(signals: str, *beside: tuple[str, float | None]) -> Any:

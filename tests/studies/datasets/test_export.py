@@ -19,6 +19,7 @@ import acoustic_fem
 import localize
 import studies
 from geometry import Kind
+from geometry.design.design_file import load_design
 from localize.signals.array_response import ArrayResponse, response_of
 from studies.datasets import export, shard_files
 
@@ -130,7 +131,9 @@ def test_what_was_stopped_or_damaged_ends_in_the_same_bytes(name, sensors, tmp_p
     monkeypatch.setattr(export._Rows, "__call__", kept)
     assert not (tmp_path / "stopped" / "README.md").exists()
     shard = next(
-        path for path in sorted((tmp_path / "stopped").rglob("*")) if path.is_file() and path.stat().st_size > 5000
+        path
+        for path in sorted((tmp_path / "stopped").glob("train*/**/*" if name == "zarr" else "train*"))
+        if path.is_file() and path.stat().st_size > 5000
     )
     shard.write_bytes(shard.read_bytes()[:-7])  # and the last of what was there is damaged
     again = write(tmp_path / "stopped")
@@ -160,11 +163,36 @@ def test_the_five_lines_of_the_card_run_as_printed(name, sensors, tmp_path, monk
     assert "CC-BY-4.0" in card
     assert re.search(r"\| bore \| 13 \| -?[\d.]+ \| [\d.]+ \| standard deviations \|", card)
     assert "40 to 60 dB SPL" in card
+    assert "| fidelity of the transfer functions | lumped |" in card
+    assert "| their frequencies | 120 values from 1 to 120 Hz |" in card
+    assert "pressure 1.0132e+05 Pa" in card
+    for each in sensors.tolerances:
+        assert re.search(rf"\| {each.quantity} \| \w+ \| {100 * each.deviation:g} % |\| {each.quantity} \| \w+ \| "
+                         rf"{each.deviation:g} mm ", card)  # fmt: skip
+    assert load_design(folder / "design.toml") == sensors.design.completed()
+    assert json.loads((folder / "dataset.json").read_text())["origin"]["tolerances"][0]["quantity"] == "bore"
     (code,) = re.findall(r"```python\n(.*?)```", card, re.DOTALL)
     assert len([line for line in code.splitlines() if line]) <= 6
     monkeypatch.chdir(folder)
     exec(compile(code, "README.md", "exec"), {})
     assert "2, 1000" in capsys.readouterr().out
+
+
+def test_the_card_of_a_sweep_says_which_text_each_number_stands_for(tmp_path):
+    study = studies.Study(
+        base="array-2x6", vary={"microphone_tube.bore": ["smooth", "coil"], "tube.inner_diameter": [0.4, 0.5]},
+        fidelity="lumped", frequency="1:120:120", metrics=["volume"], keep="libraries",
+    )  # fmt: skip
+    sweep = studies.run_sweep(study, tmp_path / "r.zarr", workers=1)
+    studies.export_dataset(sweep, tmp_path / "touches", touches=10, shares={"train": 1.0})
+    card = (tmp_path / "touches" / "README.md").read_text()
+    assert "| microphone_tube.bore | 0: coil, 1: smooth |" in card
+    assert "| fidelity of the transfer functions | lumped |" in card
+    place = sweep.parameter_names.index("microphone_tube.bore")
+    with np.load(tmp_path / "touches" / "train-00000.npz") as shard:
+        for case, values in zip(shard["case"], shard["parameters"], strict=True):
+            assert sweep.texts("microphone_tube.bore")[int(values[place])] == sweep.case(case)["microphone_tube.bore"]
+    assert sweep.texts("tube.inner_diameter") == ()
 
 
 def test_another_data_set_or_folder_of_others_is_not_written_over(array, tmp_path):

@@ -50,7 +50,7 @@ def test_a_pulse_is_read_from_a_recording(folder: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("recording", "options", "message"),
     [
-        ("pulse.npz", {"point": 4}, "point = 4 must be from 1 to 3"),
+        ("pulse.npz", {"point": 4}, "point = 4 must be a whole number between 1 and 3"),
         ("short.npz", {}, "must last at least 3 s for a pulse"),
         ("nowhere.npz", {}, "nowhere.npz: no such file"),
     ],

@@ -98,8 +98,8 @@ def test_no_figure_is_blank() -> None:
 
 def test_the_page_names_the_hardest_pair_first(page: Page) -> None:
     first, second = small_run().separability.hardest_pairs[0]
-    assert f"Hardest to tell apart are points {first} and {second}" in page.text
-    assert page.text.index("Hardest to tell apart") < page.text.index("Key figures")
+    assert f"The points that are hardest to tell apart are {first} and {second}" in page.text
+    assert page.text.index("hardest to tell apart") < page.text.index("Key figures")
 
 
 def test_the_page_has_every_part_point_and_cell(page: Page) -> None:
@@ -182,7 +182,7 @@ def test_what_the_localizer_confuses_is_set_against_the_distances() -> None:
     wrong = np.diag([100, 100, 100])
     i, j = pairs[0]
     wrong[i - 1, j - 1] = 10
-    assert f"points {i} and {j} for each other: 4.8 %" in judged(wrong)
+    assert f"points {i} and {j}: it assigns 4.8 %" in judged(wrong)
     assert "also the hardest pair by distance" in judged(wrong)
     other = np.diag([100, 100, 100])
     i, j = pairs[-1]
@@ -193,11 +193,11 @@ def test_what_the_localizer_confuses_is_set_against_the_distances() -> None:
 def test_a_training_cut_short_is_said() -> None:
     result = small_run()
     assert f"{result.training['touches']} touches" in training_sentence(result)
-    assert "cut it short" not in training_sentence(result)
+    assert "reached its limit" not in training_sentence(result)
     plan = {**result.training["plan"], "time_limit": 7.0}
     short = replace(result, training={**result.training, "touches": 450, "cut_short": True, "plan": plan})
     assert "450 touches" in training_sentence(short)
-    assert "of 1350 planned: its limit of 7 s cut it short" in training_sentence(short)
+    assert "The plan had 1350 touches, but the training reached its limit of 7 s." in training_sentence(short)
 
 
 def test_the_page_says_which_noise_was_used_and_that_its_figures_are_assumed(page: Page) -> None:
@@ -205,9 +205,7 @@ def test_the_page_says_which_noise_was_used_and_that_its_figures_are_assumed(pag
     rms = microphone_noise(result.design.microphone, result.library.medium).rms
     assert result.network.microphone_noise == result.bayes.microphone_noise == rms
     assert f"the noise of the design's microphone, {rms:.2g} Pa rms over 1 to 500 Hz" in page.text
-    assert (
-        "Where all microphone figures come from (SPH1878LR5H-C): no datasheet figure found; all assumed." in page.text
-    )
+    assert "Source of the data of SPH1878LR5H-C: no datasheet figure found; all assumed." in page.text
     white = replace(result.network, microphone_noise=1e-3, noise_source="white")
     told = noise_sentence(replace(result, network=white))
     assert "white microphone noise of 0.001 Pa rms over 0 to 500 Hz, not that of the design's microphone" in told

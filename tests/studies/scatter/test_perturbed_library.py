@@ -109,7 +109,7 @@ def test_a_run_that_is_stopped_leaves_nothing(tmp_path: Path) -> None:
 def test_bad_input_is_refused_by_name(store: PerturbedLibrary, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="exists; a library is never overwritten"):
         write_perturbed_library(store.path, DESIGN, 3, GRID)
-    with pytest.raises(ValueError, match="count = 0 must be a whole number from 1 to 1000000"):
+    with pytest.raises(ValueError, match="count = 0 must be a whole number between 1 and 1000000"):
         write_perturbed_library(tmp_path / "none.zarr", DESIGN, 0, GRID)
     with pytest.raises(ValueError, match="is not a library of perturbed transfer functions"):
         PerturbedLibrary(tmp_path / "none.zarr")

@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 import acoustic_fem
 import geometry
 from acoustic_fem.batch.network import batch_transfer_function
-from acoustic_fem.batch.openings import designs_outside
+from acoustic_fem.batch.openings import OpeningSizes, designs_outside
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.duct.meshed_section import MeshedSection
 from acoustic_fem.duct.sections import CircularSection
@@ -188,7 +188,7 @@ def test_every_drawn_sensor_is_within_what_the_decision_looked_at() -> None:
         design = DESIGN.with_values({"resonator.cavity_height": height})
         scattered, air = ScatteredDesign(design, tolerances), design_air(design)
         drawn = scattered.parameters(scattered.draws(0, 400, 1))
-        outside = designs_outside(drawn, scattered.topology, GRID, air).any()
+        outside = designs_outside(OpeningSizes.of(drawn), scattered.topology, GRID, air).any()
         assert not (outside and as_built_fidelity(scattered, GRID, air).name == "atlas")
 
 

@@ -163,7 +163,7 @@ def test_what_was_heard_of_another_design_goes_and_what_is_shown_can_be_had(page
     page.locator("#touch-points button").nth(4).click()
     until(page, "document.getElementById('answer').dataset.named")
     table = downloaded(page, lambda: page.click("#touch-csv"), tmp_path).read_text().splitlines()
-    assert table[0] == "time (s),A (Pa),B (Pa),named"
+    assert table[0] == "time (s),A (Pa),B (Pa),located point"
     values = np.array([row.split(",")[:3] for row in table[1:]], float)
     np.testing.assert_allclose(values[:, 0], np.arange(len(values)) / 1000)
     assert np.abs(values[:, 1:]).max() > 0.1

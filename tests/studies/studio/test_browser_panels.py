@@ -126,7 +126,7 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
         factors = {"named": 100, "force": 1e6}
         own = [factors.get(key, 1) * point[key] for key in keys]
         assert shown == pytest.approx(own, rel=1e-2)
-    assert page.locator("#points-table th").last.inner_text() == "least force (µN)"
+    assert page.locator("#points-table th").last.inner_text() == "smallest detectable force (µN)"
     kinds = Counter(part["kind"] for part in model_of_array(LONGER)["parts"])
     shown_kinds = [int(text.rsplit("(", 1)[1][:-1]) for text in page.locator("#kinds label").all_inner_texts()]
     assert sorted(shown_kinds) == sorted(kinds.values())

@@ -430,7 +430,10 @@ def test_script_in_any_text_of_a_design_is_refused_or_told_as_it_is(page: TestCl
         ({"ranges": {"tube.length": [None]}}, "ranges must be a table"),
         ({"ranges": {}, "metrics": "volume"}, "metrics must be a list of names"),
         ({"ranges": {}, "metrics": ["volume"], "designs": True}, "designs must be a whole number"),
-        ({"ranges": {}, "metrics": ["volume"], "designs": 10**9}, "designs = 1000000000 must be between"),
+        (
+            {"ranges": {}, "metrics": ["volume"], "designs": 10**9},
+            "designs = 1000000000 must be a whole number between",
+        ),
         ({"ranges": {TEXT: [1, 2]}, "metrics": ["volume"], "designs": 4, "fidelity": "lumped"}, "the study: "),
         ({"ranges": {"tube.length": [9, 10]}, "metrics": ["volume"], "designs": 4, "fidelity": TEXT}, "the study: "),
     ],

@@ -40,11 +40,24 @@ def test_a_study_is_written_and_read_back(name: str, own: bool, tmp_path: Path) 
     study = studies.Study(**{**GIVEN, **STUDIES[name], "base": base})
     study.save(tmp_path / "s.toml")
     again = studies.Study.load(tmp_path / "s.toml")
+    assert again == study
+    assert hash(again) == hash(study)
     assert again.content() == study.content()
     assert (again.base, again.name, again.description) == (study.base, study.name, study.description)
     assert study.text == (tmp_path / "s.toml").read_text()
     for one, other in zip(cases_of(study).columns, cases_of(again).columns, strict=True):
         np.testing.assert_array_equal(one, other)
+
+
+def test_studies_that_differ_are_not_equal() -> None:
+    study = studies.Study(**GIVEN)
+    changes: list[dict[str, Any]] = [
+        {"vary": {"tube.length": [12.0, 14.5]}}, {"metrics": ["mass"]}, {"seed": 1}, {"name": "other"},
+        {"description": "another question"}, {"base": "line-3"}, {"keep": "libraries"}, {"frequency": "1:100:63"},
+    ]  # fmt: skip
+    for change in changes:
+        assert studies.Study(**{**GIVEN, **change}) != study
+    assert study != "study"
 
 
 def test_a_pair_is_a_range_and_a_list_is_its_values() -> None:

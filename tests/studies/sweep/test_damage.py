@@ -110,7 +110,7 @@ REFUSED = {
     "no sweep": older(None),
     "no records": without("records"),
     "no metadata and no records": without("records", "zarr.json"),
-    "records of a later version": of_format("records/study", "sweep 5\n", "sweep 6\n"),
+    "records of a later version": of_format("records/study", "sweep 6\n", "sweep 7\n"),
 }
 
 
@@ -124,7 +124,7 @@ def test_a_store_of_another_version_and_what_is_none_are_refused_by_name(name: s
         assert error.value.kind is Kind.MISMATCH
         assert str(error.value.file).startswith(str(store))
         if "format" in name:
-            assert f"is {name}; this version of the program reads format 5" in str(error.value)
+            assert f"is {name}; this version of the program reads format 6" in str(error.value)
     assert before == {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
 
 
@@ -151,7 +151,7 @@ METRICS_3, RESPONSES_2 = "records/000003.metrics", "responses/transfer_function_
 MENDED = {
     "metrics": (flip(METRICS_3), METRICS_3, "cases 9 to 11 are computed again"),
     "metrics cut": (cut(METRICS_3), METRICS_3, "cases 9 to 11 are computed again"),
-    "metrics of another version": (of_format(METRICS_3, "sweep 5\n", "sweep 4\n"), METRICS_3, "cases 9 to 11 are"),
+    "metrics of another version": (of_format(METRICS_3, "sweep 6\n", "sweep 4\n"), METRICS_3, "cases 9 to 11 are"),
     "metrics of another place": (
         lambda store: shutil.copy(store / "records/000002.metrics", store / METRICS_3), METRICS_3, "cases 9 to 11 are",
     ),

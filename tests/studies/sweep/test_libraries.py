@@ -8,16 +8,20 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from joined_cells import library_of_cells
 from refusals import refused
 from typer.testing import CliRunner
 
 import acoustic_fem
+import localize
 import studies
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.library.transfer_functions import VARIABLES
 from geometry.ground.refusal import Kind
+from localize.datasets.splits import SPLITS
 from studies.cli.app import app
 from studies.sweep import block
+from studies.sweep.survey import surveyed
 
 STUDY: dict[str, Any] = {
     "base": "array-2x6",
@@ -75,13 +79,31 @@ def test_the_tables_of_a_sweep_have_one_row_a_case(sweep: studies.Sweep) -> None
     assert table["reason"][table["status"] == "failed"].str.len().min() > 10
     store = sweep.records.path
     plain = xr.open_zarr(store)
-    assert set(plain.coords) == {"case", *sweep.parameters}
+    assert set(plain.coords) == {"case", "split", *sweep.parameters}
     assert len(plain.to_dataframe()) == 12
     data = sweep.to_xarray()
     assert set(data.coords) >= {"case", *sweep.parameters}
     assert data["transfer_function"].dtype == np.complex128
     kept = xr.open_zarr(store, group="responses")
     np.testing.assert_array_equal(kept["point_impedance_real"], data["point_impedance"].real)
+
+
+def test_the_split_of_each_case_is_a_coordinate_of_the_store_and_that_of_data_sets(tmp_path: Path) -> None:
+    vary = {"tube.inner_diameter": (0.3, 0.6), "microphone_tube.bore": ["smooth", "coil"]}
+    study = studies.Study(**{**STUDY, "vary": vary, "cases": 40})
+    sweep = studies.run_sweep(study, tmp_path / "r.zarr", workers=1)
+    for found in (
+        xr.open_zarr(tmp_path / "r.zarr"),
+        xr.open_zarr(tmp_path / "r.zarr", group="responses").set_coords("split"),
+        sweep.to_xarray(),
+    ):
+        assert "split" in found.coords
+        assert found["split"].dims == ("case",)
+        for split in SPLITS:
+            cases = localize.TouchDataset(sweep, split=split, touches=1).cases
+            assert len(cases)
+            np.testing.assert_array_equal(np.flatnonzero((found["split"] == split) & sweep.done), cases)
+    np.testing.assert_array_equal(sweep.splits, xr.open_zarr(tmp_path / "r.zarr")["split"])
 
 
 def test_the_best_cases_come_first_and_failed_ones_not_at_all(sweep: studies.Sweep) -> None:
@@ -131,6 +153,19 @@ def test_cases_outside_the_atlas_are_counted_beforehand_with_the_reason(tmp_path
     assert solid.cells > 0
 
 
+def test_a_survey_of_many_designs_finds_those_outside_that_each_is_by_itself() -> None:
+    vary = {"resonator.cavity_height": (2.5, 7.5), "tube.inner_diameter": (0.3, 1.2), "air.pressure": [1e5, 7e4]}
+    study = studies.Study(**{**STUDY, "vary": vary, "cases": 24})
+    survey = surveyed(study, every=True)
+    one_by_one = {
+        number: acoustic_fem.atlas.quick_fidelity(survey.cases.design(number), study.frequency).outside
+        for number in range(24)
+        if number not in survey.refused
+    }
+    assert survey.outside == {number: why for number, why in one_by_one.items() if why}
+    assert 0 < len(survey.outside) < len(one_by_one)
+
+
 def test_cases_outside_the_atlas_are_solved_in_3d_if_the_study_says_so(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -153,5 +188,5 @@ def test_cases_outside_the_atlas_are_solved_in_3d_if_the_study_says_so(
     inside, outside = sweep.library(0), sweep.library(1)
     assert (inside.fidelity, outside.fidelity) == ("atlas", "navier-stokes")
     assert all(cell["unknowns"] == 7 and "seconds" not in cell for cell in outside.provenance["cells"])
-    lumped = acoustic_fem.solve(sweep.design(1), sweep.frequency, "lumped")
+    lumped = library_of_cells(sweep.design(1), sweep.frequency)
     assert outside.transfer_function.identical(lumped.transfer_function)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from bores_study import TEXT
+from bores_study import CELLS, TEXT
 from refusals import refused
 from typer.testing import CliRunner
 
@@ -162,15 +162,3 @@ def test_samples_with_equal_cases_are_said_by_plan_and_sweep(values: str, said: 
 
 class _Asked(Exception):
     """How many workers a sweep asked for."""
-
-
-CELLS = """
-base = "array-2x6"
-fidelity = "navier-stokes"
-frequency = "1:100:4"
-metrics = ["distance_smallest"]
-[vary]
-"resonator.cavity_height" = [2.5, 3.0]
-"tube.length" = [12.5, 14, 15, 16, 18, 20]
-"membrane.thickness" = [0.5, 0.6]
-"""

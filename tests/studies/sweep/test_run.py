@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
-from bores_study import METRICS_OF_STUDY, TEXT
+from bores_study import CELLS, METRICS_OF_STUDY, TEXT
 from refusals import refused
 from stores import assert_same_store
 from typer.testing import CliRunner
@@ -330,16 +330,6 @@ def test_metrics_that_the_frequencies_cannot_give_are_refused_before_any_work(tm
 
 
 # -- 3-D cells --------------------------------------------------------------------------------------
-CELLS = """
-base = "array-2x6"
-fidelity = "navier-stokes"
-frequency = "1:100:4"
-metrics = ["distance_smallest"]
-[vary]
-"resonator.cavity_height" = [2.5, 3.0]
-"tube.length" = [12.5, 14, 15, 16, 18, 20]
-"membrane.thickness" = [0.5, 0.6]
-"""
 
 
 def test_every_distinct_cell_is_solved_once_and_one_that_fails_takes_its_own_cases_only(

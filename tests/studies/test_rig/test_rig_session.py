@@ -42,7 +42,7 @@ def test_a_calibration_from_it_finds_the_made_sensor_and_its_touches(made: studi
         heard = studies.locate_recording(tmp_path / "made.nc", recording.path, full_scale=made.full_scale)
         points = [touch.point for touch in heard.touches]
         assert recording.point == 2 or (points and set(points) == {recording.point})
-        assert heard.assumptions.startswith("that the sensor is as its library has it, in air of ")
+        assert heard.assumptions.startswith("that the sensor is as its library describes it, in air of ")
 
 
 def test_what_was_hidden_stands_beside(made: studies.RigSession) -> None:

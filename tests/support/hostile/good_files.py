@@ -62,7 +62,6 @@ deviation = 0.03
 kind = "relative"
 """
 LIBRARIES = ("library.nc", "library.sofa", "library.npz", "library.csv")
-RECORDINGS = ("touches.wav", "touches.csv", "touches.npz", "touches.mat")
 
 
 def make(folder: Path, commands: Commands) -> None:
