@@ -205,7 +205,7 @@ def overhead(tasks: int) -> list[str]:
     lines = ["| overhead | start and end (s) | per block of cases (ms) |", "|---|---|---|"]
     for workers in (1, 2):
         study = study_of(128)
-        cases, job = cases_of(study), Job(study.fidelity, study.frequency, study.metrics, False)
+        cases, job = cases_of(study), Job(study.fidelity, study.frequency, study.metrics)
         begin = time.perf_counter()
         with open_workers(workers, None) as team:
             for _ in team.run(solve_block, ((job, cases.part(k, k + 16), k, {}) for k in range(0, 128, 16))):
