@@ -74,7 +74,7 @@ def objects(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Shown]:
         ("sweep", "2: 2 done, 0 failed, 0 waiting"),
         ("evaluation", "top-1 accuracy"),
         ("check", "12"),
-        ("run", "model-based decoder"),
+        ("run", "Bayes decoder"),
         ("localizer", "points"),
         ("model", "model-based decoder"),
         ("track", "30 mm"),

@@ -159,7 +159,7 @@ def test_the_five_lines_of_the_card_run_as_printed(name, sensors, tmp_path, monk
     studies.export_dataset(
         sensors, folder, file_format=name, touches=20, samples_per_shard=64, licence="CC-BY-4.0", ambient=(40.0, 60.0)
     )
-    card = (folder / "README.md").read_text()
+    card = (folder / "README.md").read_text(encoding="utf-8")
     assert "CC-BY-4.0" in card
     assert re.search(r"\| bore \| 13 \| -?[\d.]+ \| [\d.]+ \| standard deviations \|", card)
     assert "40 to 60 dB SPL" in card
@@ -170,7 +170,10 @@ def test_the_five_lines_of_the_card_run_as_printed(name, sensors, tmp_path, monk
         assert re.search(rf"\| {each.quantity} \| \w+ \| {100 * each.deviation:g} % |\| {each.quantity} \| \w+ \| "
                          rf"{each.deviation:g} mm ", card)  # fmt: skip
     assert load_design(folder / "design.toml") == sensors.design.completed()
-    assert json.loads((folder / "dataset.json").read_text())["origin"]["tolerances"][0]["quantity"] == "bore"
+    assert (
+        json.loads((folder / "dataset.json").read_text(encoding="utf-8"))["origin"]["tolerances"][0]["quantity"]
+        == "bore"
+    )
     (code,) = re.findall(r"```python\n(.*?)```", card, re.DOTALL)
     assert len([line for line in code.splitlines() if line]) <= 6
     monkeypatch.chdir(folder)
@@ -185,7 +188,7 @@ def test_the_card_of_a_sweep_says_which_text_each_number_stands_for(tmp_path):
     )  # fmt: skip
     sweep = studies.run_sweep(study, tmp_path / "r.zarr", workers=1)
     studies.export_dataset(sweep, tmp_path / "touches", touches=10, shares={"train": 1.0})
-    card = (tmp_path / "touches" / "README.md").read_text()
+    card = (tmp_path / "touches" / "README.md").read_text(encoding="utf-8")
     assert "| microphone_tube.bore | 0: coil, 1: smooth |" in card
     assert "| fidelity of the transfer functions | lumped |" in card
     place = sweep.parameter_names.index("microphone_tube.bore")
