@@ -93,7 +93,7 @@ def test_the_store_opens_in_xarray_with_units_and_carries_its_study(
         dataset = xr.open_zarr(finished[0])
         responses = xr.open_zarr(finished[0], group="responses")
     assert dict(dataset.sizes) == {"case": 40}
-    assert set(dataset.coords) == {"case", *cases_of(study).names}
+    assert set(dataset.coords) == {"case", "split", *cases_of(study).names}
     assert len(dataset.to_dataframe()) == 40
     assert dict(responses.sizes) == {"case": 40, "point": 12, "microphone": 2, "frequency": 12}
     assert dataset["tube.length"].attrs["units"] == "mm"
