@@ -144,9 +144,19 @@ def check_openings(parameters: ArrayParameters, topology: Topology, frequency: A
         return
     for enclosure, mouths in _by_enclosure(opening_columns(topology).mouths):
         for mouth in mouths:
-            at = "a microphone's chamber" if enclosure == "microphone" else f"points of column {mouth.cavity}"
             opening, square = _stated_openings(sizes, [mouth], frequency, medium)
-            cell_atlas().check(enclosure, opening, square, f"{topology.tube_names[mouth.tube]} at {at}")
+            cell_atlas().check(
+                enclosure, opening, square, f"{topology.tube_names[mouth.tube]} at {_first_with(mouth, topology)}"
+            )
+
+
+def _first_with(mouth: Mouth, topology: Topology) -> str:
+    """The first cavity of an array that has a mouth, in words."""
+    if mouth.enclosure == "microphone":
+        return "a microphone's chamber"
+    points = [(column, line.tubes[k : k + 2]) for line in topology.lines for k, column in enumerate(line.points)]
+    has = (column == mouth.cavity and mouth.tube in tubes for column, tubes in points)
+    return f"point {list(has).index(True) + 1}"
 
 
 def designs_outside(sizes: OpeningSizes, topology: Topology, frequency: Array, medium: Any) -> NDArray[np.bool_]:

@@ -94,7 +94,7 @@ class Topology:
             size = len(line.points)
             tubes, points = tuple(range(tube, tube + size + 1)), tuple(range(point, point + size))
             lines.append(replace(line, tubes=tubes, points=points))
-            names += [f"lines.{number} tube {k}" for k in range(size + 1)]
+            names += [f"tube {k} of line {number + 1}" for k in range(1, size + 2)]
             tube, point = tube + size + 1, point + size
         return Topology(tuple(range(len(self.microphones))), tuple(lines), tuple(names))
 

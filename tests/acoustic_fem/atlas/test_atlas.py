@@ -169,7 +169,7 @@ def test_a_batch_with_a_design_outside_is_refused_by_name(design):
     tall = ArrayParameters.from_designs([design, design.with_values({"resonator.cavity_height": 7.0})])
     with refused(Kind.NO_RESULT, error=OutsideAtlas) as found:
         batch_response(tall, topology, BAND, AIR, "atlas")
-    assert found.value.field.endswith("tube at points of column 0: cavity height by radius")
+    assert found.value.field.endswith("tube at point 1: cavity height by radius")
     wide = ArrayParameters.from_design(design.with_values({"microphone.sound_hole_diameter": 1.3}))
     with refused(Kind.NO_RESULT, error=OutsideAtlas):
         batch_response(wide, topology, BAND, AIR, "atlas")

@@ -43,8 +43,8 @@ def test_a_design_at_the_edge_of_the_atlas_is_solved_in_3d_as_built_and_says_so(
     beyond = small.with_values({"resonator.cavity_height": round(1.1 * tall, 3)})
     found, other = design_quality(edge), design_quality(beyond)
     assert found.fidelity.words == "atlas"
-    assert found.as_built_fidelity.words.startswith("navier-stokes: lines.0 tube 0 at points of column 0: ")
-    assert other.fidelity.words.startswith("navier-stokes: resonator ")
+    assert found.as_built_fidelity.words.startswith("navier-stokes: tube 1 of line 1 at point 1: ")
+    assert other.fidelity.words.startswith("navier-stokes: ")
     rows = {what: value for what, value, _ in found.lines}
     assert (rows["fidelity, nominal sensor"], rows["fidelity, as-built sensors"]) == ("atlas", "navier-stokes")
 
