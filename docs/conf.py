@@ -34,6 +34,8 @@ extensions = [
 exclude_patterns = ["site", "build", "examples", "notebooks/*.py"]
 templates_path: list[str] = []
 language = "en"
+# Quotes and dashes stay as they are typed: options and commands are copied from the pages.
+smartquotes = False
 
 # Notebooks are shown as docs/make_notebooks.py left them; the tests execute them.
 nb_execution_mode = "off"

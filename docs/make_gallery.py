@@ -24,13 +24,14 @@ MADE = {
 FOUND = ("fingertip-12", "graded-line-36", "line-36", "ring-3x12")
 _HEAD = """# Gallery
 
-Pick a design that resembles yours and start from it. This page shows every prototype and some designs of ours, with the
-figures that `acoustic-fem check` predicts.
+Pick a design that resembles yours and start from it. This page shows every prototype and some of our own designs, with
+the figures that `acoustic-fem check` predicts.
 
 Accuracies are top-1 accuracies for multi-sine touches with the noise of the design's microphone. The localizer is
 trained on the nominal design. As-built sensors have assumed [tolerances](tolerances.md) and are not calibrated. Other
-pages give other means for the same design, because they use more sensors, another fidelity or another decoder. If the
-mean of the as-built sensors is low, [calibrate](calibration.md) each sensor, because calibration removes most of the
+pages give different mean accuracies for the same design, because they use more sensors, another fidelity or another
+decoder. If the mean of the as-built sensors is low, [calibrate](calibration.md) each sensor, because calibration
+removes most of the
 loss. The cost covers the materials of one array at assumed prices. Molds are not included. In the pictures each point
 is coloured by its own accuracy, and rings mark the *hardest pair*, the two points that are hardest to tell apart.
 
@@ -39,8 +40,9 @@ For a design of ours, use the path of its file in place of the name.
 
 <!-- made by python docs/make_gallery.py -->
 
-Each row is a design, with the top-1 accuracy of the nominal sensor and the mean and worst accuracy of up to 64 as-built
-sensors. The hardest pair is given with the level and phase by which its points differ (rms over 1 to 100 Hz).
+Each row is a design, with the top-1 accuracy of the nominal sensor and the mean and worst accuracy of as-built sensors.
+Designs with many points are tested with fewer of them. The hardest pair is given with the level and phase by which its
+points differ (rms over 1 to 100 Hz).
 """
 
 

@@ -43,8 +43,9 @@ axes[0].set_ylabel("level (dB)")
 axes[1].legend(title="point", fontsize=7, ncols=2)
 plt.show()
 
-# %% [markdown] Nobody knows how hard a finger taps, so only the ratio of the two microphones says where it was. The
-# level difference between the microphones falls from one end of the line to the other. The higher the frequency is, the
+# %% [markdown]
+# Nobody knows how hard a finger taps, so only the ratio of the two microphone signals says where it tapped. The level
+# difference between the microphones falls from one end of the line to the other. The higher the frequency is, the
 # more it falls, because the tubes attenuate more.
 
 # %%

@@ -34,7 +34,8 @@ manifest = rig.record(Path(folder.name) / "bench", (2, 6, 11), studies.Recorder(
 found = studies.calibrate_sensor(manifest, f"{folder.name}/made.nc", frequency="1:100:100", fidelity="lumped")
 
 # %% [markdown]
-# Point 4 was not measured. Its transfer functions come from a fit of the sensor's parts to the three measured points.
+# Point 4 was not measured. Its transfer functions are computed from dimensions of the sensor's parts that
+# were fitted to the recordings of the three measured points.
 
 # %%
 frequency = np.linspace(1, 100, 100)

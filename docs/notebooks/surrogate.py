@@ -71,7 +71,8 @@ middle, spread = train[1].mean(0), train[1].std(0) + 1e-6
 print(f"{len(train[0])} designs to train on, {len(test[0])} to test on; output {tuple(train[1].shape[1:])}")
 
 
-# %% [markdown] The curves of all designs look alike, so two dozen principal components describe them. The network
+# %% [markdown]
+# The curves of all designs look alike, so two dozen principal components describe them. The network
 # predicts these from the logarithms of the parameters, because the physics is one of power laws.
 
 # %%
@@ -106,7 +107,8 @@ for _ in range(epochs):
         optimizer.step()
         schedule.step()
 
-# %% [markdown] The error on unseen designs is the relative difference of the complex transfer functions. The provenance
+# %% [markdown]
+# The error on unseen designs is the relative difference of the complex transfer functions. The provenance
 # of an atlas library gives the largest errors that were found on test designs. Compare them with the upper curves.
 
 # %%

@@ -42,7 +42,7 @@ plt.show()
 
 # %% [markdown]
 # The nominal sensor is good, but as-built sensors are bad. Which bore tolerates deviations best? Springs are sold in
-# steps, so we try each of them.
+# a few sizes, so we try several of them.
 
 # %%
 springs = [(0.5, 0.06), (0.6, 0.08), (0.7, 0.08), (0.8, 0.1), (0.9, 0.1)]  # outer diameter, wire, mm

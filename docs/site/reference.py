@@ -185,6 +185,7 @@ def _words(text: str) -> str:
 
 
 def _plain(text: str) -> str:
+    text = text.replace(r"\[", "[")  # brackets that the terminal shall not take for its markup
     return re.sub(r"([*`|\\])", r"\\\1", text).replace("[/bold]", "").replace("_ ", r"\_ ")
 
 
