@@ -54,6 +54,6 @@ shown = axis.scatter(
 axis.set(xlabel="bore (mm)", ylabel="height of the cavity (mm)")
 figure.colorbar(shown, label="predicted error, as built")
 plt.show()
-table = dataset[["tube.inner_diameter", "distance_smallest"]].to_dataframe()
+table = sweep.to_dataframe()[["tube.inner_diameter", "distance_smallest"]]
 assert table.corr().iloc[0, 1] < 0
 folder.cleanup()
