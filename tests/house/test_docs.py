@@ -26,7 +26,18 @@ LONG = {
     "CONTRIBUTING.md",
     *(
         f"docs/{name}.md"
-        for name in ("bending", "calibration", "decoder", "first-minutes", "localizer", "own-cavity", "parts", "python")
+        for name in (
+            "bending",
+            "calibration",
+            "decoder",
+            "first-minutes",
+            "localizer",
+            "own-cavity",
+            "parts",
+            "python",
+            "realtime",
+            "training-libraries",
+        )
     ),
 }
 

@@ -253,6 +253,7 @@ def test_sections_of_the_navigation_close_but_that_of_the_page(site, page: str, 
     assert accessible(better) == better
 
 
+@pytest.mark.slow
 @pytest.mark.end_to_end
 def test_the_browser_finds_what_is_too_wide_and_what_axe_core_calls_serious(site, tmp_path: Path, capsys) -> None:
     in_browser = site("in_browser")

@@ -308,6 +308,7 @@ def test_an_altered_library_is_refused_by_the_name_of_what_was_altered(library, 
     assert kind is None or (error.value.kind, error.value.field) == (kind, field)
 
 
+@pytest.mark.slow
 def test_the_messages_of_libraries(library, tmp_path, monkeypatch):
     monkeypatch.setattr(sealed_netcdf, "_try_apart", lambda *_: None)
     told = {

@@ -158,6 +158,7 @@ def test_scatter_costs_accuracy_and_a_calibrated_sensor_gets_it_back() -> None:
     json.dumps(found.summary(), allow_nan=False)
 
 
+@pytest.mark.slow
 def test_drawn_sensors_are_of_the_atlas_if_it_covers_all_of_them_otherwise_of_3d_and_it_says_why() -> None:
     scattered, air = ScatteredDesign(DESIGN), design_air(DESIGN)
     found = scatter_effects(DESIGN, GRID, samples=4, base_samples=0, microphone_noise=3e-3)

@@ -268,6 +268,7 @@ def number_of_process(hold: str) -> int:
     return os.getpid()
 
 
+@pytest.mark.slow
 def test_a_worker_that_stays_stopped_is_replaced_and_every_task_has_one_result(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -311,6 +312,7 @@ def end_always(number: int) -> int:
     return number
 
 
+@pytest.mark.slow
 def test_a_task_that_ends_two_workers_is_given_up() -> None:
     with open_workers(2, None) as team:
         found = dict(team.run(end_always, ((number,) for number in range(6)), lost=lambda number: -number))
@@ -326,6 +328,7 @@ def slow(number: int) -> int:
     return number
 
 
+@pytest.mark.slow
 def test_a_run_that_is_left_early_keeps_no_worker_busy() -> None:
     begin = time.monotonic()
     with open_workers(2, None) as team:
@@ -339,6 +342,7 @@ def cannot_start() -> None:
     raise SystemExit(3)
 
 
+@pytest.mark.slow
 def test_workers_that_cannot_start_end_the_run_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(processes, "_give_way", cannot_start)
     with (
