@@ -16,6 +16,7 @@ from typing import IO
 
 import numpy as np
 
+from geometry.ground.argument_checks import reads_as_number
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.text_files import encoding_of
@@ -140,7 +141,7 @@ class _Reader:
         try:
             return [float(each) for each in plain]
         except ValueError:
-            raise self._no_number(line, next(each for each in plain if not _is_number(each))) from None
+            raise self._no_number(line, next(each for each in plain if not reads_as_number(each))) from None
 
     def _plain(self, line: int, row: list[str], names: list[str]) -> list[str]:
         """Values with points for decimals; only what is written in plain digits passes as a number."""
@@ -172,11 +173,3 @@ class _Reader:
 
     def _fault(self, problem: str, kind: Kind = Kind.UNREADABLE, field: str = "") -> Refusal:
         return self._refusal(problem, kind=kind, file=self._path, field=field)
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True

@@ -99,6 +99,15 @@ def positive_numbers(
     return array
 
 
+def reads_as_number(text: str) -> bool:
+    """True if Python's ``float`` takes a text."""
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
 def _is_whole(value: object) -> bool:
     return isinstance(value, Integral) and not isinstance(value, bool)
 

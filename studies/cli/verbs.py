@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, get_args
 import typer
 from typer.core import TyperCommand, TyperGroup
 
+from geometry.ground.argument_checks import reads_as_number
 from geometry.ground.extras import check_extras
 from geometry.ground.refusal import quoted
 from geometry.ground.stated_times import stopped_time
@@ -165,7 +166,7 @@ class Verb(TyperCommand):
             if not must:
                 raise
             label = param.opts[-1] if param.param_type_name == "option" else str(param.metavar)
-            shown = text if _is_number(text) else quoted(text)
+            shown = text if reads_as_number(text) else quoted(text)
             raise typer.BadParameter(f"{label} = {shown} must be {must}", ctx=ctx) from None
 
 
@@ -189,15 +190,8 @@ def _allowed_words(param: Any, text: str) -> str:
     if low is None and high is None:
         return number
     bounds = f"at least {low}" if high is None else f"at most {high}" if low is None else f"between {low} and {high}"
-    return bounds if _is_number(text) and not (is_whole and not text.lstrip("+-").isdigit()) else f"{number} {bounds}"
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
+    is_of_its_kind = text.lstrip("+-").isdigit() if is_whole else reads_as_number(text)
+    return bounds if is_of_its_kind else f"{number} {bounds}"
 
 
 def in_paragraphs(text: str) -> str:

@@ -173,7 +173,7 @@ def check_drawing() -> None:
         if os.path.exists(path) and not os.path.isdir(path) and path != os.devnull:
             ordinary_file(path, "a matplotlibrc", Refusal, LARGEST_TEXT)
     try:
-        import matplotlib  # noqa: F401
+        import matplotlib  # noqa: F401  # whether it starts is the question
     except NotInstalled:
         raise
     except ValueError as error:
