@@ -10,6 +10,7 @@ from __future__ import annotations
 import shutil
 import sys
 from collections.abc import Iterator
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -32,12 +33,12 @@ def faults_of(page: Any, address: str) -> Iterator[str]:
         page: of Playwright's synchronous API.
         address: what it opens.
     """
-    from axe_playwright_python.sync_playwright import Axe
-
     page.goto(address)
     if (wider := page.evaluate(_WIDER)) > 0:
         yield f"{wider} px wider than its window"
-    for found in Axe().run(page).response["violations"]:
+    # The package's own reader takes the encoding of the locale, which a library may have set to ASCII by then.
+    page.evaluate(files("axe_playwright_python").joinpath("axe.min.js").read_text("utf-8"))
+    for found in page.evaluate("axe.run()")["violations"]:
         if found["impact"] in SERIOUS:
             yield f"{found['id']} ({found['impact']}): {', '.join(str(node['target'][0]) for node in found['nodes'])}"
 

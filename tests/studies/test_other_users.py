@@ -203,7 +203,7 @@ def test_command_lines_show_nothing_that_still_works(tmp_path: Path) -> None:
     with studio(browser=True, BROWSER=f"{program} %s &") as found:
         until((tmp_path / "started").exists)
         with other_user(lines_of_processes) as lines:
-            codes = {code for line in lines for code in re.findall(r"code=([\w-]+)", line)}
+            codes = {code for line in lines for code in re.findall(rf":{found.port}/\?code=([\w-]+)", line)}
         assert codes == {found.first.partition("code=")[2].strip()}
         path = f"/?code={codes.pop()}"
         with other_user(answer, found.port, request(found.port, path)) as text:
