@@ -17,7 +17,7 @@ from acoustic_fem.scatter import ScatteredDesign, scatter_factors
 from localize.live.events import Decision
 from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
-from localize.signals.finger_stimuli import STIMULI
+from localize.signals.stimulus_kinds import STIMULI
 
 LIMIT = 0.5
 """Pressure from which on microphones are clipped, Pa: some of the touches reach it."""

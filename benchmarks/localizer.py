@@ -21,12 +21,13 @@ from torch import nn
 import acoustic_fem
 import geometry
 import localize
-from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier
+from localize.learned.classifier import NetworkShape, TouchClassifier
 from localize.learned.features import PairFeatures, map_count
+from localize.learned.network_sizes import NETWORKS
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.disturbances import MicrophoneMismatch
-from localize.signals.finger_stimuli import STIMULI
 from localize.signals.frames import FRAME
+from localize.signals.stimulus_kinds import STIMULI
 from localize.signals.touch_generator import SHARD
 
 FREQUENCY = np.arange(1.0, 501.0)

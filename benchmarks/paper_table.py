@@ -88,7 +88,7 @@ def measure(row: Row, full: bool, folder: Path, seconds: float | None = None) ->
 
     from localize import BayesDecoder, evaluate, export_onnx, train
     from localize.graphs import OnnxLocalizer
-    from localize.signals.finger_stimuli import STIMULI
+    from localize.signals.stimulus_kinds import STIMULI
 
     response = solved(row)
     touches = max(10, JUDGED // response.point_count)

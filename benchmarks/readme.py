@@ -20,7 +20,7 @@ import acoustic_fem
 import localize
 import studies
 from localize.signals import response_of
-from localize.signals.finger_stimuli import STIMULI
+from localize.signals.stimulus_kinds import STIMULI
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 
 DESIGN = "array-2x6"

@@ -27,7 +27,7 @@ import localize
 from geometry.ground.whole_files import replace_section, write_text
 from localize.evaluation.accuracy import Evaluation
 from localize.signals.array_response import ArrayResponse, response_of
-from localize.signals.finger_stimuli import STIMULI
+from localize.signals.stimulus_kinds import STIMULI
 from studies.test_rig.virtual_rig import HiddenScatter, Rig
 
 EVIDENCE = Path(__file__).parents[1] / "docs" / "evidence"

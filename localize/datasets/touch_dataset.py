@@ -27,10 +27,10 @@ from localize.datasets.splits import DEFAULT_SHARES, PURPOSE_OF, SPLITS, Split, 
 from localize.learned.features import FeatureChoice, PairFeatures, map_count
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import check_ambient
-from localize.signals.finger_stimuli import RUN, STIMULI, Mixture
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice, check_noise_choice
 from localize.signals.stimulus import SAMPLE_LENGTH
+from localize.signals.stimulus_kinds import RUN, STIMULI, Mixture
 from localize.signals.threads import one_thread
 from localize.signals.touch_generator import TouchGenerator
 

@@ -79,10 +79,11 @@ class TolerantDecoder(LibraryDecoder):
         super().__init__(response, around, touched, options)
         self._library = library
         self._bounds = tuple(Bounds(tables) for tables in self.tables)
-        self._deviating = tuple(
+        self.deviating = tuple(
             DeviatingTables(tables, self.hypotheses, each, options)
             for tables, each in zip(self.tables, self.likelihood.whitening, strict=True)
         )
+        """Tables with their deviations, of each level of the sound around."""
 
     def heard_by(self, microphones: tuple[str, ...]) -> TolerantDecoder:
         """The decoder of the same sensor by some of its microphones; as of :class:`localize.Locator`."""
@@ -154,7 +155,7 @@ class TolerantDecoder(LibraryDecoder):
         for columns in self._together(likeliest):
             level, tables = int(columns[0]) // self.log_prior.size, columns % self.log_prior.size
             chosen = fitted[:, columns[0]]
-            score = self._deviating[level].scores(heard.white[level][chosen], tables) + heard.alone[level][chosen]
+            score = self.deviating[level].scores(heard.white[level][chosen], tables) + heard.alone[level][chosen]
             found[np.ix_(chosen, columns)] = score.T
         return found
 
@@ -195,7 +196,7 @@ class TolerantDecoder(LibraryDecoder):
     @property
     def shapes(self) -> int:
         """Number of shapes in which a hypothesis deviates."""
-        return self._deviating[0].shapes
+        return self.deviating[0].shapes
 
     @property
     def log_prior(self) -> Array:

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from localize.evaluation.accuracy import Evaluation, evaluate
 from localize.signals.array_response import ArrayResponse
-from localize.signals.finger_stimuli import STIMULI
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
+from localize.signals.stimulus_kinds import STIMULI
 
 NOISES = (0.0, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)
 """Levels of white noise, Pa rms over 0 to 500 Hz; 1e-3 is 60 dB below 94 dB SPL."""

@@ -4,16 +4,15 @@ An embedding cuts the maps into patches; stages of partial-convolution blocks fo
 that halves both sides and doubles the channels; the mean over what is left feeds a linear layer. Partial convolution
 means that the 3 x 3 filter sees a quarter of the channels, the 1 x 1 filters all of them.
 
-:data:`NETWORKS` names the shapes that are offered. The network of the paper merges after the last stage as well. Five
-mergings leave 2 x 1 of 64 x 32, so that its embedding must not cut the maps into patches.
+:data:`localize.learned.network_sizes.NETWORKS` names the shapes that are offered. The network of the paper merges after
+the last stage as well. Five mergings leave 2 x 1 of 64 x 32, so that its embedding must not cut the maps into patches.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import torch
 from torch import Tensor, nn
@@ -75,15 +74,6 @@ class NetworkShape:
         return len(self.depths) - (0 if self.merge_last else 1)
 
 
-#: What a training plan may ask for by name.
-NETWORKS: Mapping[str, Mapping[str, Any]] = {
-    "patches": {"width": 32, "depths": (1, 2, 2), "patch": (4, 8)},
-    "stride-2": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (2, 2)},
-    "paper": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (1, 1), "merge_last": True},
-    "two-stage": {"width": 64, "depths": (1, 2), "patch": (16, 8), "merge_last": True},
-}
-
-
 class TouchNetwork(nn.Module):
     """Network from maps (n, maps, 64, 32) to one logit per point, (n, points)."""
 
@@ -126,7 +116,26 @@ class TouchNetwork(nn.Module):
                 yield partial(normalisation, layer)
 
 
-class MapClassifier(nn.Module):
+class Classifier(nn.Module):
+    """Module that makes one logit per class of a batch of inputs, in two parts: what is learned, and what is not."""
+
+    network: nn.Module
+    """Learned part: from what :meth:`maps` gives to logits, (n, n_class) float32."""
+
+    def maps(self, inputs: Tensor) -> Tensor:
+        """What the learned part looks at; nothing is differentiated through it.
+
+        Args:
+            inputs: a batch.
+        """
+        raise NotImplementedError
+
+    def fit_normalisation(self, inputs: Tensor) -> None:
+        """Take mean and standard deviation of the maps over inputs."""
+        raise NotImplementedError
+
+
+class MapClassifier(Classifier):
     """Classifier of maps (n, maps, 64, 32), one logit per class: normalisation and network."""
 
     mean: Tensor

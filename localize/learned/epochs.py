@@ -13,7 +13,7 @@ import torch
 from torch import Tensor, nn
 
 from localize.learned.checkpoint import Checkpoint, Progress
-from localize.learned.classifier import MapClassifier
+from localize.learned.classifier import Classifier
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ class TrainingTask:
 
 
 def run_epochs(
-    classifier: MapClassifier,
+    classifier: Classifier,
     lesson: TrainingTask,
     plan: Schedule,
     checkpoint: Checkpoint | None,
@@ -163,7 +163,7 @@ def run_epochs(
     return curve, at.step * plan.batch
 
 
-def most_probable_classes(classifier: MapClassifier, inputs: Tensor) -> Tensor:
+def most_probable_classes(classifier: Classifier, inputs: Tensor) -> Tensor:
     """Most probable class of each input, from 0; (n,) int64."""
     classifier.eval()
     with torch.inference_mode():
@@ -171,7 +171,7 @@ def most_probable_classes(classifier: MapClassifier, inputs: Tensor) -> Tensor:
 
 
 def _step(
-    classifier: MapClassifier, optimizer: torch.optim.Optimizer, lesson: TrainingTask, plan: Schedule, number: int
+    classifier: Classifier, optimizer: torch.optim.Optimizer, lesson: TrainingTask, plan: Schedule, number: int
 ) -> float:
     """Loss of a step that is done."""
     inputs, label = lesson.batch(number, plan.batch)

@@ -15,13 +15,20 @@ from geometry.ground.shown import Shown
 from geometry.ground.typed import Array
 from localize.graphs.description import LocalizerError, naming
 from localize.learned.classifier import NetworkShape, TouchClassifier
-from localize.learned.localizer_description import LocalizerDescription, read_model, save_model, with_weights
+from localize.learned.hypothesis_network import HypothesisClassifier, HypothesisShape
+from localize.learned.localizer_description import (
+    LocalizerDescription,
+    classifier_of,
+    read_model,
+    save_model,
+    with_weights,
+)
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.frames import combined_probability, cut_frames
 from localize.signals.locator import Locator
 
 FORMAT = "acoustic-fem localizer"
-VERSION = 1
+VERSION = 2
 DESCRIPTION_FILE = "localizer.json"
 
 
@@ -38,9 +45,9 @@ class Localizer(Shown, Locator):
             "trained for": f"{self.plan.get('epochs')} epochs, seed {self.plan.get('seed')}",
         }
 
-    classifier: TouchClassifier = field(repr=False)
+    classifier: TouchClassifier | HypothesisClassifier = field(repr=False)
     """Network with its features and normalisation."""
-    shape: NetworkShape
+    shape: NetworkShape | HypothesisShape
     """Sizes of the network."""
     array: ArrayFacts
     """Array that it was trained for, and the noise of its training."""
@@ -94,7 +101,7 @@ def load_localizer(folder: str | os.PathLike[str]) -> Localizer:
     values, stated, weights = read_model(path, LocalizerDescription, (FORMAT, VERSION, "a localizer"), LocalizerError)
     with naming(path, LocalizerError):
         shape = stated.network.shape()
-        classifier = with_weights(lambda: TouchClassifier(len(stated.microphones), shape), weights)
+        classifier = with_weights(lambda: classifier_of(shape, len(stated.microphones)), weights)
     return Localizer(
         classifier=classifier,
         shape=shape,

@@ -14,7 +14,7 @@ from torch import Tensor
 
 from geometry.ground.file_checks import library_reads, read_bytes
 from geometry.ground.record import is_sealed, sealed, sha256
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.text_files import parse_json
 from geometry.ground.whole_files import made_folder, whole_file, write_text
 from localize.graphs.description import (
@@ -28,13 +28,14 @@ from localize.graphs.description import (
     check_format,
     described,
 )
-from localize.learned.classifier import MapClassifier, NetworkShape
+from localize.learned.classifier import Classifier, NetworkShape, TouchClassifier
 from localize.learned.features import FeatureChoice, map_count
+from localize.learned.hypothesis_network import HypothesisClassifier, HypothesisShape
 from localize.learned.training_plan import TrainingPlan
 from localize.signals.noise_model import NoiseChoice
 
 _Model = TypeVar("_Model", bound=Strict)
-_Classifier = TypeVar("_Classifier", bound=MapClassifier)
+_Classifier = TypeVar("_Classifier", bound=Classifier)
 
 
 class Network(Strict):
@@ -56,6 +57,40 @@ class Network(Strict):
         """
         cut = (self.patch[0], self.patch[1])
         return NetworkShape(**{**self.model_dump(), "depths": tuple(self.depths), "patch": cut})
+
+    def fits(self, microphones: int) -> None:
+        """Refuse a number of microphones that the network is not for."""
+        maps = map_count(microphones, self.features)
+        if self.maps != maps:
+            allowed = f"{maps} for {counted(microphones, 'microphone')}"
+            raise Refusal(kind=Kind.MISMATCH, field="network.maps", value=self.maps, allowed=allowed)
+
+
+class HypothesisNetwork(Strict):
+    """Fields of :class:`localize.learned.hypothesis_network.HypothesisShape`."""
+
+    points: Annotated[int, Field(ge=2, le=120_000)]
+    hypotheses: Annotated[int, Field(ge=1, le=1000)]
+    microphones: Annotated[int, Field(ge=2, le=64)]
+    size: Annotated[int, Field(ge=2, le=10_000)]
+    rank: Annotated[int, Field(ge=1, le=10_000)]
+    shapes: Annotated[int, Field(ge=0, le=64)]
+    width: Annotated[int, Field(ge=1, le=1024)]
+
+    def shape(self) -> HypothesisShape:
+        """Sizes of the network.
+
+        Raises:
+            Refusal: sizes that do not go together.
+        """
+        return HypothesisShape(**self.model_dump())
+
+    def fits(self, microphones: int) -> None:
+        """Refuse a number of microphones that the network is not for."""
+        if self.microphones != microphones:
+            raise Refusal(
+                kind=Kind.MISMATCH, field="network.microphones", value=self.microphones, allowed=str(microphones)
+            )
 
 
 class _Plan(Strict):
@@ -103,7 +138,7 @@ class LocalizerDescription(ArrayDescription):
     version: int
     weights: Annotated[str, Field(pattern=r"^weights-[0-9a-f]{12}\.safetensors$")]
     weights_sha256: Digest
-    network: Network
+    network: Network | HypothesisNetwork
     plan: Plan
     training: Training
     sha256: Digest
@@ -114,15 +149,13 @@ class LocalizerDescription(ArrayDescription):
             raise Refusal(
                 f"line and place must hold {self.network.points} values, as network.points says", kind=Kind.MISMATCH
             )
-        maps = map_count(len(self.microphones), self.network.features)
-        if self.network.maps != maps:
-            raise Refusal(
-                kind=Kind.MISMATCH,
-                field="network.maps",
-                value=self.network.maps,
-                allowed=f"{maps} for {len(self.microphones)} microphones",
-            )
+        self.network.fits(len(self.microphones))
         return self
+
+
+def classifier_of(shape: NetworkShape | HypothesisShape, microphones: int) -> TouchClassifier | HypothesisClassifier:
+    """Network of some sizes, whose weights are not yet those of any training."""
+    return HypothesisClassifier(shape) if isinstance(shape, HypothesisShape) else TouchClassifier(microphones, shape)
 
 
 class TrainingState(Strict):
@@ -135,7 +168,7 @@ class TrainingState(Strict):
     curve: Annotated[list[tuple[Count, Count, float, Share, float, dict[str, Share]]], Field(max_length=10_000)]
 
 
-def save_model(path: Path, description: Mapping[str, Any], classifier: MapClassifier) -> None:
+def save_model(path: Path, description: Mapping[str, Any], classifier: Classifier) -> None:
     """Write a description and the weights it names into a folder, which is made.
 
     The description is renamed into place last: a run that is killed leaves the model that was there before.

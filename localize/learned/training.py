@@ -10,30 +10,43 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+import scipy.signal
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
 from acoustic_fem import Library
 from acoustic_fem.library.provenance import versions
+from acoustic_fem.library.transfer_functions import MEASURED
+from acoustic_fem.scatter.tolerances import unknown_scatter
 from geometry.ground.stated_times import stated_seconds
-from localize.decoders.frame_covariance import whole_frame_covariance
+from localize.decoders.bayes import BayesDecoder
+from localize.decoders.frame_covariance import LEAST_NOISE, whole_frame_covariance
+from localize.decoders.tolerant import decoder_of
 from localize.learned.checkpoint import Checkpoint, training_identity
-from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier
+from localize.learned.classifier import Classifier, NetworkShape, TouchClassifier
 from localize.learned.epochs import TrainingProgress, TrainingTask, most_probable_classes, run_epochs
 from localize.learned.features import map_count
+from localize.learned.hypothesis_network import HypothesisClassifier, HypothesisShape
 from localize.learned.localizer import Localizer
+from localize.learned.network_sizes import NETWORKS
 from localize.learned.recorded_frames import RecordedFrames
-from localize.learned.training_plan import TrainingPlan, identity_of
+from localize.learned.training_plan import HYPOTHESES, TrainingPlan, identity_of
+from localize.live.front_end import high_pass_sections
+from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, TransferFunctionSource, response_of, warn_of_uncovered
+from localize.signals.as_built_draws import AsBuiltDraws
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseSpectrum
-from localize.signals.random_streams import Purpose
+from localize.signals.random_streams import Purpose, random_words, uniform
 from localize.signals.stimulus import Device
 from localize.signals.threads import one_thread
 from localize.signals.touch_generator import SHARD, TouchGenerator, TouchSignals
 
 __all__ = ["TrainingPlan", "soft_labels", "train"]
+
+KEPT_BYTES = 2**30
+"""Largest size of the frames that are kept in memory from one epoch to the next, bytes."""
 
 
 def train(
@@ -52,7 +65,7 @@ def train(
     Args:
         library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones; frequencies up
             to 500 Hz that they do not cover are left out of the touches, with a warning.
-        plan: by default one that takes about 25 s for 12 points on one core.
+        plan: by default one that takes some two minutes for 12 points on one core.
         progress: called after every epoch, those of a resumed training included.
         source: transfer functions of many sensors of this design, to train on in place of the library's own; read as
             they are needed. The last fifth of the sensors is held out (with a single sensor, only its stimuli are).
@@ -72,13 +85,8 @@ def train(
     plan = plan or TrainingPlan()
     response = response_of(library)
     warn_of_uncovered(response)
-    microphones = len(response.microphones)
-    shape = NetworkShape(
-        maps=map_count(microphones, plan.maps(response)),
-        points=response.point_count,
-        features=plan.maps(response),
-        **NETWORKS[plan.network],
-    )
+    if source is None:
+        source = _as_built(library, response, plan)
     seen, unseen = _split(source)
     device = "cuda" if torch.cuda.is_available() else "cpu"
     touches = _touches(response, plan, "training", source, seen, device)
@@ -93,10 +101,8 @@ def train(
     with torch.random.fork_rng(devices=[]), one_thread():
         torch.manual_seed(plan.seed)
         held_out = _held_out(plan, _touches(response, plan, "held-out", source, unseen, device))
-        classifier = TouchClassifier(microphones, shape).to(device)
-        sound = plan.sound(response)
-        if shape.features == "rooms" and sound is not None:
-            classifier.features.take_out(whole_frame_covariance(response, noise, sound[1]))
+        classifier, shape = _classifier(library, response, plan, noise)
+        classifier = classifier.to(device)
         batches = _Batches(touches, recorded, plan, _steps_per_epoch(plan, response))
         classifier.fit_normalisation(batches.first(plan.normalisation_touches * response.point_count))
         identity = {**training_identity(identity_of(plan), touches), **(recorded.identity() if recorded else {})}
@@ -108,14 +114,15 @@ def train(
                 batches.frames,
                 _steps_per_epoch(plan, response),
                 target,
-                held_out.signals,
-                held_out.point - 1,
+                *held_out,
                 lambda: _by_part(classifier, recorded),
             ),
             plan,
             kept,
             progress,
         )
+        if isinstance(classifier, HypothesisClassifier):
+            classifier.calibrate(*held_out)
         of_recordings = _of_recordings(recorded, classifier, curve)
     classifier.cpu().eval()
     return Localizer(
@@ -135,7 +142,7 @@ def train(
             "held_out_accuracy": [entry.accuracy for entry in curve],
             "epochs": len(curve),
             "touches": touch_count,
-            "held_out_touches": len(held_out.point),
+            "held_out_touches": len(held_out[1]),
             "seconds": stated_seconds(curve[-1].seconds),
             "cut_short": touch_count < plan.epochs * _steps_per_epoch(plan, response) * plan.batch,
             "microphone_noise": noise_rms,
@@ -145,6 +152,43 @@ def train(
             **of_recordings,
         },
     )
+
+
+def _as_built(library: Library | ArrayResponse, response: ArrayResponse, plan: TrainingPlan) -> AsBuiltDraws | None:
+    """As-built sensors that a plan asks for, of a library that can have them."""
+    if not plan.as_built or isinstance(library, ArrayResponse) or library.fidelity == MEASURED:
+        return None
+    if unknown_scatter(library.design) is not None:
+        return None
+    # Others than those that any decoder or evaluation of the same seed draws.
+    seed = int(np.random.SeedSequence(plan.seed, spawn_key=(1,)).generate_state(1, np.uint64)[0] >> 1)
+    return AsBuiltDraws(library, response, plan.as_built, seed, plan.designed_share)
+
+
+def _classifier(
+    library: Library | ArrayResponse, response: ArrayResponse, plan: TrainingPlan, noise: float | NoiseSpectrum
+) -> tuple[TouchClassifier | HypothesisClassifier, NetworkShape | HypothesisShape]:
+    """Network of a plan, not yet trained, and its sizes."""
+    if plan.network == HYPOTHESES:
+        # Nothing can be divided by no noise.
+        assumed = LEAST_NOISE if plan.microphone_noise == 0.0 else plan.microphone_noise
+        is_bare = isinstance(library, ArrayResponse)
+        decoder = BayesDecoder(library, assumed) if is_bare else decoder_of(library, assumed)
+        of_hypotheses = HypothesisShape.of(decoder, plan.shapes)
+        classifier = HypothesisClassifier(of_hypotheses)
+        classifier.take(decoder)
+        return classifier, of_hypotheses
+    microphones, sound, features = len(response.microphones), plan.sound(response), plan.maps(response)
+    shape = NetworkShape(
+        maps=map_count(microphones, features),
+        points=response.point_count,
+        features=features,
+        **NETWORKS[plan.network],
+    )
+    convolutional = TouchClassifier(microphones, shape)
+    if features == "rooms" and sound is not None:
+        convolutional.features.take_out(whole_frame_covariance(response, noise, sound[1]))
+    return convolutional, shape
 
 
 def soft_labels(line: NDArray[np.int64], place: NDArray[np.int64], sigma: float) -> NDArray[np.float64]:
@@ -188,11 +232,15 @@ class _Batches:
         self._fraction = 0.0 if recordings is None else plan.recorded
         self._steps = steps_per_epoch
         self._block = lru_cache(maxsize=1)(self._shuffled)
+        size = len(touches.response.microphones) * FRAME * np.dtype(np.float32).itemsize
+        self._kept: dict[int, tuple[Tensor, Tensor]] | None = (
+            {} if not plan.new_touches and steps_per_epoch * plan.batch * size <= KEPT_BYTES else None
+        )
 
     def first(self, count: int) -> Tensor:
         """(count, n_microphone, 250): frames from which the maps are normalised."""
         simulated = count - round(self._fraction * count)
-        parts = [_frames(self.touches.samples(0, simulated))] if simulated else []
+        parts = [_frames(self.touches.samples(0, simulated), self.plan, 0)] if simulated else []
         if self.recordings is not None and simulated < count:
             parts.append(self.recordings.samples(0, count - simulated)[0])
         return torch.cat(parts)
@@ -224,12 +272,21 @@ class _Batches:
             run = math.gcd(size, self.plan.run_length)
             order = _order(self.plan.seed, epoch, self._steps * size // run)
             runs = [(int(k) * run, run) for k in order[begin // run : (begin + count) // run]]
-        made = [self.touches.samples(*run) for run in runs]
+        made = [self._made(*run) for run in runs]
         random = np.random.default_rng(np.random.SeedSequence(self.plan.seed, spawn_key=(0, epoch, first)))
         shuffled = torch.from_numpy(random.permutation(count)).to(self.touches.device)
-        return torch.cat([_frames(part) for part in made])[shuffled], torch.cat([part.point - 1 for part in made])[
-            shuffled
-        ]
+        frames, point = zip(*made, strict=True)
+        return torch.cat(frames)[shuffled], torch.cat(point)[shuffled]
+
+    def _made(self, start: int, count: int) -> tuple[Tensor, Tensor]:
+        """Frames and points of consecutive touches."""
+        if self._kept is not None and start in self._kept:
+            return self._kept[start]
+        touches = self.touches.samples(start, count)
+        made = _frames(touches, self.plan, start), touches.point - 1
+        if self._kept is not None:
+            self._kept[start] = made
+        return made
 
 
 @lru_cache(maxsize=1)
@@ -262,12 +319,19 @@ def _touches(
 
 
 def _steps_per_epoch(plan: TrainingPlan, response: ArrayResponse) -> int:
-    return math.ceil(plan.seconds_per_point * response.point_count / plan.batch)
+    return math.ceil(plan.touches_per_point(response.point_count) * response.point_count / plan.batch)
 
 
-def _frames(touches: TouchSignals) -> Tensor:
-    """The last frame of each touch."""
-    return touches.signals[..., -FRAME:]
+def _frames(touches: TouchSignals, plan: TrainingPlan, start: int) -> Tensor:
+    """The last frame of each touch, of some behind the high-pass of a stream, from touch number ``start`` on."""
+    signals = touches.signals
+    if plan.high_passed:
+        drawn = uniform(random_words(plan.seed, "training", "high-pass", start, len(signals), 1))[:, 0, 0]
+        behind = (drawn < plan.high_passed).to(signals.device)
+        sections = high_pass_sections(HIGH_PASS)
+        passed = scipy.signal.sosfilt(sections, signals[behind].cpu().numpy(), axis=-1).astype(np.float32)
+        signals[behind] = torch.from_numpy(passed).to(signals.device)
+    return signals[..., -FRAME:].clone()
 
 
 def _split(source: TransferFunctionSource | None) -> tuple[range | None, range | None]:
@@ -279,18 +343,17 @@ def _split(source: TransferFunctionSource | None) -> tuple[range | None, range |
     return range(seen), range(min(seen, count - 1), count)
 
 
-def _held_out(plan: TrainingPlan, touches: TouchGenerator) -> TouchSignals:
-    """Held-out touches, cut to their last frame at once to keep them small."""
-    count = max(1, round(plan.held_out_fraction * plan.seconds_per_point)) * touches.response.point_count
-    parts = list(touches.stream(0, count))
-    return TouchSignals(
-        signals=torch.cat([_frames(part).clone() for part in parts]),
-        point=torch.cat([part.point for part in parts]),
-        interval=torch.cat([part.interval for part in parts]),
-    )
+def _held_out(plan: TrainingPlan, touches: TouchGenerator) -> tuple[Tensor, Tensor]:
+    """Frames of held-out touches, and their points, from 0."""
+    points = touches.response.point_count
+    count = max(1, round(plan.held_out_fraction * plan.touches_per_point(points))) * points
+    starts = range(0, count, SHARD)
+    parts = [touches.samples(start, min(SHARD, count - start)) for start in starts]
+    frames = [_frames(part, plan, start) for part, start in zip(parts, starts, strict=True)]
+    return torch.cat(frames), torch.cat([part.point - 1 for part in parts])
 
 
-def _by_part(classifier: TouchClassifier, recordings: RecordedFrames | None) -> dict[str, float]:
+def _by_part(classifier: Classifier, recordings: RecordedFrames | None) -> dict[str, float]:
     if recordings is None:
         return {}
     judged = recordings.judged(most_probable_classes(classifier, recordings.judged_frames))
@@ -298,7 +361,7 @@ def _by_part(classifier: TouchClassifier, recordings: RecordedFrames | None) -> 
 
 
 def _of_recordings(
-    recordings: RecordedFrames | None, classifier: TouchClassifier, curve: list[TrainingProgress]
+    recordings: RecordedFrames | None, classifier: Classifier, curve: list[TrainingProgress]
 ) -> dict[str, Any]:
     """Record of the recordings in a localizer: the split, the curves, and the accuracy on the held-out ones."""
     if recordings is None:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Collection
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import localize
 from geometry.ground.refusal import Kind, Refusal
+from localize.learned.network_sizes import NETWORKS
 from localize.signals.disturbances import ROOM_LEVELS, MicrophoneMismatch, check_ambient
 from localize.signals.stimulus import StimulusSource
 
@@ -15,6 +18,12 @@ if TYPE_CHECKING:
     from localize.signals.array_response import ArrayResponse
     from localize.signals.noise_model import NoiseChoice
 
+HYPOTHESES = "hypotheses"
+"""Name of the network of :mod:`localize.learned.hypothesis_network`."""
+LOCALIZER_NETWORKS = (HYPOTHESES, *NETWORKS)
+"""Names of the networks that locate touches."""
+TOUCHES = 36_000
+"""Number of touches of an epoch where a plan does not say how many of each point."""
 PLANS = ("usual", "paper")
 """Names of the plans of :meth:`TrainingPlan.of`."""
 
@@ -31,7 +40,10 @@ REAL = {
 
 
 def check_ranges(
-    field: dict[str, Any], whole: dict[str, tuple[int, int]], real: dict[str, tuple[float, float]]
+    field: dict[str, Any],
+    whole: dict[str, tuple[int, int]],
+    real: dict[str, tuple[float, float]],
+    networks: Collection[str],
 ) -> None:
     """Refuse a plan with a field out of range, or a network that nobody knows.
 
@@ -39,14 +51,15 @@ def check_ranges(
         field: the fields of the plan by name.
         whole: lowest and highest value of the whole numbers that it alone has, by name.
         real: of its other numbers.
+        networks: names of the networks that it may ask for.
 
     Raises:
         Refusal: field, value and range.
     """
-    from localize.learned.classifier import NETWORKS
-
     for name, (least, most) in (whole | WHOLE).items():
         value = field[name]
+        if (name, value) == ("seconds_per_point", None):
+            continue
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
             raise Refusal(
                 kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=f"a whole number from {least} to {most}"
@@ -57,8 +70,8 @@ def check_ranges(
             continue
         if isinstance(value, str) or not low <= value <= high:
             raise Refusal(kind=Kind.OUT_OF_RANGE, field=name, value=value, allowed=f"between {low:g} and {high:g}")
-    if field["network"] not in NETWORKS:
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="network", value=field["network"], allowed=NETWORKS)
+    if field["network"] not in networks:
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="network", value=field["network"], allowed=networks)
 
 
 def identity_of(plan: Any) -> dict[str, Any]:
@@ -74,26 +87,27 @@ class TrainingPlan:
         Refusal: a field outside its range, with field, value and range.
     """
 
-    seconds_per_point: int = 200
-    """Number of one-second touches of every point in an epoch; each touch gives one frame, its last."""
-    new_touches: bool = True
-    """True if each epoch draws new touches; else all epochs have those of the first, in another order."""
+    seconds_per_point: int | None = None
+    """Number of one-second touches of every point in an epoch; each touch gives one frame, its last. None for
+    :data:`TOUCHES` of all points together."""
+    new_touches: bool = False
+    """True if each epoch draws new touches; else all epochs have those of the first, in another order, which are kept
+    in memory where there is room for them."""
     method: Literal["exact", "stft"] = "exact"
     """Path from the cavity to the microphones, as of :class:`localize.TouchGenerator`: exact, or products of
     short-window transforms, which are aliased. Held-out touches are made in the same way."""
-    epochs: int = 20
+    epochs: int = 6
     """Number of epochs."""
     held_out_fraction: float = 0.25
     """Number of held-out touches, drawn once from seeds of their own, as a fraction of an epoch's: 4 to 1, as in the
     paper."""
-    batch: int = 32
-    """Number of touches of a step. Steps of 128 were too few on small arrays: in sound of 90 dB twice the errors on the
-    glove, after the same time."""
+    batch: int = 128
+    """Number of touches of a step."""
     learning_rate: float = 3e-3
     """Highest learning rate; a cosine takes it to zero."""
     weight_decay: float = 0.01
     """Weight decay of AdamW."""
-    label_sigma: float = 0.35
+    label_sigma: float = 0.0
     """Standard deviation over which labels are smoothed, in places; 0 for hard labels. The paper's 1 made half a
     percent more errors on array-2x6 with microphone noise, and its probabilities say too little of the point."""
     label_neighbours: Literal["line", "number"] = "line"
@@ -104,11 +118,19 @@ class TrainingPlan:
     the noise of the microphone of the library's design, see :mod:`localize.signals.noise_model`."""
     microphone_gain: float = 0.0
     """Standard deviation of the microphones' gains, drawn anew for each touch, dB."""
-    ambient: tuple[float, float] | Literal["rooms"] | None = "rooms"
+    ambient: tuple[float, float] | Literal["rooms"] | None = None
     """Lowest and highest level of the sound outside, dB SPL, drawn anew for each touch; None for silence; "rooms" for
     :data:`localize.signals.disturbances.ROOM_LEVELS` where the library knows what sound does, silence where not."""
-    stimuli: tuple[str, ...] = ("multi-sines",)
-    """Kinds of touches, each as often as the others: names of :data:`localize.signals.finger_stimuli.STIMULI`."""
+    stimuli: tuple[str, ...] = ("multi-sines", "tap-strokes", "press-strokes", "slide-strokes")
+    """Kinds of touches, each as often as the others: names of :data:`localize.signals.stimulus_kinds.STIMULI`."""
+    as_built: int = 3000
+    """Number of as-built sensors that are touched, drawn with the tolerances of a sensor that nobody calibrated; 0 for
+    the sensor of the library alone. A measured library, and one whose design's scatter is not known, is always
+    alone."""
+    designed_share: float = 1 / 6
+    """Share of these sensors that are the sensor of the library."""
+    high_passed: float = 0.7
+    """Share of the touches that are behind the high-pass of a stream; the others are as they come."""
     touch_level: float = 0.0
     """Level of the touches above that of their sources, dB: noise and sound are then so much fainter beside them."""
     recorded: float = 0.5
@@ -119,11 +141,14 @@ class TrainingPlan:
     """Time limit, s; None trains as planned, with the same result on a busy machine. Where the plan would take longer,
     training is cut short, the cosine still ending at zero: the result then depends on the speed of the machine, and
     ``training["cut_short"]`` of the localizer says so."""
-    network: str = "patches"
-    """Name of the network's shape, one of :data:`localize.learned.classifier.NETWORKS`."""
+    network: str = HYPOTHESES
+    """Name of the network: "hypotheses" for :mod:`localize.learned.hypothesis_network`, or a convolutional one of
+    :data:`localize.learned.network_sizes.NETWORKS`."""
+    shapes: int = 6
+    """Number of shapes in which a hypothesis deviates, at most; three lose 1 to 3 % of the presses."""
     features: FeatureChoice = "rooms"
-    """Choice of the network's maps, see :mod:`localize.learned.features`; "rooms" is "phasors" where touches have no
-    sound around them."""
+    """Choice of a convolutional network's maps, see :mod:`localize.learned.features`; "rooms" is "phasors" where
+    touches have no sound around them."""
     bfloat16: bool = False
     """True if the network computes in bfloat16 while it is trained: the paper's is a third faster where the
     processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
@@ -144,12 +169,14 @@ class TrainingPlan:
 
     def __post_init__(self) -> None:
         from localize.learned.features import map_count
-        from localize.signals.finger_stimuli import STIMULI
+        from localize.signals.stimulus_kinds import STIMULI
 
         check_ranges(
             vars(self),
             whole={
                 "seconds_per_point": (1, 1_000_000),
+                "as_built": (0, 1_000_000),
+                "shapes": (0, 6),
                 "normalisation_touches": (1, 10_000),
                 "run_length": (1, 65_536),
                 "judged_frames": (1, 1_000_000),
@@ -160,7 +187,10 @@ class TrainingPlan:
                 "microphone_gain": (0.0, 20.0),
                 "touch_level": (-60.0, 60.0),
                 "recorded": (0.0, 1.0),
+                "designed_share": (0.0, 1.0),
+                "high_passed": (0.0, 1.0),
             },
+            networks=LOCALIZER_NETWORKS,
         )
         if isinstance(self.ambient, str) and self.ambient != "rooms":
             raise Refusal(
@@ -222,7 +252,9 @@ class TrainingPlan:
             label_sigma=1.0,
             label_neighbours="number",
             microphone_noise=0.0,
-            ambient=None,
+            stimuli=("multi-sines",),
+            as_built=0,
+            high_passed=0.0,
             network="paper",
             features="paper",
         )
@@ -236,6 +268,10 @@ class TrainingPlan:
     def maps(self, response: ArrayResponse) -> FeatureChoice:
         """Choice of the network's maps on an array."""
         return "phasors" if self.features == "rooms" and self.sound(response) is None else self.features
+
+    def touches_per_point(self, points: int) -> int:
+        """Number of touches of each of so many points in an epoch."""
+        return self.seconds_per_point or math.ceil(TOUCHES / points)
 
     @property
     def source(self) -> StimulusSource:

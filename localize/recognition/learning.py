@@ -21,8 +21,9 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.stated_times import stated_seconds
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import Checkpoint
-from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape
+from localize.learned.classifier import MapClassifier, NetworkShape
 from localize.learned.epochs import TrainingProgress, TrainingTask, most_probable_classes, run_epochs
+from localize.learned.network_sizes import NETWORKS
 from localize.learned.training_plan import identity_of
 from localize.recognition.handwriting import WRITTEN, LetterMaker, LineReader
 from localize.recognition.letter_classifier import LETTERS, Hand

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from localize.learned.network_sizes import NETWORKS
 from localize.learned.training_plan import check_ranges
 from localize.signals.noise_model import NoiseChoice
 
@@ -38,7 +39,7 @@ class RecognitionPlan:
     """Time limit of the training behind the takes, s; None trains as planned, with the same result on a busy
     machine."""
     network: str = "patches"
-    """Name of the network's shape, one of :data:`localize.learned.classifier.NETWORKS`."""
+    """Name of the network's shape, one of :data:`localize.learned.network_sizes.NETWORKS`."""
     bfloat16: bool = False
     """True if the network computes in bfloat16 while it is trained."""
     warm_up_steps: int = 20
@@ -78,4 +79,5 @@ class RecognitionPlan:
                 "passing": (0.0, 1.0),
                 "least_noise": (1e-12, 1.0),
             },
+            networks=NETWORKS,
         )

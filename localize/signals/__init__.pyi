@@ -11,15 +11,17 @@ from .disturbances import (
     check_ambient as check_ambient,
 )
 from .finger_stimuli import (
-    STIMULI as STIMULI,
-    Louder as Louder,
-    Mixture as Mixture,
     RecordedStimulus as RecordedStimulus,
     friction as friction,
     presses as presses,
     pulse_wave as pulse_wave,
     slides as slides,
     taps as taps,
+)
+from .finger_strokes import (
+    press_strokes as press_strokes,
+    slide_strokes as slide_strokes,
+    tap_strokes as tap_strokes,
 )
 from .frames import (
     FRAME as FRAME,
@@ -58,6 +60,7 @@ from .stimulus import (
     multi_sines as multi_sines,
     time_signal as time_signal,
 )
+from .stimulus_kinds import STIMULI as STIMULI, Louder as Louder, Mixture as Mixture
 from .threads import one_thread as one_thread
 from .touch_generator import (
     TouchGenerator as TouchGenerator,

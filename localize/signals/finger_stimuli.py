@@ -16,8 +16,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +24,6 @@ import torch
 from torch import Tensor
 
 from acoustic_fem.sound.sound_file import read_wav
-from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
@@ -38,9 +36,7 @@ from localize.signals.stimulus import (
     SAMPLE_RATE,
     Device,
     Stimuli,
-    StimulusSource,
     lines_within,
-    multi_sines,
     time_signal,
 )
 
@@ -102,7 +98,7 @@ def taps(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float,
     begin = between(0.0, 1.0, drawn[:, 1, 0]) * (FRAME - LISTEN - length) + (SAMPLE_LENGTH - FRAME)
     phase = (_samples(device) - begin[:, None]) / length[:, None]
     pulse = torch.where((phase > 0) & (phase < 1), torch.sin(math.pi * phase) ** 2, 0.0)
-    return _transient(peak[:, None] * pulse, band)
+    return transient(peak[:, None] * pulse, band)
 
 
 def presses(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device) -> Stimuli:
@@ -122,8 +118,8 @@ def presses(seed: int, purpose: Purpose, start: int, count: int, band: tuple[flo
     pressed = torch.minimum(since / rise, (rise + hold + fall - since) / fall).clamp(0.0, 1.0)
     slow = torch.zeros(count, SAMPLE_LENGTH // 2, dtype=torch.complex64, device=device)
     slow[:, TREMOR[0] : TREMOR[1] + 1] = complex_normal(words[:, :tremor], device)
-    trembling = log_between(*UNSTEADINESS, drawn[:, 2, 1])[:, None] * _unit_noise(slow).repeat(1, 2)
-    return _transient(peak * torch.sin(0.5 * math.pi * pressed) ** 2 * (1 + trembling), band)
+    trembling = log_between(*UNSTEADINESS, drawn[:, 2, 1])[:, None] * unit_noise(slow).repeat(1, 2)
+    return transient(peak * torch.sin(0.5 * math.pi * pressed) ** 2 * (1 + trembling), band)
 
 
 def slides(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device) -> Stimuli:
@@ -144,8 +140,8 @@ def slides(seed: int, purpose: Purpose, start: int, count: int, band: tuple[floa
     passing = torch.where((phase > 0) & (phase < 1), torch.sin(math.pi * phase) ** 2, 0.0)
     frequency = torch.arange(lines, device=device) * (SAMPLE_RATE / SAMPLE_LENGTH)
     inside = (frequency >= speed / GRAIN[1]) & (frequency <= (speed / GRAIN[0]).clamp(max=band[1]))
-    noise = _unit_noise(complex_normal(words[:, :lines], device) * inside)
-    return _transient(peak * passing * (1 + rough * noise), band)
+    noise = unit_noise(complex_normal(words[:, :lines], device) * inside)
+    return transient(peak * passing * (1 + rough * noise), band)
 
 
 def friction(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device) -> Stimuli:
@@ -160,12 +156,12 @@ def friction(seed: int, purpose: Purpose, start: int, count: int, band: tuple[fl
     rms = log_between(*FRICTION_RMS, drawn[:, 1, 0])
     frequency = torch.arange(lines, device=device) * (SAMPLE_RATE / SAMPLE_LENGTH)
     inside = (frequency >= low) & (frequency <= torch.clamp(high, max=band[1]))
-    noise = _unit_noise(complex_normal(words[:, :lines], device) * inside)
+    noise = unit_noise(complex_normal(words[:, :lines], device) * inside)
     slow = torch.zeros(count, lines, dtype=torch.complex64, device=device)
     slow[:, 1 : 1 + SWELL_HERTZ] = complex_normal(words[:, lines : lines + SWELL_HERTZ], device)
-    moving = noise * torch.exp(SWELL * _unit_noise(slow))
+    moving = noise * torch.exp(SWELL * unit_noise(slow))
     level = moving.square().mean(-1).sqrt()
-    return _transient(_faded((rms / level)[:, None] * moving), band)
+    return transient(_faded((rms / level)[:, None] * moving), band)
 
 
 def pulse_wave(
@@ -227,99 +223,20 @@ class RecordedStimulus:
         drawn = uniform(random_words(seed, purpose, "recording", start, count, 1), device)
         begin = choice(drawn[:, 0, 0], len(self.pressure) - SAMPLE_LENGTH + 1)
         cut = self.pressure.to(device)[begin[:, None] + torch.arange(SAMPLE_LENGTH, device=device)]
-        return _transient(_faded(cut), band)
-
-
-@dataclass(frozen=True)
-class Mixture:
-    """Mixture of several sources: every 64 consecutive samples come from one of them, drawn.
-
-    Raises:
-        Refusal: no source, or shares that are not one positive number for each.
-    """
-
-    sources: tuple[StimulusSource, ...]
-    """Sources from which is drawn, at least one."""
-    shares: tuple[float, ...] = ()
-    """How often each is drawn, relative to the others; all alike where none are given."""
-
-    def __post_init__(self) -> None:
-        if not self.sources:
-            raise Refusal("holds no source", kind=Kind.UNSUITABLE, field="sources")
-        if self.shares and (
-            len(self.shares) != len(self.sources) or not all(0 < each < math.inf for each in self.shares)
-        ):
-            raise Refusal(
-                kind=Kind.OUT_OF_RANGE,
-                field="shares",
-                value=self.shares,
-                allowed=f"{counted(len(self.sources), 'finite number')} above zero, one for each source",
-            )
-
-    def which(self, seed: int, purpose: Purpose, first: int, count: int) -> list[int]:
-        """Source of each of consecutive runs of 64 samples, from 0; run k is that of the samples from 64 k on."""
-        drawn = uniform(random_words(seed, purpose, "mixture", first, count, 1))[:, 0, 0]
-        if not self.shares:
-            return choice(drawn, len(self.sources)).tolist()
-        bounds = torch.cumsum(torch.tensor(self.shares, dtype=torch.float64), 0)
-        return torch.searchsorted(bounds[:-1] / bounds[-1], drawn.double(), right=True).tolist()
-
-    def __call__(
-        self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
-    ) -> Stimuli:
-        """Stimuli of consecutive samples; arguments as :class:`localize.signals.stimulus.StimulusSource`."""
-        first, last = start // RUN, (start + count - 1) // RUN
-        parts = []
-        for run, which in enumerate(self.which(seed, purpose, first, last - first + 1), first):
-            begin, end = max(start, run * RUN), min(start + count, (run + 1) * RUN)
-            parts.append(self.sources[which](seed, purpose, begin, end - begin, band, device))
-        return Stimuli(*(torch.cat([getattr(part, name) for part in parts]) for name in Stimuli.__annotations__))
-
-
-@dataclass(frozen=True)
-class Louder:
-    """Source whose touches are all louder than those of another, their own noise too.
-
-    Raises:
-        Refusal: a level out of range.
-    """
-
-    source: StimulusSource
-    """Source of the touches."""
-    level: float
-    """By how much they are louder, dB, -60 to 60; the publication's own amplitudes have no unit."""
-
-    def __post_init__(self) -> None:
-        check_range("level", self.level, -60.0, 60.0, "dB")
-
-    def __call__(
-        self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
-    ) -> Stimuli:
-        """Stimuli of consecutive samples; arguments as :class:`localize.signals.stimulus.StimulusSource`."""
-        made = self.source(seed, purpose, start, count, band, device)
-        return replace(made, spectrum=10 ** (self.level / 20) * made.spectrum)
-
-
-RUN = 64
-"""Consecutive samples of a mixture that come from one source."""
-
-#: The sources that need no file, by name.
-STIMULI: Mapping[str, StimulusSource] = {
-    "multi-sines": multi_sines,
-    "taps": taps,
-    "presses": presses,
-    "slides": slides,
-    "friction": friction,
-    "pulse-wave": pulse_wave,
-}
+        return transient(_faded(cut), band)
 
 
 def _samples(device: Device) -> Tensor:
     return torch.arange(SAMPLE_LENGTH, device=device)
 
 
-def _transient(pressure: Tensor, band: tuple[float, float]) -> Stimuli:
-    """The lines of (n, at most PERIOD) pressures followed by silence for the rest of the period."""
+def transient(pressure: Tensor, band: tuple[float, float]) -> Stimuli:
+    """Stimuli that begin and end by themselves.
+
+    Args:
+        pressure: (n, at most PERIOD) float32, Pa; silence follows for the rest of the period.
+        band: frequencies that the transfer functions cover, Hz.
+    """
     spectrum = torch.fft.rfft(pressure, n=PERIOD, norm="forward")[:, :LINE_COUNT]
     return _unnamed(spectrum * top_faded(band, pressure.device))
 
@@ -348,8 +265,8 @@ def top_faded(band: tuple[float, float], device: Device = "cpu") -> Tensor:
     return torch.where(torch.arange(LINE_COUNT, device=device) < stop, fade, 0.0)
 
 
-def _unit_noise(spectrum: Tensor) -> Tensor:
-    """(n, SAMPLE_LENGTH) of mean square one, from lines 1 Hz apart."""
+def unit_noise(spectrum: Tensor) -> Tensor:
+    """Noise of mean square one, (n, SAMPLE_LENGTH), from lines 1 Hz apart, (n, n_line) complex64."""
     signal = torch.fft.irfft(spectrum, n=SAMPLE_LENGTH, norm="forward")
     return signal / signal.square().mean(-1, keepdim=True).sqrt()
 

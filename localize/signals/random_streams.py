@@ -51,6 +51,10 @@ StreamKind = Literal[
     "recorded order",
     "presses",
     "slides",
+    "tap strokes",
+    "press strokes",
+    "slide strokes",
+    "high-pass",
 ]
 _KINDS: tuple[StreamKind, ...] = get_args(StreamKind)
 

@@ -65,6 +65,9 @@ class Stimuli:
     """Index of each sample into ``COMPONENT_INTERVALS``, -1 for stimuli that are not multi-sine; (n,) int64."""
     components: Tensor
     """Number of sinusoids of each sample; (n,) int64."""
+    is_stroke: Tensor | None = None
+    """True for strokes of the membrane, which go through membrane and cavity first, see
+    :mod:`localize.signals.finger_strokes`; (n,) bool, None where all are pressures in the cavity."""
 
 
 class StimulusSource(Protocol):

@@ -27,15 +27,18 @@ from localize.signals.array_response import (
     interpolated_from_zero,
     interpolation_from_zero,
 )
+from localize.signals.as_built_draws import AsBuiltDraws
 from localize.signals.disturbances import MicrophoneMismatch
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.propagation import microphone_signals, short_window_signals
 from localize.signals.random_streams import Purpose
-from localize.signals.stimulus import BAND, Device, StimulusSource, multi_sines
+from localize.signals.stimulus import BAND, Device, Stimuli, StimulusSource, multi_sines
 from localize.signals.threads import one_thread
 
 SHARD = 256
 """Number of samples made at once when streaming: their spectra fit in the processor's cache."""
+SCALED_AT = 30.0
+"""Frequency at which a stroke makes a pressure of its own size in the cavity, Hz: the middle of what touches hold."""
 Method = Literal["exact", "stft"]
 
 
@@ -113,14 +116,16 @@ class TouchGenerator:
         lines = np.minimum(stimulus.line_frequencies()[: self._stop], self._band[1])
         self._source = source
         self._sensors = range(1)
-        if source is None:
+        self._factor_lines = lines
+        if source is None or isinstance(source, AsBuiltDraws):
             self._on_lines = self._on_lines_of(
                 interpolated_from_zero(response.transfer_function, grid, lines, response.sealed)
             )
-        else:
+        if source is not None:
             self._sensors = range(source.sensor_count) if sensors is None else sensors
             _check_source(source, response, self._sensors)
             self._splines = interpolation_from_zero(grid, lines, response.sealed)
+        self._membrane_on_lines = self._strokes_on_lines()
         if ambient is not None:
             disturbances.check_ambient(ambient)
             self._ambient_on_lines = self._nominal("ambient", response.ambient_response)
@@ -149,6 +154,24 @@ class TouchGenerator:
         lines = np.clip(stimulus.line_frequencies()[: self._stop], None, grid[-1])
         return self._on_lines_of(interpolated(values, grid, lines))
 
+    def _strokes_on_lines(self) -> Tensor | None:
+        """Pressure in each cavity by a stroke of its membrane, one at SCALED_AT; (n_point, n_line) complex64."""
+        if self.response.cavity_response is None:
+            return None
+        grid = self.response.frequency
+        lines = np.clip(stimulus.line_frequencies()[: self._stop], None, grid[-1])
+        on_lines = interpolated(self.response.cavity_response, grid, lines)
+        scale = np.abs(interpolated(self.response.cavity_response, grid, np.array([SCALED_AT])))
+        return self._on_lines_of(on_lines / scale)
+
+    def _in_cavity(self, stimuli: Stimuli, start: int) -> Tensor:
+        """Pressures in the cavities by stimuli, (n, n_line) complex64, Pa."""
+        spectrum = stimuli.spectrum[:, : self._stop]
+        if stimuli.is_stroke is None or self._membrane_on_lines is None:
+            return spectrum
+        through = self._membrane_on_lines[self._points(start, len(spectrum))] * spectrum
+        return torch.where(stimuli.is_stroke[:, None], through, spectrum)
+
     def _transfer_function(self, start: int, count: int) -> Tensor:
         """(count, n_microphone, n_line) of consecutive samples."""
         points = self.response.point_count
@@ -157,9 +180,13 @@ class TouchGenerator:
         turn = np.arange(start, start + count) // points % len(self._sensors)
         runs = np.split(np.unique(turn), np.flatnonzero(np.diff(np.unique(turn)) > 1) + 1)
         first = self._sensors.start
+        place, point = np.searchsorted(np.unique(turn), turn), np.arange(start, start + count) % points
+        if isinstance(self._source, AsBuiltDraws):
+            drawn = [self._source.factors(first + int(run[0]), len(run), self._factor_lines) for run in runs]
+            factors = np.concatenate(drawn)[place, point]
+            return self._on_lines[point] * torch.from_numpy(factors).to(self.device)
         read = np.concatenate([self._source.sensors(first + int(run[0]), len(run)) for run in runs])
-        place = np.searchsorted(np.unique(turn), turn)
-        return self._touched(read)[place, np.arange(start, start + count) % points]
+        return self._touched(read)[place, point]
 
     def _points(self, start: int, count: int) -> Tensor:
         """Indices of the points that consecutive samples touch, (count,) int64."""
@@ -171,7 +198,7 @@ class TouchGenerator:
         sample = (self.seed, self.purpose, start, count)
         stimuli = self.stimuli(*sample, self._band, self.device)
         channels = len(self.response.microphones)
-        spectrum = stimuli.spectrum[:, : self._stop]
+        spectrum = self._in_cavity(stimuli, start)
         recorded = None
         if self._source is None and self.mismatch is None and self.method == "exact":
             signals = microphone_signals(spectrum, self._on_lines, start=start)

@@ -11,7 +11,7 @@ import acoustic_fem
 import localize
 from localize.evaluation.conditions import AMBIENT_LEVELS, NOISES, conditions, evaluate_conditions, evaluate_sensors
 from localize.signals.array_response import response_of
-from localize.signals.finger_stimuli import STIMULI
+from localize.signals.stimulus_kinds import STIMULI
 
 
 def test_each_condition_changes_one_thing_and_reaches_the_signals():

@@ -6,7 +6,8 @@ import pytest
 import torch
 from torch.nn.functional import cross_entropy
 
-from localize.learned.classifier import NETWORKS, NetworkShape, TouchNetwork
+from localize.learned.classifier import NetworkShape, TouchNetwork
+from localize.learned.network_sizes import NETWORKS
 
 
 @pytest.mark.parametrize("name", NETWORKS)

@@ -10,8 +10,9 @@ from torch import nn
 
 import localize
 from geometry import Kind
-from localize.learned.classifier import NETWORKS, NetworkShape, PatchConvolution, TouchClassifier, TouchNetwork
+from localize.learned.classifier import NetworkShape, PatchConvolution, TouchClassifier, TouchNetwork
 from localize.learned.features import map_count
+from localize.learned.network_sizes import NETWORKS
 
 
 def shape(name: str, microphones: int = 2, points: int = 36, features="phasors") -> NetworkShape:

@@ -14,7 +14,7 @@ import geometry
 import localize
 from localize.decoders.surroundings import ROOM
 from localize.signals.array_response import response_of
-from localize.signals.finger_stimuli import STIMULI
+from localize.signals.stimulus_kinds import STIMULI
 
 AGREEMENT = 1e-5
 PLAN = localize.TrainingPlan(

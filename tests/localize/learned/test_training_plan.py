@@ -18,8 +18,8 @@ from localize.learned.epochs import run_epochs
 from localize.learned.training import labels_of
 from localize.learned.training_plan import PLANS, TrainingPlan
 from localize.signals.disturbances import ROOM_LEVELS
-from localize.signals.finger_stimuli import Louder
 from localize.signals.stimulus import multi_sines
+from localize.signals.stimulus_kinds import Louder
 from localize.signals.touch_generator import TouchSignals
 
 SHORT = TrainingPlan(seconds_per_point=16, epochs=2, batch=32, microphone_noise=1e-3)

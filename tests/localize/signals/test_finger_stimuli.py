@@ -9,7 +9,8 @@ from scipy.io import wavfile
 
 from geometry import Kind
 from localize.signals import finger_stimuli as fingers, stimulus
-from localize.signals.finger_stimuli import Mixture, RecordedStimulus
+from localize.signals.finger_stimuli import RecordedStimulus
+from localize.signals.stimulus_kinds import STIMULI, Mixture
 
 WIDE = (0.25, 499.75)
 
@@ -29,10 +30,10 @@ def wav(tmp_path):
     return path
 
 
-@pytest.mark.parametrize("name", [*fingers.STIMULI, "mixture", "recording"])
+@pytest.mark.parametrize("name", [*STIMULI, "mixture", "recording"])
 def test_a_sample_made_alone_is_the_one_made_in_a_batch(name, wav):
     source = {
-        **fingers.STIMULI,
+        **STIMULI,
         "mixture": Mixture((fingers.taps, stimulus.multi_sines, fingers.friction)),
         "recording": RecordedStimulus(wav, 1.0),
     }[name]
@@ -84,9 +85,9 @@ def test_a_pulse_wave_beats_45_to_105_times_a_minute_and_repeats_exactly():
     assert torch.equal((above & ~above.roll(1, 1)).sum(1), first)
 
 
-@pytest.mark.parametrize("name", list(fingers.STIMULI))
+@pytest.mark.parametrize("name", list(STIMULI))
 def test_nothing_is_excited_beyond_the_band(name):
-    spectrum = fingers.STIMULI[name](0, "training", 0, 50, (1.0, 100.0), "cpu").spectrum
+    spectrum = STIMULI[name](0, "training", 0, 50, (1.0, 100.0), "cpu").spectrum
     assert (spectrum[:, 401:] == 0).all()
 
 

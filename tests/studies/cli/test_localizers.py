@@ -14,7 +14,7 @@ from small_run import small_design, small_run
 
 import acoustic_fem
 import localize
-from localize.signals.finger_stimuli import STIMULI
+from localize.signals.stimulus_kinds import STIMULI
 from studies.output.sole_writer import sole_writer_of
 
 SEARCH = """
