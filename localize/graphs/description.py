@@ -132,7 +132,8 @@ def described(model: type[_Model], text: str | bytes, source: str | os.PathLike[
         return model.model_validate_json(text)
     except ValidationError as error:
         found = error.errors(include_url=False)[0]
-        where = ".".join(str(step) for step in found["loc"])
+        # A step in brackets is no field but the tag of one of several models.
+        where = ".".join(str(step) for step in found["loc"] if not str(step).startswith("("))
         if found["type"] == "missing":
             raise refusal(kind=Kind.MISSING, file=source, field=where) from None
         inner = found.get("ctx", {}).get("error")

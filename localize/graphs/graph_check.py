@@ -24,10 +24,11 @@ INPUT, OUTPUTS = "frames", ("probability", "log_probability")
 BATCH = 64
 """Number of frames that are decoded at once."""
 OPERATORS = frozenset((
-    "Abs", "Add", "And", "ArgMax", "Atan", "AveragePool", "Cast", "Clip", "Concat", "Conv", "Div", "Equal", "Expand",
-    "Gather", "GatherElements", "GatherND", "Gemm", "Greater", "IsNaN", "Less", "Log", "LogSoftmax", "MatMul", "Min",
-    "Mul", "Neg", "NonZero", "Or", "Pow", "Reciprocal", "ReduceMax", "ReduceMean", "ReduceSum", "Relu", "Reshape",
-    "ScatterND", "Shape", "Slice", "Softmax", "Sqrt", "Squeeze", "Sub", "Transpose", "Unsqueeze", "Where"
+    "Abs", "Add", "And", "ArgMax", "Atan", "AveragePool", "Cast", "Clip", "Concat", "Conv", "Div", "Equal", "Exp",
+    "Expand", "Gather", "GatherElements", "GatherND", "Gelu", "Gemm", "Greater", "IsNaN", "Less", "Log",
+    "LogSoftmax", "MatMul", "Max", "Min", "Mul", "Neg", "NonZero", "Or", "Pow", "Reciprocal", "ReduceLogSumExp",
+    "ReduceMax", "ReduceMean", "ReduceSum", "Relu", "Reshape", "ScatterND", "Shape", "Slice", "Softmax", "Sqrt",
+    "Squeeze", "Sub", "Transpose", "Unsqueeze", "Where"
 ))  # fmt: skip
 """Operators that graphs of the exporter consist of; every one ends, and its work follows from the shapes of its
 values."""

@@ -120,7 +120,7 @@ class HypothesisFeatures(nn.Module):
         Returns:
             (n, n_point, n_hypothesis, n_feature) float32.
         """
-        if torch.compiler.is_exporting():
+        if torch.compiler.is_compiling():  # and while a graph is exported, whose batch is open
             return self._features(frames)
         return torch.cat([self._features(part) for part in frames.split(self._frames_together)])
 
@@ -143,9 +143,9 @@ class HypothesisFeatures(nn.Module):
             columns = [torch.log1p((left - explained).clamp_min(0.0) / shares), determinant, *columns]
         features = torch.cat(columns, -1).unflatten(0, (self.points, self.hypotheses)).movedim(2, 0)
         # A column counts beside that of the best hypothesis.
-        features = features - features.amin((1, 2), keepdim=True)
+        features = features + (-features).amax((1, 2), keepdim=True)
         loud = power.log().float()[:, None, None, None].expand(-1, self.points, self.hypotheses, 1)
-        prior = self.prior[None, :, :, None].expand(len(features), -1, -1, 1)
+        prior = self.prior[None, :, :, None].expand_as(loud)
         return torch.cat([features, loud, prior], -1)
 
 

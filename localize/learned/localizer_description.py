@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, get_type_hints
 
 import torch
-from pydantic import ConfigDict, Field, create_model, model_validator
+from pydantic import ConfigDict, Discriminator, Field, Tag, create_model, model_validator
 from torch import Tensor
 
 from geometry.ground.file_checks import library_reads, read_bytes
@@ -131,6 +131,12 @@ class Training(Strict):
     device: str
 
 
+def _kind_of_network(value: object) -> str:
+    """Tag of the model of a network, told by a field that it alone has."""
+    is_of_maps = "maps" in value if isinstance(value, dict) else isinstance(value, Network)
+    return "(maps)" if is_of_maps else "(hypotheses)"
+
+
 class LocalizerDescription(ArrayDescription):
     """Schema of ``localizer.json``."""
 
@@ -138,7 +144,10 @@ class LocalizerDescription(ArrayDescription):
     version: int
     weights: Annotated[str, Field(pattern=r"^weights-[0-9a-f]{12}\.safetensors$")]
     weights_sha256: Digest
-    network: Network | HypothesisNetwork
+    network: Annotated[
+        Annotated[Network, Tag("(maps)")] | Annotated[HypothesisNetwork, Tag("(hypotheses)")],
+        Discriminator(_kind_of_network),
+    ]
     plan: Plan
     training: Training
     sha256: Digest

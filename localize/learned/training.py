@@ -84,7 +84,8 @@ def train(
     """
     plan = plan or TrainingPlan()
     response = response_of(library)
-    warn_of_uncovered(response)
+    if plan.network != HYPOTHESES:  # its decoder warns
+        warn_of_uncovered(response)
     if source is None:
         source = _as_built(library, response, plan)
     seen, unseen = _split(source)
@@ -172,8 +173,7 @@ def _classifier(
     if plan.network == HYPOTHESES:
         # Nothing can be divided by no noise.
         assumed = LEAST_NOISE if plan.microphone_noise == 0.0 else plan.microphone_noise
-        is_bare = isinstance(library, ArrayResponse)
-        decoder = BayesDecoder(library, assumed) if is_bare else decoder_of(library, assumed)
+        decoder = BayesDecoder(library, assumed) if isinstance(library, ArrayResponse) else decoder_of(library, assumed)
         of_hypotheses = HypothesisShape.of(decoder, plan.shapes)
         classifier = HypothesisClassifier(of_hypotheses)
         classifier.take(decoder)

@@ -71,7 +71,7 @@ def test_the_same_plan_gives_the_same_weights_and_another_seed_others(tiny, arra
     other = localize.train(array, replace(TINY, seed=2)).classifier.state_dict()
     mine = tiny.classifier.state_dict()
     assert all(torch.equal(mine[name], again[name]) for name in mine)
-    assert not torch.equal(mine["network.head.weight"], other["network.head.weight"])
+    assert not torch.equal(mine["network.layers.0.weight"], other["network.layers.0.weight"])
 
 
 def test_training_leaves_the_global_random_state_alone(array):
@@ -295,7 +295,8 @@ def foreign_weights(folder):
         (lambda f: described(f, version=99), Kind.MISMATCH, "version"),
         (lambda f: without(f, "network"), Kind.MISSING, "network"),
         (lambda f: described(f, place=[0, 1]), Kind.MISMATCH, ""),
-        (lambda f: described(f, microphones=["a", "b", "c"]), Kind.MISMATCH, "network.maps"),
+        (lambda f: described(f, microphones=["a", "b", "c"]), Kind.MISMATCH, "network.microphones"),
+        (lambda f: described(f, version=1), Kind.MISMATCH, "version"),
         (lambda f: next(f.glob("*.safetensors")).unlink(), Kind.MISSING, ""),
         (lambda f: cut(next(f.glob("*.safetensors"))), Kind.DAMAGED, ""),
         (foreign_weights, Kind.MISMATCH, ""),
@@ -329,11 +330,11 @@ def test_a_damaged_or_foreign_folder_is_refused_by_file_and_reason(tiny, tmp_pat
         ("microphones", ["left", "left"], Kind.CONFLICT),
         ("line", [0, 0, None, 1], Kind.WRONG_TYPE),
         ("line", [-1, 0, 1, 1], Kind.OUT_OF_RANGE),
-        ("network.depths", [1_000_000], Kind.OUT_OF_RANGE),
-        ("network.depths", [1] * 1_000_000, Kind.OUT_OF_RANGE),
         ("network.width", 1 << 40, Kind.OUT_OF_RANGE),
         ("network.points", 3, Kind.MISMATCH),
-        ("network.patch", [4], Kind.OUT_OF_RANGE),
+        ("network.hypotheses", 0, Kind.OUT_OF_RANGE),
+        ("network.rank", 1_000_000, Kind.OUT_OF_RANGE),
+        ("network.depths", [1], Kind.UNKNOWN),
         ("weights", "../../other.safetensors", Kind.OUT_OF_RANGE),
         ("surprise", 1, Kind.UNKNOWN),
         ("design", "another", Kind.DAMAGED),
@@ -358,7 +359,7 @@ def test_a_network_larger_than_its_weights_takes_no_memory(tiny, tmp_path, monke
     tiny.save(tmp_path)
     path = tmp_path / "localizer.json"
     description = json.loads(path.read_text())
-    description["network"] |= {"width": 1024, "depths": [32] * 3}
+    description["network"] |= {"width": 1024, "hypotheses": 1000, "size": 10_000}
     del description["sha256"]
     path.write_text(json.dumps(sealed(description)))
     with refused(Kind.MISMATCH, file=path, error=localize.LocalizerError):
@@ -368,7 +369,7 @@ def test_a_network_larger_than_its_weights_takes_no_memory(tiny, tmp_path, monke
 def test_weights_that_are_not_finite_are_refused(tiny, tmp_path):
     with torch.no_grad():
         broken = copy.deepcopy(tiny)
-        broken.classifier.network.head.bias[0] = float("nan")
+        broken.classifier.network.layers[0].bias[0] = float("nan")
     broken.save(tmp_path)
     with refused(Kind.UNSUITABLE, file="localizer.json", error=localize.LocalizerError):
         localize.load_localizer(tmp_path)

