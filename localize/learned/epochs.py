@@ -88,6 +88,8 @@ class TrainingTask:
     """Inputs that are judged and never trained on; (n, ...) float32."""
     held_out_class: Tensor
     """Their classes, from 0; (n,) int64."""
+    are_maps: bool = False
+    """True if all these inputs are maps already: the learned part alone looks at them."""
     judge: Callable[[], Mapping[str, float]] = dict
     """Shares of what else is judged after an epoch, by name."""
 
@@ -147,7 +149,8 @@ def run_epochs(
         ended = at.step % lesson.steps_per_epoch == 0 or at.step >= steps
         if ended:
             epoch, epochs = (math.ceil(k / lesson.steps_per_epoch) for k in (at.step, max(at.step, steps)))
-            right = most_probable_classes(classifier, lesson.held_out) == lesson.held_out_class
+            told = most_probable_classes(classifier.network if lesson.are_maps else classifier, lesson.held_out)
+            right = told == lesson.held_out_class
             judged = lesson.judge()
             seconds = perf_counter() - started
             accuracy = float(right.double().mean())
@@ -163,8 +166,8 @@ def run_epochs(
     return curve, at.step * plan.batch
 
 
-def most_probable_classes(classifier: Classifier, inputs: Tensor) -> Tensor:
-    """Most probable class of each input, from 0; (n,) int64."""
+def most_probable_classes(classifier: nn.Module, inputs: Tensor) -> Tensor:
+    """Most probable class of each input of a classifier, or of its learned part, from 0; (n,) int64."""
     classifier.eval()
     with torch.inference_mode():
         return torch.cat([classifier(part).argmax(1) for part in inputs.split(512)])
@@ -175,7 +178,7 @@ def _step(
 ) -> float:
     """Loss of a step that is done."""
     inputs, label = lesson.batch(number, plan.batch)
-    maps = classifier.maps(inputs)
+    maps = inputs.float() if lesson.are_maps else classifier.maps(inputs)
     with torch.autocast(maps.device.type, torch.bfloat16, enabled=plan.bfloat16):
         logits = classifier.network(maps)
     loss = nn.functional.cross_entropy(logits.float(), lesson.target[label])

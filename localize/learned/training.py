@@ -46,7 +46,7 @@ from localize.signals.touch_generator import SHARD, TouchGenerator, TouchSignals
 __all__ = ["TrainingPlan", "soft_labels", "train"]
 
 KEPT_BYTES = 2**30
-"""Largest size of the frames that are kept in memory from one epoch to the next, bytes."""
+"""Largest size of the frames or maps that are kept in memory from one epoch to the next, bytes."""
 
 
 def train(
@@ -109,13 +109,16 @@ def train(
         identity = {**training_identity(identity_of(plan), touches), **(recorded.identity() if recorded else {})}
         kept = None if checkpoint is None else Checkpoint(checkpoint, identity)
         target = torch.from_numpy(labels_of(response, plan)).float().to(device)
+        are_maps = isinstance(classifier, HypothesisClassifier) and batches.prepare(classifier)
         curve, touch_count = run_epochs(
             classifier,
             TrainingTask(
                 batches.frames,
                 _steps_per_epoch(plan, response),
                 target,
-                *held_out,
+                classifier.maps(held_out[0]) if are_maps else held_out[0],
+                held_out[1],
+                are_maps,
                 lambda: _by_part(classifier, recorded),
             ),
             plan,
@@ -232,10 +235,25 @@ class _Batches:
         self._fraction = 0.0 if recordings is None else plan.recorded
         self._steps = steps_per_epoch
         self._block = lru_cache(maxsize=1)(self._shuffled)
-        size = len(touches.response.microphones) * FRAME * np.dtype(np.float32).itemsize
-        self._kept: dict[int, tuple[Tensor, Tensor]] | None = (
-            {} if not plan.new_touches and steps_per_epoch * plan.batch * size <= KEPT_BYTES else None
-        )
+        self._kept: dict[int, tuple[Tensor, Tensor]] = {}
+        self._prepare: Callable[[Tensor], Tensor] | None = None
+        self._keeps = self._has_room(len(touches.response.microphones) * FRAME)
+
+    def _has_room(self, size: int) -> bool:
+        """True if inputs of so many numbers each are kept from one epoch to the next."""
+        every = self._steps * self.plan.batch * size * np.dtype(np.float32).itemsize
+        return not self.plan.new_touches and every <= KEPT_BYTES
+
+    def prepare(self, classifier: HypothesisClassifier) -> bool:
+        """From now on give maps of a normalised classifier in place of frames, if there is room for all of them.
+
+        Returns:
+            True if it does.
+        """
+        size = classifier.features.prior.numel() * classifier.features.count
+        if self.recordings is None and self._has_room(size):
+            self._prepare = classifier.maps
+        return self._prepare is not None
 
     def first(self, count: int) -> Tensor:
         """(count, n_microphone, 250): frames from which the maps are normalised."""
@@ -280,11 +298,12 @@ class _Batches:
 
     def _made(self, start: int, count: int) -> tuple[Tensor, Tensor]:
         """Frames and points of consecutive touches."""
-        if self._kept is not None and start in self._kept:
+        if start in self._kept:
             return self._kept[start]
         touches = self.touches.samples(start, count)
-        made = _frames(touches, self.plan, start), touches.point - 1
-        if self._kept is not None:
+        frames = _frames(touches, self.plan, start)
+        made = frames if self._prepare is None else self._prepare(frames), touches.point - 1
+        if self._keeps:
             self._kept[start] = made
         return made
 
