@@ -14,7 +14,8 @@ from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.membrane.disc import design_disc, design_shape
 from acoustic_fem.membrane.disc_table import DiscTable, DiscTables, disc_count, disc_tables
-from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.elasticity import ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.half_section import DiscShape
 from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.network.array_network import solve_network
 from geometry import prototype
