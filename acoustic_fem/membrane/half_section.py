@@ -91,9 +91,9 @@ class HalfSection:
     shape: DiscShape
     """The disc."""
     radii: Array
-    """Corners along r, ascending, ratios to a."""
+    """Corners along r, (n_radius,) float64, ascending, ratios to a."""
     heights: Array
-    """Corners along z, ascending, ratios to a."""
+    """Corners along z, (n_height,) float64, ascending, ratios to a."""
     blocks: tuple[tuple[slice, slice], ...]
     """Elements along r and along z of the disc and of a part that is raised above it."""
 
@@ -138,12 +138,14 @@ class HalfSection:
     # -- faces ------------------------------------------------------------------------------------
     @cached_property
     def opening(self) -> tuple[Indices, Array]:
-        """Axial unknowns of the lower face over the opening, outwards, and their radii."""
+        """Axial unknowns of the lower face over the opening, (n,) int32, outwards, and their radii, (n,) float64."""
         return self._face(0.0, 1.0, 0)
 
     @cached_property
     def patch(self) -> tuple[Indices, Array]:
-        """Axial unknowns of the patch in the middle of the upper face, outwards, and their radii."""
+        """Axial unknowns of the patch in the middle of the upper face, outwards, and their radii; as :attr:`opening`,
+        (n,) int32 and (n,) float64.
+        """
         middle = self.blocks[-1] if self.blocks[-1][0].start == 0 else self.blocks[0]
         return self._face(0.0, self.shape.contact, middle[1].stop)
 
@@ -195,6 +197,7 @@ class HalfSection:
             corners = slice(along_r.start, along_r.stop + 1), slice(along_z.start, along_z.stop + 1)
             u, w, p = radial[nodes], axial[nodes], pressure[corners]
             value, slope, linear = _VALUE, _SLOPE, _LINEAR
+            # strains du/dr, u/r, dw/dz and du/dz + dw/dr; their sum without the last is the dilation
             across = r.product(value, value, r.places)
             stretch = r.product(slope, slope, r.places) + r.product(value, value, 1 / r.places)
             tilt = r.product(slope, slope, r.places)
