@@ -8,6 +8,7 @@ metrics alone and with libraries in double and single precision, the time to rea
 from __future__ import annotations
 
 import json
+import os
 import resource
 import subprocess
 import sys
@@ -30,14 +31,18 @@ _ROWS = (
     ("libraries", "single", "tubes"),
     ("metrics", "double", "tubes and cavities"),
     ("libraries", "double", "tubes and cavities"),
+    ("metrics", "double", "tubes and membranes"),
+    ("libraries", "double", "tubes and membranes"),
 )
 
 
 def sweep_of(cases: int, keep: str, precision: str, varied: str = "tubes") -> studies.Study:
-    """Study of bores, tube lengths and perhaps cavities, with a metric of decoding and one of noise."""
+    """Study of bores, tube lengths and perhaps cavities or membranes, with a metric of decoding and one of noise."""
     vary = {"tube.inner_diameter": (0.3, 0.6), "tube.length": (10.0, 20.0)}
     if varied == "tubes and cavities":
         vary["resonator.cavity_height"] = (2.5, 3.5)
+    if varied == "tubes and membranes":
+        vary["membrane.thickness"] = (0.3, 1.0)
     return studies.Study(
         base="array-2x6", vary=vary, sampling="sobol", cases=cases, fidelity="atlas", frequency="1:500:500",
         keep=keep, precision=precision, metrics=["predicted_top1", "noise_equivalent_force"],
@@ -66,11 +71,12 @@ def measure(cases: int, keep: str, precision: str, varied: str, out: str) -> Non
 
 
 def measured(cases: int, keep: str, precision: str, varied: str) -> list[float]:
-    """As :func:`measure`, in a process of its own."""
+    """As :func:`measure`, in a process of its own that finds no membrane on disk."""
     with tempfile.TemporaryDirectory() as folder:
+        own = {**os.environ, "ACOUSTIC_FEM_CACHE": f"{folder}/cache"}
         given = [str(cases), keep, precision, varied, f"{folder}/r.zarr"]
         line = [sys.executable, "-W", "ignore", "-m", "benchmarks.libraries", *given]
-        done = subprocess.run(line, check=True, capture_output=True, text=True)
+        done = subprocess.run(line, check=True, capture_output=True, text=True, env=own)
     found: list[float] = json.loads(done.stdout.splitlines()[-1])
     return found
 

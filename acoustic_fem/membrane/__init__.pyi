@@ -15,7 +15,8 @@ from .disc_table import (
     disc_count as disc_count,
     disc_tables as disc_tables,
 )
-from .elasticity import DiscShape as DiscShape, ElasticDisc as ElasticDisc, solve_dimensionless as solve_dimensionless
+from .elasticity import ElasticDisc as ElasticDisc, solve_dimensionless as solve_dimensionless
+from .half_section import DiscShape as DiscShape
 from .rubber import (
     ELASTIC as ELASTIC,
     Rubber as Rubber,

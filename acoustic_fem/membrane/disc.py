@@ -7,7 +7,8 @@ from typing import Protocol
 
 import numpy as np
 
-from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc
+from acoustic_fem.membrane.elasticity import ElasticDisc
+from acoustic_fem.membrane.half_section import DiscShape
 from acoustic_fem.membrane.rubber import ELASTIC, Rubber
 from acoustic_fem.membrane.solved_discs import solved_disc
 from acoustic_fem.quantities.checks import FrequencyLike, frequencies

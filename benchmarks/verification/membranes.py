@@ -7,7 +7,8 @@ from functools import cache
 import numpy as np
 
 from acoustic_fem.membrane.disc import solve_disc
-from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.elasticity import ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.half_section import DiscShape
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from tests.support.reference_data import rows
 

@@ -20,7 +20,8 @@ from studies.optimization.problem import Optimization, searched_range
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc_table import DiscTables
-    from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc
+    from acoustic_fem.membrane.elasticity import ElasticDisc
+    from acoustic_fem.membrane.half_section import DiscShape
 
 
 #: Length of the first and of the last step, in logistic units; between them it falls evenly in logarithms.

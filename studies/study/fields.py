@@ -85,10 +85,11 @@ class StudyFields(FileSection):
         default="double",
         description="precision of the responses that are kept: 16 bytes for each value (`double`), or 8 (`single`)",
     )
-    membranes: Membranes = Field(
-        default="interpolated",
+    membranes: Membranes | None = Field(
+        default=None,
         description="treatment of 50 or more membranes of different proportions: they are `interpolated` between a few "
-        "dozen solutions, or each is `solved`, which takes a fifth of a second per membrane",
+        "dozen solutions, or each is `solved`, which takes about a twentieth of a second per membrane; by default "
+        "`solved` if libraries are kept, otherwise `interpolated`",
     )
     vary: dict[str, Any] = Field(
         default_factory=dict,

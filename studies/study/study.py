@@ -97,7 +97,7 @@ class Study(Shown):
         frequency: FrequencyLike = "1:100:64",
         keep: str = "metrics",
         precision: str = "double",
-        membranes: str = "interpolated",
+        membranes: str | None = None,
         outside: str = "fail",
         name: str = "study",
         description: str = "",
@@ -121,7 +121,7 @@ class Study(Shown):
                 need.
             precision: of the responses that are kept, "double" or "single".
             membranes: "interpolated" if 50 or more of different proportions may be interpolated between solutions, or
-                "solved".
+                "solved"; by default "solved" if libraries are kept, otherwise "interpolated".
             outside: what becomes of a case outside the atlas: "fail", or it is solved in 3-D, "navier-stokes".
             name: of the study, for people.
             description: what it asks, for people.
@@ -141,12 +141,12 @@ class Study(Shown):
             "metrics": _plain(metrics),
             "keep": keep,
             "precision": precision,
-            "membranes": membranes,
             "outside": outside,
             "vary": {each: _values(value) for each, value in (vary or {}).items()},
             "together": [{each: _values(value) for each, value in group.items()} for group in together],
         }
-        given |= {key: value for key, value in (("cases", cases), ("fidelity", fidelity)) if value is not None}
+        chosen = (("cases", cases), ("fidelity", fidelity), ("membranes", membranes))
+        given |= {key: value for key, value in chosen if value is not None}
         self._fill(given, "", "", Path())
 
     def _fill(
@@ -170,7 +170,8 @@ class Study(Shown):
             self.fidelity = file.fidelity or atlas.quick_fidelity(base, frequency).name
             self.cases, self.seed = case_count(file), file.seed
             self.frequency, self.metrics = frequency, _metrics(file.metrics, frequency)
-            self.keep, self.precision, self.membranes = file.keep, file.precision, file.membranes
+            self.keep, self.precision = file.keep, file.precision
+            self.membranes = file.membranes or ("solved" if file.keep == "libraries" else "interpolated")
             self.outside = _outside(file.outside, self.fidelity)
         except Refusal as error:
             raise StudyError.of(error, file=source or None) from None

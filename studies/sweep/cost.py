@@ -11,15 +11,17 @@ import numpy as np
 from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
 from acoustic_fem.membrane.disc import design_disc
 from acoustic_fem.membrane.disc_table import disc_count
-from acoustic_fem.membrane.elasticity import DiscShape
+from acoustic_fem.membrane.elasticity import REFINEMENT
+from acoustic_fem.membrane.half_section import DiscShape, half_section
+from acoustic_fem.membrane.solved_discs import is_kept
 from acoustic_fem.numerics.processors import cores
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from studies.study.cases import Cases
 from studies.study.study import Study
 from studies.sweep.block import FAILURES, Job, solve_block
 
-#: Processor time of one membrane, s.
-_SECONDS_PER_DISC = 0.22
+#: Processor time of a membrane per unknown of its mesh, s; and so many membranes stand for all.
+_SECONDS_PER_UNKNOWN, _SOME = 9e-6, 16
 #: Time until workers of this machine compute: processes are started and modules loaded, and ended afterwards.
 START_UP = 4.0
 #: Workers must save so many times their start-up; what is expected is not known better.
@@ -63,16 +65,32 @@ def seconds_of(
         cases: all of its cases, or a sample of them.
         numbers: of those that are computed.
         missing: number of 3-D cells to solve.
-        discs: the membranes of all cases, which are solved together.
+        discs: the membranes of these cases, each once.
         fraction: size of the sample, of one; the others take as long.
     """
+    membranes = seconds_of_discs(study, len(cases), discs, fraction)  # before some of them are solved
     each, loading = _seconds_per_case(study, cases, numbers)
-    seconds = (
-        each * len(numbers) / fraction
-        + SECONDS_PER_CELL * missing
-        + _SECONDS_PER_DISC * (disc_count(discs) if study.membranes == "interpolated" else len(discs))
-    )
-    return Expected(seconds, loading)
+    return Expected(each * len(numbers) / fraction + SECONDS_PER_CELL * missing + membranes, loading)
+
+
+def seconds_of_discs(study: Study, cases: int, discs: Sequence[DiscShape], fraction: float = 1.0) -> float:
+    """Processor time of the membranes that are not on disk, s.
+
+    Args:
+        study: the study, which says whether they are interpolated.
+        cases: number of cases that have them.
+        discs: the membranes, each once.
+        fraction: size of the sample of cases, of one.
+    """
+    if not discs:
+        return 0.0
+    chosen = discs[:: -(-len(discs) // _SOME)]
+    each = _SECONDS_PER_UNKNOWN * float(np.mean([half_section(disc, REFINEMENT).unknowns for disc in chosen]))
+    if study.membranes == "interpolated":
+        return each * disc_count(discs)
+    missing = sum(not is_kept(disc) for disc in discs)
+    # if most cases of a sample have a membrane of their own, so have those outside it
+    return each * (missing / fraction if 2 * len(discs) > cases else missing)
 
 
 def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> tuple[float, float]:

@@ -252,8 +252,8 @@ class Sweep(Shown):
         """Library of one case, of a study with ``keep = "libraries"``.
 
         In double precision it equals, bit for bit, the library that :func:`acoustic_fem.solve` computes for the design,
-        unless the sweep interpolated its membrane. Its provenance says whether it did, and ``membranes = "solved"``
-        prevents it. One block of cases is held in memory, so read the cases in order.
+        unless the study asks for ``membranes = "interpolated"`` and the provenance of the library says so. One block of
+        cases is held in memory, so read the cases in order.
 
         Args:
             number: of the case.

@@ -18,7 +18,8 @@ from typing import IO, Any
 from acoustic_fem.cell.design_cells import cached_count
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
-from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.elasticity import ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.half_section import DiscShape
 from geometry.ground.extras import check_extras
 from geometry.ground.refusal import Kind, Refusal, said_by
 from geometry.ground.typed import PathLike

@@ -13,7 +13,8 @@ from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.fields.navier_stokes import WallMotion
 from acoustic_fem.membrane.disc import DiscOptions, design_compliance, design_disc, disc_compliance, solve_disc
-from acoustic_fem.membrane.elasticity import DiscShape, solve_dimensionless
+from acoustic_fem.membrane.elasticity import solve_dimensionless
+from acoustic_fem.membrane.half_section import DiscShape
 from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.quantities.medium import Medium
 from geometry import DesignError

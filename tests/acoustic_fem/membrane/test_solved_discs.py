@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from acoustic_fem.membrane import solved_discs
-from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.elasticity import ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.half_section import DiscShape
 from acoustic_fem.numerics.disk_cache import CacheWarning
 
 SHAPE = DiscShape(0.3, 0.49, 0.4, 0.4, 0.0, 0.25)

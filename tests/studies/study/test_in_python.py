@@ -49,6 +49,23 @@ def test_a_study_is_written_and_read_back(name: str, own: bool, tmp_path: Path) 
         np.testing.assert_array_equal(one, other)
 
 
+@pytest.mark.parametrize(
+    ("words", "membranes"),
+    [
+        ({}, "interpolated"),
+        ({"keep": "responses"}, "interpolated"),
+        ({"keep": "libraries"}, "solved"),
+        ({"keep": "libraries", "membranes": "interpolated"}, "interpolated"),
+        ({"membranes": "solved"}, "solved"),
+    ],
+)
+def test_each_membrane_is_solved_by_default_if_libraries_are_kept(words: dict[str, str], membranes: str) -> None:
+    study = studies.Study(**GIVEN, **words)
+    assert study.membranes == membranes
+    assert read_study(study.text) == study
+    assert ("membranes" in study.text) == ("membranes" in words)
+
+
 def test_studies_that_differ_are_not_equal() -> None:
     study = studies.Study(**GIVEN)
     changes: list[dict[str, Any]] = [

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import xarray as xr
+from coarse_discs import coarse_discs
 from joined_cells import library_of_cells
 from refusals import refused
 from typer.testing import CliRunner
@@ -17,6 +19,7 @@ import localize
 import studies
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.library.transfer_functions import VARIABLES
+from acoustic_fem.membrane.disc import design_shape
 from geometry.ground.refusal import Kind
 from localize.datasets.splits import SPLITS
 from studies.cli.app import app
@@ -55,6 +58,38 @@ def test_a_library_of_a_sweep_is_what_solve_gives_to_the_last_bit(sweep: studies
     path = tmp_path / "libraries" / "best.nc"
     library.save(path)
     assert acoustic_fem.load(path).transfer_function.identical(library.transfer_function)
+
+
+@pytest.fixture
+def _coarse() -> Iterator[None]:
+    with coarse_discs():
+        yield
+
+
+@pytest.mark.usefixtures("_coarse")
+def test_a_library_is_what_solve_gives_where_every_case_has_a_membrane_of_its_own(tmp_path: Path) -> None:
+    """The study of docs/training-libraries.md with more cases than a table of membranes is worth, and with fewer
+    frequencies: by default no library has an interpolated membrane.
+    """
+    study = studies.Study(
+        base="array-2x6",
+        vary={"tube.inner_diameter": (0.3, 0.6), "membrane.thickness": (0.3, 1.0)},
+        sampling="sobol",
+        cases=64,
+        fidelity="atlas",
+        frequency="1:500:20",
+        keep="libraries",
+        metrics=["predicted_top1", "noise_equivalent_force"],
+    )
+    sweep = studies.run_sweep(study, tmp_path / "bores.zarr", workers=1)
+    assert sweep.done.all()
+    assert len({design_shape(sweep.design(case)) for case in range(64)}) == 64
+    for case in sweep.best("predicted_top1", 8):
+        library = sweep.library(case)
+        solved = acoustic_fem.solve(sweep.design(case), sweep.frequency, "atlas")
+        for name in VARIABLES:
+            assert getattr(library, name).identical(getattr(solved, name)), (case, name)
+        assert "membranes" not in library.provenance
 
 
 def test_in_single_precision_it_is_that_to_seven_digits_in_half_the_space(tmp_path: Path, sweep: studies.Sweep) -> None:

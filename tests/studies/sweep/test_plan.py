@@ -12,6 +12,7 @@ from bores_study import CELLS, TEXT
 from refusals import refused
 from typer.testing import CliRunner
 
+from acoustic_fem.membrane.solved_discs import solved_disc
 from geometry.ground.refusal import Kind, Refusal
 from studies.cli.app import app
 from studies.output.display import Display
@@ -162,3 +163,27 @@ def test_samples_with_equal_cases_are_said_by_plan_and_sweep(values: str, said: 
 
 class _Asked(Exception):
     """How many workers a sweep asked for."""
+
+
+def test_membranes_are_part_of_the_cost_unless_they_are_on_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All of them if libraries are kept, and otherwise those of a table."""
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
+    text = TEXT.split("[vary]")[0].replace("cases = 40", "cases = 128")
+    text += '[vary]\n"membrane.thickness" = {from = 0.4, to = 0.8}\n'
+    few = read_study(text.replace('keep = "responses"', 'keep = "metrics"'))
+    every = read_study(text.replace('keep = "responses"', 'keep = "libraries"'))
+    discs = survey.surveyed(every).discs
+    count = len(discs)
+    assert count > 120
+    seconds = cost.seconds_of_discs(every, 128, discs)
+    assert count * 0.01 < seconds < count * 0.5
+    assert seconds == pytest.approx(2 * cost.seconds_of_discs(every, 64, discs[: count // 2]), rel=0.1)
+    assert cost.seconds_of_discs(few, 128, discs) < seconds / 8
+    assert cost.seconds_of_discs(every, 128, discs, 0.01) == pytest.approx(100 * seconds)
+    assert cost.seconds_of_discs(every, 1000, discs, 0.01) == seconds  # the others have those too
+    for disc in discs[:32]:
+        solved_disc.__wrapped__(disc)
+    assert cost.seconds_of_discs(every, 128, discs) == pytest.approx(seconds * (1 - 32 / count))
+    assert cost.seconds_of_discs(every, 128, ()) == 0

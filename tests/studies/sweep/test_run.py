@@ -24,7 +24,8 @@ from typer.testing import CliRunner
 
 import acoustic_fem
 from acoustic_fem.cell import design_cells, one_cell
-from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.elasticity import ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.half_section import DiscShape
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
