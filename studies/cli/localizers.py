@@ -34,26 +34,34 @@ def train(
     plan: Annotated[
         str,
         typer.Option(
-            help="usual: 200 new touches of every point in each epoch, in room sound of 30 to 95 dB SPL. paper: 14,000 "
-            "touches of every point in short windows, the paper's network, no noise; takes hours. The options below "
-            "override both."
+            help="usual: strokes of fingers and sums of sines on 3,000 as-built sensors; a minute or two for 12 points. "
+            "paper: 14,000 touches of every point in short windows, the paper's network, no noise; takes hours. The "
+            "options below override both."
         ),
     ] = PLANS[0],
-    epochs: Annotated[int | None, typer.Option(help="Number of epochs. Default: 20, or 30 with --plan paper.")] = None,
+    epochs: Annotated[int | None, typer.Option(help="Number of epochs. Default: 6, or 30 with --plan paper.")] = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Seed of the touches and the network.")] = TrainingPlan.seed,
     network: Annotated[
         str | None,
         typer.Option(
-            help="patches, stride-2 or paper, each larger and slower than the one before; two-stage is the paper's "
-            "network for letters. Default: patches, paper with --plan paper, two-stage with --kind letters."
+            help="hypotheses weighs what the sensor may have come out as. patches, stride-2 and paper are "
+            "convolutional, each larger and slower than the one before; two-stage is the paper's network for letters. "
+            "Default: hypotheses, paper with --plan paper, two-stage with --kind letters, patches with another --kind."
         ),
     ] = None,
     stimuli: Annotated[
         list[str] | None,
         typer.Option(
-            help="Signals of the touches: multi-sines, taps, friction or pulse-wave; repeat it for a mixture. A "
-            "network recognizes only signals that it was trained on. Default: multi-sines."
+            help="Signals of the touches: multi-sines, tap-strokes, press-strokes, slide-strokes, taps, presses, "
+            "slides, friction or pulse-wave; repeat it for a mixture. Default: multi-sines and the three strokes."
+        ),
+    ] = None,
+    as_built: Annotated[
+        int | None,
+        typer.Option(
+            help="Number of as-built sensors, drawn with manufacturing tolerances, on which the touches are. 0: the "
+            "sensor of the library alone, as for one that is calibrated. Default: 3000, 0 with --plan paper."
         ),
     ] = None,
     recordings: Annotated[
@@ -83,7 +91,11 @@ def train(
     Example: [bold]acoustic-fem train library.nc --out localizer --epochs 10[/bold]
     """
     if kind is not None:
-        localizer_options = {"--stimuli": bool(stimuli), "--plan": plan != PLANS[0]}
+        localizer_options = {
+            "--stimuli": bool(stimuli),
+            "--plan": plan != PLANS[0],
+            "--as-built": as_built is not None,
+        }
         _train_kinds(library, out, kind, seconds, epochs, noise, seed, network, recordings, localizer_options)
         return
     base = TrainingPlan.of(plan)
@@ -95,6 +107,7 @@ def train(
         seed=seed,
         network=network or base.network,
         stimuli=tuple(stimuli) if stimuli else base.stimuli,
+        as_built=base.as_built if as_built is None else as_built,
     )
     with display_on_stderr() as display:
         localizer = studies.train_localizer(library, out, plan=chosen, recordings=recordings, display=display).localizer
@@ -103,8 +116,14 @@ def train(
     _show_recorded(localizer)
     tell(
         f"{out}: {counted(localizer.training['epochs'], 'epoch')}{short}, {accuracy:.1%} of held-out touches "
-        f"({', '.join(chosen.stimuli)} on the sensor of the library{_room(localizer)}) classified correctly"
+        f"({', '.join(chosen.stimuli)} on {_sensors(localizer)}{_room(localizer)}) classified correctly"
     )
+
+
+def _sensors(localizer: Localizer) -> str:
+    """The sensors that the touches were on, in words."""
+    count = localizer.training["sensors"]
+    return "the sensor of the library" if count == 1 else "as-built sensors"
 
 
 def _room(localizer: Localizer) -> str:
@@ -132,7 +151,7 @@ def _train_kinds(
     usual = localize.RecognitionPlan.of(kind)
     plan = replace(
         usual,
-        epochs=TrainingPlan.epochs if epochs is None else epochs,
+        epochs=usual.epochs if epochs is None else epochs,
         microphone_noise=noise_choice(noise),
         seed=seed,
         time_limit=seconds,

@@ -62,7 +62,7 @@ def train_localizer(
         response = response_of(loaded)
         report("training", 0.0)
         localizer = localize.train(
-            response,
+            loaded,
             plan,
             lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs),
             checkpoint=folder / _CHECKPOINT,

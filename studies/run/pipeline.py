@@ -57,9 +57,6 @@ if TYPE_CHECKING:
     from localize import Localizer
     from studies.evaluation.headline import Headline
 
-#: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:
-#: 25 s for 12 points and about five minutes for the largest arrays on one idle core, as many on a busy one.
-EPOCHS, TOUCHES_PER_POINT, MOST_TOUCHES = 20, 200, 300_000
 #: Stages: parts, cells, localizer, evaluation, figures.
 _STAGES = 5
 #: Pixels of the picture of one point, before it is cropped.
@@ -91,8 +88,8 @@ def run_design(
         display: shows progress.
         fidelity: fidelity of the library, see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, covering 1 to 100 Hz, or FIRST:LAST:COUNT.
-        plan: plan of the localizer's training; by default :func:`training_plan`, with which a design always gives the
-            same report, however busy the machine is. The localizer is evaluated with the noise of the plan.
+        plan: plan of the localizer's training; by default that of :class:`localize.TrainingPlan`, with which a design
+            always gives the same report, however busy the machine is. The localizer is evaluated with the noise of the plan.
         allow_overlaps: continue even if parts overlap; the report then lists them.
 
     Raises:
@@ -108,7 +105,7 @@ def run_design(
     notes = buildability_notes(design, layout)
     grid = frequency_grid(frequency)
     with claimed_folder(Path(out), "run", MARK):
-        return _run(design, layout, Path(out), show, fidelity, grid, plan or training_plan(design.point_count), notes)
+        return _run(design, layout, Path(out), show, fidelity, grid, plan or TrainingPlan(), notes)
 
 
 def _run(
@@ -178,12 +175,6 @@ def _with_points(design: ArrayDesign | PathLike) -> ArrayDesign:
             remedy="solve and parts take one point",
         )
     return found
-
-
-def training_plan(points: int) -> TrainingPlan:
-    """Plan of a run's training: by the number of points alone, without a limit of time, with the design's own noise."""
-    touches = min(TOUCHES_PER_POINT, max(1, MOST_TOUCHES // (EPOCHS * points)))
-    return TrainingPlan(epochs=EPOCHS, seconds_per_point=touches, microphone_noise="design")
 
 
 def _warnings_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:

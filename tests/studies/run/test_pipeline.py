@@ -20,14 +20,14 @@ import acoustic_fem
 import geometry
 from acoustic_fem.numerics.disk_cache import CacheWarning
 from geometry import Kind
-from localize import load_localizer
+from localize import TrainingPlan, load_localizer
 from studies.metrics.separation import separability
 from studies.output.display import Display
 from studies.output.folders import MANIFEST, MARK, claim_folder
 from studies.run import pipeline as run_module
 from studies.run.findings import membrane_compliances
 from studies.run.library_files import cell_lines
-from studies.run.pipeline import run_design, training_plan
+from studies.run.pipeline import run_design
 from studies.run.run_result import RunResult
 
 ROOT = Path(__file__).parents[3]
@@ -121,11 +121,9 @@ def test_the_size_and_the_compliance_are_those_of_the_design() -> None:
     assert ratio == pytest.approx(compliance / (70.686 / 101.325), rel=1e-3)
 
 
-def test_training_depends_on_the_number_of_points_alone() -> None:
-    plans = {points: training_plan(points) for points in (2, 12, 64, 216, 16_000)}
-    assert all((plan.time_limit, plan.epochs, plan.seed) == (None, 20, 0) for plan in plans.values())
-    assert all(plan.microphone_noise == "design" for plan in plans.values())
-    assert [plan.seconds_per_point for plan in plans.values()] == [200, 200, 200, 69, 1]
+def test_a_run_trains_by_the_usual_plan_whatever_the_time() -> None:
+    assert TrainingPlan().time_limit is None
+    assert TrainingPlan().microphone_noise == "design"
 
 
 @pytest.fixture(scope="module")
@@ -214,7 +212,7 @@ def test_a_run_from_the_command_line_solves_cells_once_and_says_so(
     assert "from the cache" not in done.stderr
     found = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
     assert not any(cell["cached"] for cell in found["cells"])
-    assert found["training"]["plan"] == json.loads(json.dumps(asdict(training_plan(3))))
+    assert found["training"]["plan"] == json.loads(json.dumps(asdict(TrainingPlan())))
     assert not found["training"]["cut_short"]
     assert found["network"]["top1"] > 0.98
     assert found["lumped_difference"]["magnitude"] < 0.015
