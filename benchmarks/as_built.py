@@ -36,7 +36,7 @@ DESIGNS, NOISE = ("array-2x6", "fingertip-3x4"), 3e-3
 STORED, UNSEEN, TOUCHES = 1000, 40, 20
 #: As-built sensors per design of the second table, and the seed of their deviations: not that of `scattered_top1`.
 SENSORS, SEED = 256, 1
-PLAN = localize.TrainingPlan(seconds_per_point=150, epochs=32, microphone_noise=NOISE)
+PLAN = replace(localize.TrainingPlan.on_maps(), seconds_per_point=150, epochs=32, microphone_noise=NOISE)
 
 
 def row(name: str) -> str:

@@ -32,7 +32,7 @@ from localize.signals.touch_generator import SHARD
 
 FREQUENCY = np.arange(1.0, 501.0)
 LATENCY_FRAMES = 300
-QUIET = localize.TrainingPlan(microphone_noise=1e-3, ambient=None, batch=128)
+QUIET = replace(localize.TrainingPlan.on_maps(), microphone_noise=1e-3, ambient=None, batch=128)
 """Plan in silence, in large steps: what networks cost without what rooms add."""
 
 
@@ -121,7 +121,7 @@ def main(name: str) -> None:
         speeds = " / ".join(f"{step_rate(response, plan):,.0f}" for plan in plans)
         table.add_row(f"training {network}, signals and features included, float32 / bfloat16", speeds, "samples/s")
 
-    plan, reached = localize.TrainingPlan(microphone_noise=0.0), []
+    plan, reached = replace(localize.TrainingPlan.on_maps(), microphone_noise=0.0), []
     started = process_time()
 
     def note(progress: localize.TrainingProgress) -> None:

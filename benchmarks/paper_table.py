@@ -65,7 +65,9 @@ def plan_of(full: bool, row: Row, seconds: float | None = None) -> TrainingPlan:
         return replace(TrainingPlan.paper(), microphone_noise=row.noise, bfloat16=True, time_limit=seconds)
     # Longer lines of more microphones: one network has to tell more points apart.
     touches = 200 if row.design == "line-2" else 330
-    return TrainingPlan(seconds_per_point=touches, microphone_noise=row.noise, ambient=None, time_limit=seconds)
+    return replace(
+        TrainingPlan.on_maps(), seconds_per_point=touches, microphone_noise=row.noise, ambient=None, time_limit=seconds
+    )
 
 
 def solved(row: Row) -> ArrayResponse:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -70,7 +71,9 @@ SECONDS_PER_POINT, EPOCHS, EVALUATED = 150, 16, 200
 def measure(title: str, prototype: str, values: dict[str, Any], noise: float) -> dict[str, Any]:
     """Train, and evaluate on touches that were never seen."""
     library = solved(prototype, values)
-    plan = localize.TrainingPlan(seconds_per_point=SECONDS_PER_POINT, epochs=EPOCHS, microphone_noise=noise)
+    plan = replace(
+        localize.TrainingPlan.on_maps(), seconds_per_point=SECONDS_PER_POINT, epochs=EPOCHS, microphone_noise=noise
+    )
     network, decoder = localize.train(library, plan), localize.BayesDecoder(library, noise)
     trained, bayes = (localize.evaluate(who, library, EVALUATED, noise).top1 for who in (network, decoder))
     return {

@@ -29,7 +29,9 @@ from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 NOISE = 1e-3
-PLAN = localize.TrainingPlan(epochs=6, microphone_noise=NOISE, stimuli=("multi-sines", "taps", "friction"))
+PLAN = replace(
+    localize.TrainingPlan.on_maps(), epochs=6, microphone_noise=NOISE, stimuli=("multi-sines", "taps", "friction")
+)
 RECORDER = Recorder(hum=5e-4, drift=1e-3)
 
 

@@ -89,7 +89,10 @@ def rooms() -> list[str]:
         library = acoustic_fem.solve(design, FREQUENCY, "lumped")
         response, made = response_of(library), made_in_rooms(library, name)
         deaf, heard = (
-            localize.train(response, localize.TrainingPlan(seed=TRAINED, microphone_noise=NOISE, ambient=ambient))
+            localize.train(
+                response,
+                replace(localize.TrainingPlan.on_maps(), seed=TRAINED, microphone_noise=NOISE, ambient=ambient),
+            )
             for ambient in (None, "rooms")
         )
         rows = {

@@ -24,7 +24,7 @@ LOCALIZER_NETWORKS = (HYPOTHESES, *NETWORKS)
 """Names of the networks that locate touches."""
 TOUCHES = 36_000
 """Number of touches of an epoch where a plan does not say how many of each point."""
-PLANS = ("usual", "paper")
+PLANS = ("usual", "maps", "paper")
 """Names of the plans of :meth:`TrainingPlan.of`."""
 
 #: Fields that every plan of a training has, and their ranges.
@@ -216,7 +216,7 @@ class TrainingPlan:
 
     @classmethod
     def of(cls, name: str) -> TrainingPlan:
-        """Plan by its name: the usual one with the noise of the design's microphone, or the paper's.
+        """Plan by its name: the usual one, that of a convolutional network, or the paper's.
 
         Args:
             name: one of :data:`PLANS`.
@@ -226,7 +226,27 @@ class TrainingPlan:
         """
         if name not in PLANS:
             raise Refusal(kind=Kind.OUT_OF_RANGE, field="plan", value=name, allowed=PLANS)
-        return cls.paper() if name == "paper" else cls()
+        return {"usual": cls, "maps": cls.on_maps, "paper": cls.paper}[name]()
+
+    @classmethod
+    def on_maps(cls) -> TrainingPlan:
+        """Plan of a convolutional network on maps: sums of sines on the sensor of the library, in the sound of rooms.
+
+        It takes sound out of its maps where there are three microphones or more, and names only touches of the kind
+        that it was trained on.
+        """
+        return cls(
+            seconds_per_point=200,
+            new_touches=True,
+            epochs=20,
+            batch=32,
+            label_sigma=0.35,
+            ambient="rooms",
+            stimuli=("multi-sines",),
+            as_built=0,
+            high_passed=0.0,
+            network="patches",
+        )
 
     @classmethod
     def paper(cls) -> TrainingPlan:

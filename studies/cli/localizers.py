@@ -34,12 +34,14 @@ def train(
     plan: Annotated[
         str,
         typer.Option(
-            help="usual: strokes of fingers and sums of sines on 3,000 as-built sensors; a minute or two for 12 points. "
-            "paper: 14,000 touches of every point in short windows, the paper's network, no noise; takes hours. The "
-            "options below override both."
+            help="usual: strokes of fingers and sums of sines on 3,000 as-built sensors; two minutes for 12 points. "
+            "maps: a convolutional network on sums of sines in room sound. paper: the paper's network on 14,000 touches "
+            "of every point in short windows, no noise; takes hours. The options below override all three."
         ),
     ] = PLANS[0],
-    epochs: Annotated[int | None, typer.Option(help="Number of epochs. Default: 6, or 30 with --plan paper.")] = None,
+    epochs: Annotated[
+        int | None, typer.Option(help="Number of epochs. Default: 6, 20 with --plan maps, 30 with --plan paper.")
+    ] = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Seed of the touches and the network.")] = TrainingPlan.seed,
     network: Annotated[
@@ -47,7 +49,7 @@ def train(
         typer.Option(
             help="hypotheses weighs what the sensor may have come out as. patches, stride-2 and paper are "
             "convolutional, each larger and slower than the one before; two-stage is the paper's network for letters. "
-            "Default: hypotheses, paper with --plan paper, two-stage with --kind letters, patches with another --kind."
+            "Default: hypotheses, patches with --plan maps, paper with --plan paper, two-stage with --kind letters, patches with another --kind."
         ),
     ] = None,
     stimuli: Annotated[
@@ -61,7 +63,7 @@ def train(
         int | None,
         typer.Option(
             help="Number of as-built sensors, drawn with manufacturing tolerances, on which the touches are. 0: the "
-            "sensor of the library alone, as for one that is calibrated. Default: 3000, 0 with --plan paper."
+            "sensor of the library alone, as for one that is calibrated. Default: 3000, 0 with the other plans."
         ),
     ] = None,
     recordings: Annotated[

@@ -89,7 +89,7 @@ def run_design(
         fidelity: fidelity of the library, see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, covering 1 to 100 Hz, or FIRST:LAST:COUNT.
         plan: plan of the localizer's training; by default that of :class:`localize.TrainingPlan`, with which a design
-            always gives the same report, however busy the machine is. The localizer is evaluated with the noise of the plan.
+            always gives the same report, however busy the machine is. Its noise is that of the evaluation too.
         allow_overlaps: continue even if parts overlap; the report then lists them.
 
     Raises:
