@@ -1,7 +1,7 @@
 """Hypotheses about a sensor that nobody measured: for each point, a few transfer functions that represent the possible
 ones.
 
-Sensors are drawn with the tolerances of manufacturing. Half of them also have an air and a slope of the rubber's
+Sensors are drawn with the tolerances of manufacturing. Some of them also have an air and a slope of the rubber's
 modulus of their own, because hypotheses of one air and one rubber explain other ones by wrong points. Points differ in
 the ratios between their microphones, so the draws of each point are put into groups by these ratios (k-means). Each
 group has one hypothesis, the mean level and phase of its draws, and its fraction of the draws as prior. The sensor as
