@@ -13,8 +13,7 @@ import numpy as np
 
 from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
-from acoustic_fem.quantities.local_air import LocalAir, medium_of
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.local_air import AirLike, LocalAir, medium_of
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
@@ -41,7 +40,7 @@ class AirAndRubber:
     """Lowest and highest temperature of the air, -20 to 60 degC; the rubber does not change with it."""
     slope: tuple[float, float] = (0.0, 2.0)
     """Smallest and largest exponent of frequency of the membranes' modulus over that of their material, 0 to 5, ratios.
-    Relaxing moduli of a table are multiplied by it; a modulus without slope has none."""
+    Relaxing moduli of a table are multiplied by it; a constant modulus stays constant."""
     fraction: float = 0.4
     """Fraction of the sensors that have an air and a slope of their own, 0 to 1; the others keep those of the
     design. On 36 points in line, 0.5 locates 2 to 4 % more touches at 2000 m than 0.3, and 1 to 9 % fewer of a modulus
@@ -63,7 +62,7 @@ class AirAndRubber:
                 )
         check_range("air_and_rubber.fraction", self.fraction, 0.0, 1.0)
 
-    def draws(self, first: int, count: int, seed: int, design: ArrayDesign, medium: Medium) -> DrawnAirAndRubber:
+    def draws(self, first: int, count: int, seed: int, design: ArrayDesign, air: AirLike = None) -> DrawnAirAndRubber:
         """Air and slopes of sensors ``first`` to ``first + count - 1``; sensor k depends on (seed, k) alone.
 
         Args:
@@ -71,9 +70,9 @@ class AirAndRubber:
             count: how many.
             seed: of all sensors.
             design: of the sensors; its humidity is that of every air.
-            medium: air of the sensors that keep theirs.
+            air: air of the sensors that draw none; by default that of the design.
         """
-        media, slopes = [medium] * count, np.ones(count)
+        media, slopes = [medium_of(air, design)] * count, np.ones(count)
         ranges = np.array([self.pressure, self.temperature_c, self.slope])
         for row, number in enumerate(range(first, first + count)):
             if int((number + 1) * self.fraction) == int(number * self.fraction):

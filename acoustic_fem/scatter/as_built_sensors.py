@@ -162,7 +162,7 @@ def scatter_factors(
     sensors = AsBuiltSensors(scattered, frequency, air)
     drawn = None
     if air_and_rubber is not None:
-        drawn = air_and_rubber.draws(first, count, seed, scattered.design, medium_of(air, scattered.design))
+        drawn = air_and_rubber.draws(first, count, seed, scattered.design, air)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "entrance loss", UserWarning)
         return np.asarray(sensors.transfer_functions(draws, drawn) / sensors.nominal)
