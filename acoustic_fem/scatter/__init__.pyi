@@ -1,3 +1,8 @@
+from .air_and_rubber import (
+    UNKNOWN_AIR_AND_RUBBER as UNKNOWN_AIR_AND_RUBBER,
+    AirAndRubber as AirAndRubber,
+    DrawnAirAndRubber as DrawnAirAndRubber,
+)
 from .as_built_sensors import (
     AsBuiltSensors as AsBuiltSensors,
     as_built_fidelity as as_built_fidelity,

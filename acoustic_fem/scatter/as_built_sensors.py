@@ -13,13 +13,14 @@ import numpy as np
 from acoustic_fem.atlas.fidelity_choice import QuickFidelity, quick_fidelity_by
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.openings import check_openings
-from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import vent_ratio
 from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.scatter.air_and_rubber import AirAndRubber, DrawnAirAndRubber
 from acoustic_fem.scatter.tolerances import CUT, QUANTITIES, ScatteredDesign
 from geometry.ground.typed import Array, ComplexArray
 
@@ -83,28 +84,36 @@ class AsBuiltSensors:
     @cached_property
     def nominal(self) -> ComplexArray:
         """Transfer functions of the nominal design, (1, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
-        return self._in_closed_form(self.scattered.nominal) * self._correction
+        return self._in_closed_form(self.scattered.nominal, self._medium) * self._correction
 
-    def transfer_functions(self, draws: Mapping[str, Array]) -> ComplexArray:
+    def transfer_functions(
+        self, draws: Mapping[str, Array], air_and_rubber: DrawnAirAndRubber | None = None
+    ) -> ComplexArray:
         """Transfer functions of sensors, as their own microphones report them.
 
         Args:
             draws: by quantity (count, n_part) float64, in standard deviations, as
                 :meth:`acoustic_fem.scatter.ScatteredDesign.parameters` takes them.
+            air_and_rubber: air of each sensor and slope of its rubber, of :meth:`AirAndRubber.draws`; by default all
+                have those of the design in :attr:`air`. Diaphragms, vents and leaks stay those of the design's air.
 
         Returns:
             (count, n_point, n_microphone, n_freq) complex128, Pa/Pa, by the response of the nominal microphone.
         """
-        sensors = self._in_closed_form(self.scattered.parameters(draws)) * self._correction
+        parameters = self.scattered.parameters(draws)
+        medium: Medium | MediumParameters = self._medium
+        if air_and_rubber is not None:
+            parameters, medium = air_and_rubber.sloped(parameters), air_and_rubber.medium
+        sensors = self._in_closed_form(parameters, medium) * self._correction
         gain, corner = np.moveaxis(self.scattered.microphones(draws), 1, 0)[:, :, None, :, None]
         if (gain == 1).all() and (corner == 1).all():
             return np.asarray(sensors)
         vent = vent_ratio(self.scattered.design.microphone, self.frequency, self._medium)
         return np.asarray(sensors * gain * (1 + 1 / vent) / (1 + corner / vent))
 
-    def _in_closed_form(self, parameters: ArrayParameters) -> ComplexArray:
+    def _in_closed_form(self, parameters: ArrayParameters, medium: Medium | MediumParameters) -> ComplexArray:
         closed = next((name for name in CLOSED_FORMS if name == self.fidelity), CLOSED_FORMS[0])
-        found = batch_transfer_function(parameters, self.scattered.topology, self.frequency, self._medium, closed)
+        found = batch_transfer_function(parameters, self.scattered.topology, self.frequency, medium, closed)
         return np.asarray(found)
 
     @cached_property
@@ -112,7 +121,7 @@ class AsBuiltSensors:
         if self.fidelity in CLOSED_FORMS:
             return 1.0
         solid = solve(self.scattered.design, self.frequency, self.fidelity, self._medium).transfer_function.values
-        return np.asarray(solid / self._in_closed_form(self.scattered.nominal))
+        return np.asarray(solid / self._in_closed_form(self.scattered.nominal, self._medium))
 
 
 def scatter_factors(
@@ -124,6 +133,7 @@ def scatter_factors(
     *,
     first: int = 0,
     fraction: float = 1.0,
+    air_and_rubber: AirAndRubber | None = None,
 ) -> ComplexArray:
     """Transfer functions of as-built sensors over those of the nominal one, both computed with the lumped network.
 
@@ -138,7 +148,9 @@ def scatter_factors(
         count: sensors.
         seed: seed of the random deviations.
         first: number of the first sensor.
-        fraction: of the deviations that are drawn, of one.
+        fraction: of the deviations of the parts that are drawn, of one.
+        air_and_rubber: ranges from which the air of the sensors and the slope of their rubber are drawn too; by default
+            all sensors have the given air and the rubber of the design.
 
     Returns:
         (count, n_point, n_microphone, n_freq) complex128, ratios.
@@ -148,6 +160,9 @@ def scatter_factors(
     """
     draws = {name: fraction * values for name, values in scattered.draws(first, count, seed).items()}
     sensors = AsBuiltSensors(scattered, frequency, air)
+    drawn = None
+    if air_and_rubber is not None:
+        drawn = air_and_rubber.draws(first, count, seed, scattered.design, air)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "entrance loss", UserWarning)
-        return np.asarray(sensors.transfer_functions(draws) / sensors.nominal)
+        return np.asarray(sensors.transfer_functions(draws, drawn) / sensors.nominal)

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from acoustic_fem.scatter.air_and_rubber import UNKNOWN_AIR_AND_RUBBER, AirAndRubber
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import SOURCE_RMS
 
@@ -80,11 +81,14 @@ class DecoderOptions:
 class HypothesisOptions:
     """Numbers of the hypotheses that represent the possible as-built sensors of a design."""
 
-    draws: int = 600
+    draws: int = 1200
     """Number of sensors that are drawn with the tolerances."""
-    groups: int = 8
-    """Number of groups of the draws of a point. On 36 points in line 6 groups lose 1 to 2 % of the touches of as-built
-    sensors, 24 are no better."""
+    air_and_rubber: AirAndRubber | None = UNKNOWN_AIR_AND_RUBBER
+    """Ranges of air and of the rubber's slope, from which some of the sensors draw theirs; None: all have those of the
+    library."""
+    groups: int = 12
+    """Number of groups of the draws of a point. On 36 points in line at 2000 m, 600 draws in 8 groups lose 3 to 12 % of
+    the touches; 16 groups are no better than 12."""
     most_hypotheses: int = 640
     """Largest number of hypotheses of all points together: larger arrays, whose lines are shorter, have fewer groups,
     at least two."""
@@ -134,7 +138,8 @@ class TolerantOptions(DecoderOptions):
     """Size of all shapes of all hypotheses together, which bounds memory: large arrays have fewer shapes."""
     misfit_of_two: float = 4.0
     """Largest median misfit over loud touches that a sensor of two microphones leaves. On virtual rigs of seeds 9110 to
-    9112 1.5 to 2.5 (2.8 at 2000 m with the air of the design), by libraries of other arrays 4.8 and more."""
+    9112 1.5 to 2.5, on as-built array-2x6 up to 3.4 (also in other air and with other rubber), by libraries of other
+    arrays 4.8 and more."""
     misfit_of_more: float = 100.0
     """The same of three or more microphones: three leave 0.8 to 4.1 (22 at 2000 m), 1600 or more by libraries of other
     arrays; four leave 5 to 32 (52 at 2000 m)."""

@@ -42,7 +42,11 @@ HUM = 3e-3
 HUM_LINES = 2
 """Multiples of each frequency of mains that the filter lets pass."""
 
-DEVIATING = np.arange(BAND[0], BAND[1] + 1e-9, INTEGRATION_STEP)
+PASSED = 200.0
+"""Frequency beyond which the low-pass leaves 2e-11 of a touch, Hz: integrals end there."""
+DEVIATING_STEP = 1.0
+"""Step of the same integrals for small deviations of transfer functions, Hz: they repeat after four frames."""
+DEVIATING = np.arange(BAND[0], BAND[1] + 1e-9, DEVIATING_STEP)
 """Frequencies at which transfer functions may deviate, Hz: above the band touches are all but silent."""
 
 
@@ -264,7 +268,7 @@ def touch_covariances(
     Returns:
         (n_point, n, n) float64, n = n_microphone SAMPLES, microphone by microphone.
     """
-    top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
+    top = min(float(response.frequency[-1]), PASSED)
     frequency = np.arange(lowest, top + 1e-9, INTEGRATION_STEP)
     turn, gain = sampled_waves(frequency)
     turn = turn @ whiten.T
@@ -299,7 +303,7 @@ def deviation_moments(
 def _deviating_waves() -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
     """Amplitudes of a touch at :data:`DEVIATING`, and its waves as the decimated samples see them."""
     turn, gain = sampled_waves(DEVIATING)
-    return np.sqrt(source_density(DEVIATING) * INTEGRATION_STEP) * gain, turn
+    return np.sqrt(source_density(DEVIATING) * DEVIATING_STEP) * gain, turn
 
 
 def sampled_waves(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:

@@ -1,11 +1,12 @@
 """Hypotheses about a sensor that nobody measured: for each point, a few transfer functions that represent the possible
 ones.
 
-Sensors are drawn with the tolerances of manufacturing. Points differ in the ratios between their microphones, so the
-draws of each point are put into groups by these ratios (k-means). Each group has one hypothesis, the mean level and
-phase of its draws, and its fraction of the draws as prior. The sensor as it was designed is one more hypothesis. A few
-shapes over frequency (principal components) describe how the draws of a group differ from their mean,
-:mod:`localize.decoders.deviations`.
+Sensors are drawn with the tolerances of manufacturing. Some of them also have an air and a slope of the rubber's
+modulus of their own, because hypotheses of one air and one rubber explain other ones by wrong points. Points differ in
+the ratios between their microphones, so the draws of each point are put into groups by these ratios (k-means). Each
+group has one hypothesis, the mean level and phase of its draws, and its fraction of the draws as prior. The sensor as
+it was designed is one more hypothesis. A few shapes over frequency (principal components) describe how the draws of a
+group differ from their mean, :mod:`localize.decoders.deviations`.
 
 The hypothesis of a group is the mean of its draws, not the mean of their covariances: such a covariance has ratios that
 change from one frequency to the next as those of no sensor do, and explains touches of any point.
@@ -37,7 +38,7 @@ ROUNDING = 1e-12
 """Fraction of the power of a touch that is added to what each microphone hears alone, for the sake of rounding."""
 NOTHING = 1e-12
 """Fraction of the power of the first shape below which another is one of rounding."""
-_BLOCK = 50
+_BLOCK = 300
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,7 +154,15 @@ def _drawn(
     parts = []
     for first in range(0, options.draws, _BLOCK):
         count = min(_BLOCK, options.draws - first)
-        factors = scatter_factors(scattered, library.medium, nodes, count, options.seed, first=first)
+        factors = scatter_factors(
+            scattered,
+            library.medium,
+            nodes,
+            count,
+            options.seed,
+            first=first,
+            air_and_rubber=options.air_and_rubber,
+        )
         parts.append(np.stack([np.log(np.abs(factors)), np.unwrap(np.angle(factors))]).astype(np.float32))
     level, phase = np.concatenate(parts, axis=1)
     return level, phase

@@ -1,4 +1,6 @@
-"""Tolerance-aware decoder of a sensor that nobody calibrated: it models what manufacturing may have changed.
+"""Tolerance-aware decoder of a sensor that nobody calibrated.
+
+It models what manufacturing, the air of the place and the batch of rubber may have changed.
 
 Each point has several hypotheses, :mod:`localize.decoders.hypotheses`. The likelihood of a frame under each is that of
 :mod:`localize.decoders.bayes`; the likelihood of a point is their sum, weighted by their priors.
@@ -35,7 +37,7 @@ from localize.signals.threads import one_thread
 
 
 class TolerantDecoder(LibraryDecoder):
-    """Maximum likelihood over the points of one array whose parts deviate from the design.
+    """Maximum likelihood over the points of one array whose parts deviate from the design, in air that is not known.
 
     It takes several times the tables, and the time, of :class:`localize.BayesDecoder`, and some seconds to make.
 
@@ -191,7 +193,11 @@ class TolerantDecoder(LibraryDecoder):
     def assumptions(self) -> str:
         """Assumptions about the sensor, in words."""
         built = "that the sensor was built from its design within manufacturing tolerances and not calibrated"
-        return built + self.array.in_air
+        given, drawn = self.array.in_air, self.options.hypotheses.air_and_rubber
+        if drawn is None:
+            return built + given
+        lowest, highest = (f"{pressure / 1e3:g}" for pressure in drawn.pressure)
+        return f"{built}{f'{given} or' if given else ', in air'} of {lowest} to {highest} kPa"
 
     @property
     def shapes(self) -> int:

@@ -15,16 +15,17 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.library.transfer_functions import MEASURED
-from acoustic_fem.scatter import ScatteredDesign, Tolerance, scatter_factors
+from acoustic_fem.scatter import AirAndRubber, ScatteredDesign, Tolerance, scatter_factors
 from geometry import Kind
 from localize.decoders import tolerant_decoder
-from localize.decoders.decoder_options import TolerantOptions
+from localize.decoders.decoder_options import HypothesisOptions, TolerantOptions
 from localize.signals.array_response import response_of
 
 GRID = np.arange(1.0, 201.0)
 pytestmark = pytest.mark.filterwarnings("ignore:.*its library ends at 200 Hz")
 NOISE, HEARD = 1e-3, 0.03
 NO_SCATTER = (Tolerance("bore", 0.0, "relative", "a test"),)
+ONE_AIR = TolerantOptions(hypotheses=HypothesisOptions(air_and_rubber=None))
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +48,7 @@ def frames(library: acoustic_fem.Library) -> np.ndarray:
 def test_without_tolerances_it_is_the_decoder_of_the_library_at_its_own_temperature(
     library: acoustic_fem.Library, frames: np.ndarray
 ) -> None:
-    exact = localize.TolerantDecoder(library, NO_SCATTER, HEARD)
+    exact = localize.TolerantDecoder(library, NO_SCATTER, HEARD, options=ONE_AIR)
     known = localize.BayesDecoder(library, HEARD).log_probability(frames)
     assert exact.locate(frames) == pytest.approx(
         scipy.special.softmax(known / TolerantOptions.relative_temperature, axis=1), abs=1e-3
@@ -57,7 +58,7 @@ def test_without_tolerances_it_is_the_decoder_of_the_library_at_its_own_temperat
 
 def test_it_is_less_sure_of_frames_that_no_drawn_sensor_fits(library: acoustic_fem.Library, frames: np.ndarray) -> None:
     # of which the noise is thirty times what is told
-    told = localize.TolerantDecoder(library, NO_SCATTER, NOISE).log_probability(frames)
+    told = localize.TolerantDecoder(library, NO_SCATTER, NOISE, options=ONE_AIR).log_probability(frames)
     known = localize.BayesDecoder(library, NOISE).log_probability(frames) / TolerantOptions.relative_temperature
     ahead = [np.diff(np.sort(each, axis=1)[:, -2:], axis=1) for each in (told, known)]
     assert (told.argmax(1) == known.argmax(1)).all()
@@ -123,3 +124,22 @@ def test_it_listens_to_some_of_the_microphones() -> None:
     assert (two.locate(frames[:, 1:]).argmax(1) == touches.point.numpy() - 1).mean() > 0.9
     with refused(Kind.UNKNOWN, "microphones", "Z"):
         localize.TolerantDecoder(library, microphones=("A", "Z"))
+
+
+@pytest.mark.physics
+def test_air_and_rubber_that_nobody_gave_cost_it_no_touches() -> None:
+    design = geometry.prototype("array-2x6")
+    library = acoustic_fem.solve(design, GRID, "lumped")
+    # 2000 m above the sea, and a modulus that is the same at all frequencies
+    elsewhere = AirAndRubber((79.5e3, 79.5e3), (20.0, 20.0), (0.0, 0.0), 1.0)
+    factor = scatter_factors(ScatteredDesign(design, NO_SCATTER), library.medium, GRID, 1, 0, air_and_rubber=elsewhere)[
+        0
+    ]
+    response = response_of(library)
+    sensor = replace(response, transfer_function=response.transfer_function * factor)
+    fixed, drawn = (
+        localize.evaluate(localize.TolerantDecoder(library, None, NOISE, options=each), sensor, 20, NOISE)
+        for each in (ONE_AIR, TolerantOptions())
+    )
+    assert drawn.top1 > 0.98
+    assert fixed.top1 < 0.95
