@@ -237,12 +237,11 @@ class _Batches:
         self._block = lru_cache(maxsize=1)(self._shuffled)
         self._kept: dict[int, tuple[Tensor, Tensor]] = {}
         self._prepare: Callable[[Tensor], Tensor] | None = None
-        self._keeps = self._has_room(len(touches.response.microphones) * FRAME)
+        self._keeps = self._has_room(len(touches.response.microphones) * FRAME * torch.float32.itemsize)
 
     def _has_room(self, size: int) -> bool:
-        """True if inputs of so many numbers each are kept from one epoch to the next."""
-        every = self._steps * self.plan.batch * size * np.dtype(np.float32).itemsize
-        return not self.plan.new_touches and every <= KEPT_BYTES
+        """True if inputs of so many bytes each are kept from one epoch to the next."""
+        return not self.plan.new_touches and self._steps * self.plan.batch * size <= KEPT_BYTES
 
     def prepare(self, classifier: HypothesisClassifier) -> bool:
         """From now on give maps of a normalised classifier in place of frames, if there is room for all of them.
@@ -250,9 +249,9 @@ class _Batches:
         Returns:
             True if it does.
         """
-        size = classifier.features.prior.numel() * classifier.features.count
+        size = classifier.features.prior.numel() * classifier.features.count * torch.float16.itemsize
         if self.recordings is None and self._has_room(size):
-            self._prepare = classifier.maps
+            self._prepare = lambda frames: classifier.maps(frames).half()
         return self._prepare is not None
 
     def first(self, count: int) -> Tensor:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from acoustic_fem import Library
+from acoustic_fem.scatter.air_and_rubber import UNKNOWN_AIR_AND_RUBBER
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign
 from localize.signals.array_response import ArrayResponse
@@ -22,7 +23,8 @@ _BLOCK = 50
 class AsBuiltDraws:
     """Transfer functions of many sensors that a design may come out as, and now and then of the design itself.
 
-    The factors of :func:`acoustic_fem.scatter.scatter_factors` are solved at a few frequencies and interpolated in
+    Sizes of parts, air and the slope of the rubber are those of a sensor that nobody calibrated. The factors of
+    :func:`acoustic_fem.scatter.scatter_factors` are solved at a few frequencies and interpolated in
     level and phase, so that thousands of sensors take seconds and nothing is stored.
 
     Args:
@@ -71,7 +73,15 @@ class AsBuiltDraws:
 
     def _logarithms(self, block: int) -> NDArray[np.complex128]:
         first = block * _BLOCK
-        factors = scatter_factors(self._scattered, self._medium, self._nodes, _BLOCK, self._seed, first=first)
+        factors = scatter_factors(
+            self._scattered,
+            self._medium,
+            self._nodes,
+            _BLOCK,
+            self._seed,
+            first=first,
+            air_and_rubber=UNKNOWN_AIR_AND_RUBBER,
+        )
         logarithm = np.log(np.abs(factors)) + 1j * np.unwrap(np.angle(factors))
         logarithm[: self.sensor_count - first][self._is_designed[first : first + _BLOCK]] = 0.0
         return np.asarray(logarithm)

@@ -35,8 +35,8 @@ def train(
         str,
         typer.Option(
             help="usual: strokes of fingers and sums of sines on 3,000 as-built sensors; two minutes for 12 points. "
-            "maps: a convolutional network on sums of sines in room sound. paper: the paper's network on 14,000 touches "
-            "of every point in short windows, no noise; takes hours. The options below override all three."
+            "maps: a convolutional network on sums of sines in room sound. paper: the paper's network on 14,000 "
+            "touches of every point in short windows, no noise; takes hours. The options below override all three."
         ),
     ] = PLANS[0],
     epochs: Annotated[
@@ -49,7 +49,8 @@ def train(
         typer.Option(
             help="hypotheses weighs what the sensor may have come out as. patches, stride-2 and paper are "
             "convolutional, each larger and slower than the one before; two-stage is the paper's network for letters. "
-            "Default: hypotheses, patches with --plan maps, paper with --plan paper, two-stage with --kind letters, patches with another --kind."
+            "Default: hypotheses; patches with --plan maps or --kind, paper with --plan paper, two-stage with "
+            "--kind letters."
         ),
     ] = None,
     stimuli: Annotated[
