@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -226,7 +226,8 @@ class TrainingPlan:
         """
         if name not in PLANS:
             raise Refusal(kind=Kind.OUT_OF_RANGE, field="plan", value=name, allowed=PLANS)
-        return {"usual": cls, "maps": cls.on_maps, "paper": cls.paper}[name]()
+        made: dict[str, Callable[[], TrainingPlan]] = {"usual": cls, "maps": cls.on_maps, "paper": cls.paper}
+        return made[name]()
 
     @classmethod
     def on_maps(cls) -> TrainingPlan:

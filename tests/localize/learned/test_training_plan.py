@@ -164,7 +164,7 @@ def test_the_papers_plan_is_the_papers():
 
 def test_plans_have_names():
     assert TrainingPlan.of("usual") == TrainingPlan()
-    assert PLANS == ("usual", "paper")
+    assert PLANS == ("usual", "maps", "paper")
     with refused(Kind.OUT_OF_RANGE, "plan", "best"):
         TrainingPlan.of("best")
 
