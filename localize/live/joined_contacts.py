@@ -143,7 +143,7 @@ class TouchJoiner:
         touch = self._touch
         if touch is None or not touch.goes_up or self._time - touch.begin > self._options.longest_hold:
             return False
-        if touch.wave.held:
+        if not touch.wave.fallen:
             touch.last = self._time
             return True
         return self._may_beat(touch, self._time)
@@ -179,11 +179,14 @@ class TouchJoiner:
             return None
         level = max(each.level for each in frames)
         stroke = self._stroke(level)
-        if stroke < 0 and (touch.wave.held or touch.is_at(frames, options.other_point)):
+        # The level of a frame shows a release only when the pressure has fallen.
+        if stroke < 0 and (touch.wave.fallen <= options.before or touch.is_at(frames, options.other_point)):
             return "goes on"  # a release
+        if not stroke and len(self._seen()) and level < options.tail * touch.level:
+            return "goes on"  # what is left of it: nothing has moved
         if touch.has_ended or stroke <= 0:
             return "begins"
-        if touch.wave.held and stroke < options.tremor * touch.wave.peak:
+        if not touch.wave.fallen and stroke < options.tremor * touch.wave.peak:
             return "goes on"
         if not touch.is_round or not self._may_beat(touch, first) or not touch.is_at(frames, options.other_point):
             return "begins"

@@ -64,8 +64,8 @@ class Wave:
         self._peak = 0.0
         self.rests = 0
         """Number of decisions for which the pressure has rested near its foot."""
-        self.held = False
-        """True from the peak until the pressure has once fallen back."""
+        self.fallen = 0
+        """Number of decisions since the pressure has fallen back; 0 from its peak until then, while it is held."""
         for each in course[int(course.argmin()) :] if len(course) else ():
             self.take(float(each), True)
 
@@ -78,9 +78,9 @@ class Wave:
         """Take the next pressure, Pa; None where it is not known. The wave only grows in a contact."""
         height = math.nan if pressure is None else pressure - self._foot
         if in_contact and height > self._peak:
-            self._peak, self.held = height, True
-        elif not height >= self._held_fraction * self._peak:
-            self.held = False
+            self._peak, self.fallen = height, 0
+        elif self.fallen or not height >= self._held_fraction * self._peak:
+            self.fallen += 1
         self.rests += not height >= _RESTS * self._peak
 
 

@@ -122,6 +122,8 @@ class TouchOptions:
     """Number of frames before a contact from which on its stroke is looked for."""
     surely: float = 1.0
     """Multiple of the level of a contact by which the pressure must change for the sign of its stroke to be known."""
+    tail: float = 0.1
+    """Fraction of the level of a touch below which a contact without a stroke is what is left of the touch."""
     other_point: float = 20.0
     """Ratio of probabilities, by the mean of its frames, from which on a contact is at another point."""
     slow: float = 0.064
