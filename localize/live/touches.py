@@ -24,8 +24,8 @@ from scipy.special import softmax
 
 from geometry.ground.typed import Array
 from localize.live.events import HOP, Decision, Fault, TouchEvent
-from localize.live.stream_options import TouchOptions
 from localize.live.joined_contacts import Step, TouchJoiner, log_probability_of
+from localize.live.stream_options import TouchOptions
 from localize.live.touch_filter import TouchFilter
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.frames import FRAME
