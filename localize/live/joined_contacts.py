@@ -40,7 +40,7 @@ class Step:
 
 
 class _OpenTouch:
-    """What is known of the touch that contacts may belong to.
+    """Last touch of a stream, to which contacts may belong.
 
     Args:
         begin: time of its first frame, s.
@@ -67,7 +67,7 @@ class _OpenTouch:
         self.last = frames[-1].time
 
     def is_at(self, frames: list[Decision], ratio: float) -> bool:
-        """Whether no point is likelier than that of the touch by a ratio, by the mean of frames."""
+        """True if no point is likelier than that of the touch by a ratio, by the mean of frames."""
         found = np.mean([log_probability_of(each) for each in frames], axis=0)
         return bool(found.max() - found[int(self._score.argmax())] < math.log(ratio))
 
@@ -120,7 +120,7 @@ class TouchJoiner:
         return [*self._settle(at_end=True), *self._end()]
 
     def _look_at_pressure(self) -> None:
-        """What the newest pressure says about the touch."""
+        """Take the newest pressure into the touch."""
         options, touch = self._options, self._touch
         if touch is None or self._pending:
             return
@@ -139,7 +139,7 @@ class TouchJoiner:
         return steps
 
     def _stays(self) -> bool:
-        """Whether the touch goes on without a contact: the pressure is still there, or the next beat may come."""
+        """True if the touch goes on without a contact: the pressure is still there, or the next beat may come."""
         touch = self._touch
         if touch is None or not touch.goes_up or self._time - touch.begin > self._options.longest_hold:
             return False
@@ -149,7 +149,7 @@ class TouchJoiner:
         return self._may_beat(touch, self._time)
 
     def _may_beat(self, touch: _OpenTouch, time: float) -> bool:
-        """Whether the next beat of a pulse may begin at a time."""
+        """True if the next beat of a pulse may begin at a time."""
         since, options = time - touch.beat, self._options
         rests = touch.wave.rests * HOP_SECONDS
         return touch.is_round is not False and since <= options.longest_beat and rests <= options.rest * since

@@ -46,7 +46,7 @@ class PressureCourse:
         return self._means[-1] if self._means else None
 
     def last(self, hops: int) -> Array:
-        """Pressure at the last decisions, (hops,) float64, Pa; empty where it is not known for so long."""
+        """Pressure at the last decisions; (n_hop,) float64, Pa, empty where it is not known for so long."""
         return np.array(list(self._means)[-hops:]) if hops <= len(self._means) else np.empty(0)
 
 
@@ -103,7 +103,7 @@ def first_stroke(course: Array) -> float:
 
 
 def is_round_wave(course: Array, before: int, slow: float, roundness: float) -> bool | None:
-    """Whether a pressure goes up and down slowly, without staying up, as a beat of a pulse does.
+    """True if a pressure goes up and down slowly, without staying up, as a beat of a pulse does.
 
     Args:
         course: (n,) float64, Pa, n above ``before``.
