@@ -34,7 +34,7 @@ from localize.signals.array_response import ArrayResponse
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "streams.md"
 BEGIN, END = "<!-- touch counts: made by benchmarks/touch_counts.py -->", "<!-- end touch counts -->"
-DESIGN, FIRST, SENSORS = "array-2x6", 5200, 6
+DESIGN, FIRST, SENSORS = "array-2x6", 6400, 6
 KINDS = ("tap", "press", "slide", "two taps", "pulse", "in turn", "strong")
 STEP = 2800
 """Time from one touch to the next, samples."""

@@ -44,13 +44,12 @@ class _OpenTouch:
 
     Args:
         begin: time of its first frame, s.
-        course: pressure from before it until now; (n,) float64, Pa, empty where it is not known.
-        held_fraction: as of :class:`TouchOptions`.
+        wave: its pressure so far.
     """
 
-    def __init__(self, begin: float, course: Array, held_fraction: float) -> None:
+    def __init__(self, begin: float, wave: Wave) -> None:
         self.begin = self.beat = self.last = begin
-        self.wave = Wave(course, held_fraction)
+        self.wave = wave
         self.level = 0.0
         self.is_first_contact, self.has_ended = True, False
         self.goes_up = False
@@ -164,10 +163,10 @@ class TouchJoiner:
         steps: list[Step] = []
         if kind == "begins":
             steps += self._end()
-            self._touch = _OpenTouch(frames[0].time, self._seen(), self._options.held_fraction)
+            self._touch = _OpenTouch(frames[0].time, self._wave())
         elif kind == "beat" and self._touch is not None:
             self._touch.beat = frames[0].time
-            self._touch.wave = Wave(self._seen(), self._options.held_fraction)
+            self._touch.wave = self._wave()
         return [*steps, *self._more(kind, frames, is_new_contact=True)]
 
     def _kind_of(self, frames: list[Decision], at_end: bool) -> Literal["begins", "goes on", "beat"] | None:
@@ -200,6 +199,9 @@ class TouchJoiner:
     def _seen(self) -> Array:
         """Pressure from before the contact until now, Pa; empty where it is not known."""
         return self._course.last(self._hops + self._options.before)
+
+    def _wave(self) -> Wave:
+        return Wave(self._seen(), self._options.before, self._options.held_fraction)
 
     def _stroke(self, level: float) -> float:
         """Change of the pressure with which the contact of a level begins, Pa; 0 where it is not known."""

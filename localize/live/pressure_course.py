@@ -55,18 +55,21 @@ class Wave:
 
     Args:
         course: (n,) float64, Pa, from before it began; empty where it is not known.
+        before: number of values in which its foot lies.
         held_fraction: fraction of its peak below which nothing is held any more.
     """
 
-    def __init__(self, course: Array, held_fraction: float) -> None:
+    def __init__(self, course: Array, before: int, held_fraction: float) -> None:
         self._held_fraction = held_fraction
-        self._foot = float(course.min()) if len(course) else math.nan
+        # What follows a short tap may lie below its foot.
+        foot = int(course[:before].argmin()) if len(course) else 0
+        self._foot = float(course[foot]) if len(course) else math.nan
         self._peak = 0.0
         self.rests = 0
         """Number of decisions for which the pressure has rested near its foot."""
         self.fallen = 0
         """Number of decisions since the pressure has fallen back; 0 from its peak until then, while it is held."""
-        for each in course[int(course.argmin()) :] if len(course) else ():
+        for each in course[foot:]:
             self.take(float(each), True)
 
     @property

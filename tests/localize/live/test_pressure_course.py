@@ -39,7 +39,7 @@ def test_a_slow_wave_without_a_hold_is_round(seconds: float, held: float, is_rou
 
 
 def test_a_wave_is_held_until_the_pressure_has_once_fallen_and_grows_in_contacts_only() -> None:
-    wave = Wave(QUIET, 0.3)
+    wave = Wave(QUIET, 15, 0.3)
     for pressure in stroke(0.2, held=0.5)[15:45]:
         wave.take(float(pressure), True)
     assert (wave.peak, wave.fallen, wave.rests) == (pytest.approx(1.0), 0, 0)
@@ -49,7 +49,13 @@ def test_a_wave_is_held_until_the_pressure_has_once_fallen_and_grows_in_contacts
     assert (wave.fallen, wave.rests) == (2, 1)
     wave.take(3.0, False)  # a slow drift is not a press
     assert (wave.peak, wave.fallen) == (pytest.approx(1.0), 3)
-    assert Wave(np.empty(0), 0.3).peak == 0.0
+    assert Wave(np.empty(0), 15, 0.3).peak == 0.0
+
+
+def test_a_short_tap_is_not_held_though_the_pressure_falls_below_its_foot_behind_it() -> None:
+    wave = Wave(np.concatenate([QUIET, [1.0, -0.1, -0.05]]), 15, 0.3)
+    wave.take(-0.01, True)
+    assert (wave.peak, wave.fallen) == (1.0, 3)
 
 
 def test_a_course_begins_anew_after_a_gap_and_after_a_frame_that_is_unreadable() -> None:
