@@ -52,6 +52,8 @@ class _OpenTouch:
         self.wave = wave
         self.level = 0.0
         self.is_first_contact, self.has_ended = True, False
+        self.was_quiet = False
+        """True if all microphones were quiet since."""
         self.goes_up = False
         """True if it began with a rise of the pressure; if not, or if that is not known, no contact belongs to it."""
         self.is_round: bool | None = None
@@ -64,6 +66,7 @@ class _OpenTouch:
             self.level = max(self.level, each.level)
             self._score = self._score + each.level * log_probability_of(each)
         self.last = frames[-1].time
+        self.was_quiet = False
 
     def is_at(self, frames: list[Decision], ratio: float) -> bool:
         """True if no point is likelier than that of the touch by a ratio, by the mean of frames."""
@@ -99,6 +102,8 @@ class TouchJoiner:
         self._hops = 1 if found == "begins" else self._hops + 1
         if found != "goes on":
             steps += self._contact_over()
+        if event.state == "no touch" and self._touch is not None:
+            self._touch.was_quiet = True
         if event.state == "touch":
             if found == "begins":
                 self._in_contact = True
@@ -181,7 +186,7 @@ class TouchJoiner:
         # The level of a frame shows a release only when the pressure has fallen.
         if stroke < 0 and (touch.wave.fallen <= options.before or touch.is_at(frames, options.other_point)):
             return "goes on"  # a release
-        if not stroke and len(self._seen()) and level < options.tail * touch.level:
+        if not stroke and not touch.was_quiet and len(self._seen()) and level < options.tail * touch.level:
             return "goes on"  # what is left of it: nothing has moved
         if touch.has_ended or stroke <= 0:
             return "begins"

@@ -90,15 +90,16 @@ class Wave:
 def first_stroke(course: Array) -> float:
     """First large change of a pressure, Pa: above 0 for a rise, below 0 for a fall.
 
-    It is the largest rise or the largest fall, whichever is half over first, if the other is not half as large.
+    It is the largest rise or the largest fall, whichever first reaches a third of the larger one: behind a high-pass of
+    the microphones, a tap falls further than it has risen.
 
     Args:
         course: (n,) float64, Pa, n at least 1.
     """
     rise = course - np.minimum.accumulate(course)
     fall = np.maximum.accumulate(course) - course
-    half = max(rise.max(), fall.max()) / 2
-    rises, falls = np.flatnonzero(rise > half), np.flatnonzero(fall > half)
+    large = max(rise.max(), fall.max()) / 3
+    rises, falls = np.flatnonzero(rise > large), np.flatnonzero(fall > large)
     if not len(rises) and not len(falls):
         return 0.0
     goes_up = len(rises) > 0 and (not len(falls) or rises[0] < falls[0])

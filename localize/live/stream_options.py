@@ -123,7 +123,8 @@ class TouchOptions:
     surely: float = 1.0
     """Multiple of the level of a contact by which the pressure must change for the sign of its stroke to be known."""
     tail: float = 0.1
-    """Fraction of the level of a touch below which a contact without a stroke is what is left of the touch."""
+    """Fraction of the level of a touch below which a contact without a stroke, before the microphones were quiet, is
+    what is left of the touch."""
     other_point: float = 20.0
     """Ratio of probabilities, by the mean of its frames, from which on a contact is at another point."""
     slow: float = 0.064

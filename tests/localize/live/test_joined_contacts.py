@@ -127,7 +127,7 @@ def frames(*runs: tuple[str, int, int, float, float]) -> list[Decision]:
     for state, count, point, level, pressure in runs:
         for _ in range(count):
             time = 0.25 + HOP / 1000 * len(made)
-            each = Decision(time, "no touch", level, mean_pressure=pressure)
+            each = Decision(time, "fading" if state == "fading" else "no touch", level, mean_pressure=pressure)
             if state == "touch":
                 found = (np.full(POINTS, 1e-4) + np.eye(POINTS)[point - 1]) / (1 + POINTS * 1e-4)
                 each = replace(each, state="touch", point=point, probability=float(found.max()), distribution=found)
@@ -135,7 +135,7 @@ def frames(*runs: tuple[str, int, int, float, float]) -> list[Decision]:
     return made
 
 
-TAP = (("quiet", 20, 0, 0.0, 0.0), ("touch", 2, 3, 1.0, 4.0), ("touch", 10, 3, 1.0, 0.0), ("quiet", 10, 0, 0.0, 0.0))
+TAP = (("quiet", 20, 0, 0.0, 0.0), ("touch", 2, 3, 1.0, 4.0), ("touch", 10, 3, 1.0, 0.0), ("fading", 10, 0, 0.1, 0.0))
 
 
 def kinds(*runs: tuple[str, int, int, float, float]) -> list[str]:
@@ -146,6 +146,7 @@ def kinds(*runs: tuple[str, int, int, float, float]) -> list[str]:
 
 def test_what_is_left_of_a_strong_touch_is_none_but_a_weak_touch_is() -> None:
     assert kinds(*TAP, ("touch", 10, 4, 0.05, 0.0)) == ["begins", "ends"]
+    assert kinds(*TAP, ("quiet", 1, 0, 0.0, 0.0), ("touch", 10, 4, 0.05, 0.0)) == ["begins", "ends"] * 2
     assert kinds(*TAP, ("touch", 2, 4, 0.05, 0.2), ("touch", 8, 4, 0.05, 0.0)) == ["begins", "ends"] * 2
     assert kinds(*TAP, ("touch", 10, 4, 0.5, 0.0)) == ["begins", "ends"] * 2
 

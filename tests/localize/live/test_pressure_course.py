@@ -25,6 +25,7 @@ def test_the_first_stroke_is_the_first_large_change() -> None:
     assert first_stroke(pressed[:40]) == pytest.approx(1.0, abs=0.01)
     assert first_stroke(pressed[40:]) == pytest.approx(-1.0, abs=0.01)
     assert first_stroke(np.concatenate([QUIET, [-0.2, -0.1], stroke(0.2)])) == pytest.approx(1.2, abs=0.02)
+    assert first_stroke(np.concatenate([QUIET, [0.55, 0.59, -0.64, -0.3]])) == pytest.approx(0.59)
     assert first_stroke(QUIET) == 0.0
 
 
