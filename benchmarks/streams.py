@@ -251,22 +251,24 @@ def of_touches(sensor: Sensor, kind: str, known: Library | ArrayResponse) -> tup
         random = np.random.default_rng([sensor.seed, 77, record, len(kind)])
         made = session(kind, sensor.design.point_count, random)
         found = told(known, sensor.heard(made) + sensor.own_noise(PERIOD, random))
+        # Each beat of a pulse is counted, whether it is a touch or a beat within one.
+        begins = [(at, touch.point) for touch in found.touches for at in touch.beats or (touch.start,)]
         edges = [touch.begin for touch, _ in made] + [PERIOD]
         for index, (touch, _) in enumerate(made):
-            here = [t for t in found.touches if edges[index] <= 1000 * t.start < edges[index + 1]]
-            soon = [t for t in here if 1000 * t.start < touch.begin + 1000 * WINDOW]
+            here = [each for each in begins if edges[index] <= 1000 * each[0] < edges[index + 1]]
+            soon = [each for each in here if 1000 * each[0] < touch.begin + 1000 * WINDOW]
             frames = [
                 d for d in found.decisions
                 if d.state == "touch" and edges[index] <= 1000 * d.time < edges[index + 1] and d.point != touch.point
             ]  # fmt: skip
-            right = [t for t in here if t.point == touch.point]
+            right = [point for _, point in here if point == touch.point]
             down = [
                 1000 * event.time - touch.begin for event in found.events
-                if event.kind == "down" and edges[index] <= 1000 * event.time < edges[index + 1]
+                if event.kind in ("down", "beat") and edges[index] <= 1000 * event.time < edges[index + 1]
             ]  # fmt: skip
             late += down[:1]
             sums += (
-                1, bool(soon), any(t.point == touch.point for t in soon), len(right) == 1,
+                1, bool(soon), any(point == touch.point for _, point in soon), len(right) == 1,
                 len(frames), len(here) - len(right),
             )  # fmt: skip
     return sums, late

@@ -43,6 +43,9 @@ class Decision:
     it is not."""
     newest: float | None = field(default=None, repr=False, compare=False)
     """Level of the loudest microphone over the newest 96 samples, Pa rms."""
+    mean_pressure: float | None = field(default=None, repr=False, compare=False)
+    """Mean of the microphones over the newest 16 samples as they came, before the high-pass, Pa; None for a frame that
+    is unreadable."""
     frame: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
     """Samples that were classified, (n_microphone, 250) float64, Pa; None unless they are asked for, in silence, and
     for a frame in which not all channels are good."""
@@ -83,11 +86,11 @@ class Fault:
 
 @dataclass(frozen=True)
 class TouchEvent:
-    """Beginning, move or end of a touch, reported while it happens."""
+    """Beginning, move, beat or end of a touch, reported while it happens."""
 
     time: float
     """Time at which it is reported: the end of the frame that decided it, s."""
-    kind: Literal["down", "moved", "up"]
+    kind: Literal["down", "moved", "beat", "up"]
     """Kind of what happened."""
     touch: int
     """Number of the touch, from 1, as touches come down."""

@@ -234,12 +234,13 @@ class TouchStream:
         if classifier is None:
             events.append(Decision(self._time, "unreadable", float(frame.std(1).max())))
             return
-        self._classify_by(classifier, good, frame, events)
+        self._classify_by(classifier, good, raw, frame, events)
 
     def _classify_by(
         self,
         classifier: FrameClassifier,
         good: NDArray[np.bool_],
+        raw: Array,
         whole: Array,
         events: list[Decision | Fault],
     ) -> None:
@@ -247,6 +248,7 @@ class TouchStream:
         options = self.options
         frame, noise = whole[good], self._floor.rms[good]
         kept = whole.copy() if options.frames and good.all() else None
+        mean = float(raw[good, -HOP:].mean())
         level = float(frame.std(1).max())
         newest = float(frame[:, -NEWEST:].std(1).max())
         self._loudest *= 10 ** (-options.fade_rate / 20 * HOP / SAMPLE_RATE)
@@ -254,17 +256,17 @@ class TouchStream:
         if loud <= 1.0:
             if options.follow:
                 self._hum.learn(whole[:, -HOP:])
-            events.append(Decision(self._time, "no touch", level, newest=newest))
+            events.append(Decision(self._time, "no touch", level, newest=newest, mean_pressure=mean))
             return
         if options.fade and level < min(options.faded * self._loudest, options.risen * self._least):
             self._least = min(self._least, level)
-            events.append(Decision(self._time, "fading", level, newest=newest, frame=kept))
+            events.append(Decision(self._time, "fading", level, newest=newest, mean_pressure=mean, frame=kept))
             return
         beside = _beside_sound(classifier, frame, noise)
         if beside is not None and beside[0] > beside[1] and options.follow and loud <= options.weak:
             beside = _beside_sound(classifier, self._hum.beside(frame), noise)
         if beside is not None and beside[0] <= beside[1]:
-            events.append(Decision(self._time, "sound", level, newest=newest))
+            events.append(Decision(self._time, "sound", level, newest=newest, mean_pressure=mean))
             return
         if level < options.faded * self._loudest:  # a new one
             self._loudest = 0.0
@@ -274,12 +276,12 @@ class TouchStream:
         found, self._state = classifier.locator.follow(frame, self._state)
         point, test = int(found.argmax()) + 1, classifier.residual_test
         if test is not None and test.p_value(frame[None], [point])[0] < options.rejected_fraction:
-            events.append(Decision(self._time, "other", level, newest=newest, frame=kept))
+            events.append(Decision(self._time, "other", level, newest=newest, mean_pressure=mean, frame=kept))
             return
         weight = None if beside is None else math.sqrt(beside[0])
         shape = self._waveform(point) if good.all() else None
         sure = float(found[point - 1])
-        events.append(Decision(self._time, "touch", level, point, sure, found, weight, newest, kept, shape))
+        events.append(Decision(self._time, "touch", level, point, sure, found, weight, newest, mean, kept, shape))
 
     def _bad_channels(self, raw: Array, events: list[Decision | Fault]) -> NDArray[np.bool_]:
         """Channels of a frame that are dead or clipped, (n_microphone,); a fault is reported for each."""

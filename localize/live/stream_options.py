@@ -107,8 +107,42 @@ class TouchOptions:
     """Factor by which the level must rise from there for a new touch to begin."""
     agree: int = 3
     """Number of frames in a row that must name the same point before it is reported."""
+    moved: float = 20.0
+    """Ratio of probabilities, by the frames that name a new point, from which on a touch has moved to it."""
     longest: int = 3750
     """Number of frames, a minute, after which a contact is taken for a new one."""
+
+    longest_hold: float = 10.0
+    """Longest time after which the release of a press belongs to it, s."""
+    held_fraction: float = 0.3
+    """Fraction of the largest pressure of a touch below which it is not held any more."""
+    tremor: float = 0.3
+    """Fraction of that pressure below which a rise while the touch is held belongs to it."""
+    before: int = 15
+    """Number of frames before a contact from which on its stroke is looked for."""
+    surely: float = 1.0
+    """Multiple of the level of a contact by which the pressure must change for the sign of its stroke to be known."""
+    tail: float = 0.1
+    """Fraction of the level of a touch below which a contact without a stroke, before the microphones were quiet, is
+    what is left of the touch."""
+    other_point: float = 20.0
+    """Ratio of probabilities, by the mean of its frames, from which on a contact is at another point."""
+    slow: float = 0.064
+    """Twice the time from half of its peak to its peak from which on a touch may be a beat of a pulse, s."""
+    roundness: float = 0.65
+    """Largest ratio of the time that a beat is above nine tenths of its peak to that time: 0.4 of a round wave."""
+    rest: float = 0.5
+    """Largest fraction of the time from one beat to the next in which the pressure rests."""
+    shortest_beat: float = 0.35
+    """Shortest time from one beat to the next, s."""
+    longest_beat: float = 1.4
+    """Longest time from one beat to the next, s."""
+    beat_level: float = 0.4
+    """Least ratio of the levels of two beats."""
+    longest_wait: int = 20
+    """Number of frames that are waited for until a contact soon after a beat is known to be the next one."""
+    remembered: float = 2.0
+    """Time over which the pressure is remembered, s."""
 
 
 @dataclass(frozen=True)
