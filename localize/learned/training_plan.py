@@ -22,8 +22,11 @@ HYPOTHESES = "hypotheses"
 """Name of the network of :mod:`localize.learned.hypothesis_network`."""
 LOCALIZER_NETWORKS = (HYPOTHESES, *NETWORKS)
 """Names of the networks that locate touches."""
-TOUCHES = 36_000
-"""Number of touches of an epoch where a plan does not say how many of each point."""
+TOUCHES = (36_000, 12_000)
+"""Number of touches of an epoch where a plan does not say how many of each point: of up to :data:`FEW_POINTS`, and the
+least of larger arrays. Every touch of these is compared with more points."""
+FEW_POINTS = 12
+"""Number of points of the arrays that have the most touches."""
 PLANS = ("usual", "maps", "paper")
 """Names of the plans of :meth:`TrainingPlan.of`."""
 
@@ -292,7 +295,9 @@ class TrainingPlan:
 
     def touches_per_point(self, points: int) -> int:
         """Number of touches of each of so many points in an epoch."""
-        return self.seconds_per_point or math.ceil(TOUCHES / points)
+        most, least = TOUCHES
+        touches = min(most, max(least, most * FEW_POINTS / points))
+        return self.seconds_per_point or math.ceil(touches / points)
 
     @property
     def source(self) -> StimulusSource:
