@@ -123,7 +123,7 @@ class Classifier(nn.Module):
     """Learned part: from what :meth:`maps` gives to logits, (n, n_class) float32."""
 
     def maps(self, inputs: Tensor) -> Tensor:
-        """What the learned part looks at; nothing is differentiated through it.
+        """Inputs of the learned part; nothing is differentiated through them.
 
         Args:
             inputs: a batch.

@@ -12,8 +12,8 @@ Column k of G is the change of the residual by shape k, for the source that the 
 system of as many equations as there are shapes. Further features are the residual without shapes, and how likely the
 source is, whose spectrum a touch of a flat spectrum gives.
 
-A share f says how far a sensor may be off its hypothesis. Which is right depends on the touch, so there are several,
-from a tenth of the amplitude to a ten-thousandth; the network weighs them.
+A share f says how far a sensor may be off its hypothesis. The right one depends on the touch, so there are several, from
+a tenth of the amplitude to a ten-thousandth; the network weighs them.
 """
 
 from __future__ import annotations
@@ -164,7 +164,7 @@ def _powers(tables: DecoderTables) -> Array:
 def _ridge(bend: Tensor, slope: Tensor, shares: Tensor) -> tuple[Tensor, Tensor]:
     """Part of the residual that shapes explain, b^T (s^2 + F)^-1 b, and log det(1 + F / s^2), for each share.
 
-    The Cholesky decomposition is written out, because exported graphs have none and the matrices are small.
+    The Cholesky decomposition is written out, because exported graphs do not have it and the matrices are small.
 
     Args:
         bend: F, (n_table, n, k, k).

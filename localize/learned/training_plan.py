@@ -234,7 +234,7 @@ class TrainingPlan:
 
     @classmethod
     def on_maps(cls) -> TrainingPlan:
-        """Plan of a convolutional network on maps: sums of sines on the sensor of the library, in the sound of rooms.
+        """Plan of a convolutional network on maps: multi-sine touches of the sensor of the library, in room sound.
 
         It takes sound out of its maps where there are three microphones or more, and names only touches of the kind
         that it was trained on.
