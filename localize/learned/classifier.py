@@ -123,7 +123,7 @@ class Classifier(nn.Module):
     """Learned part: from what :meth:`maps` gives to logits, (n, n_class) float32."""
 
     def maps(self, inputs: Tensor) -> Tensor:
-        """Inputs of the learned part; nothing is differentiated through them.
+        """Inputs of the learned part, (n, ...) float32; nothing is differentiated through them.
 
         Args:
             inputs: a batch.

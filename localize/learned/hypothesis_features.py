@@ -12,8 +12,8 @@ Column k of G is the change of the residual by shape k, for the source that the 
 system of as many equations as there are shapes. Further features are the residual without shapes, and how likely the
 source is, whose spectrum a touch of a flat spectrum gives.
 
-A share f says how far a sensor may be off its hypothesis. The right one depends on the touch, so there are several, from
-a tenth of the amplitude to a ten-thousandth; the network weighs them.
+A share f says how far a sensor may be off its hypothesis. The right one depends on the touch, so there are several,
+from a tenth of the amplitude to a ten-thousandth; the network weighs them.
 """
 
 from __future__ import annotations

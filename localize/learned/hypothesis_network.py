@@ -137,7 +137,14 @@ class HypothesisClassifier(Classifier):
         self.network.begin(self.scale)
 
     def maps(self, inputs: Tensor) -> Tensor:
-        """Normalised features of a batch of frames; nothing is differentiated through them."""
+        """Normalised features of a batch of frames; nothing is differentiated through them.
+
+        Args:
+            inputs: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+
+        Returns:
+            (n, n_point, n_hypothesis, n_feature) float32.
+        """
         with torch.no_grad():
             return (self.features(inputs) - self.mean) / self.scale
 

@@ -49,6 +49,13 @@ class AsBuiltDraws:
     def sensors(self, first: int, count: int) -> NDArray[np.complex128]:
         """Transfer functions of consecutive sensors, as of
         :class:`localize.signals.array_response.TransferFunctionSource`.
+
+        Args:
+            first: number of the first sensor.
+            count: sensors.
+
+        Returns:
+            (count, n_point, n_microphone, n_freq) complex128, Pa/Pa.
         """
         return np.asarray(self._response.transfer_function * self.factors(first, count, self.frequency))
 

@@ -34,7 +34,7 @@ def train(
     plan: Annotated[
         str,
         typer.Option(
-            help="usual: strokes of fingers and multi-sine touches on 3,000 as-built sensors; two minutes for 12 points. "
+            help="usual: strokes of fingers and multi-sine touches on 3,000 as-built sensors. "
             "maps: a convolutional network, multi-sine touches in room sound. paper: the paper's network on 14,000 "
             "touches of every point in short windows, no noise; takes hours. The options below override all three."
         ),
