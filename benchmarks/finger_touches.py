@@ -3,7 +3,8 @@
 ``python benchmarks/finger_touches.py [DESIGN ...]``. Contacts of :mod:`localize.contacts` press the membranes, not the
 sources that the network is trained on. Each gives one frame behind the high-pass of a stream, at a random place among
 those that hold at least half of the energy of the loudest. Sensors are drawn from the tolerances of one that nobody
-calibrated, with seeds on which nothing was chosen. Each cell is the top-1 accuracy on the design, the mean over the
+calibrated, with seeds on which nothing was chosen. Membranes must be as large as the contact of a finger, or it presses
+several at once. Each cell is the top-1 accuracy on the design, the mean over the
 as-built sensors, and their fifth percentile, %.
 """
 
@@ -133,4 +134,4 @@ def main(designs: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:] or ["array-2x6"])
+    main(sys.argv[1:] or ["array-2x6", "glove", "line-2"])
