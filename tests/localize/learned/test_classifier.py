@@ -69,7 +69,8 @@ def test_a_stride_of_2_does_not_survive_the_papers_mergings():
 @pytest.mark.slow
 @pytest.mark.parametrize("change", [{"network": "stride-2"}, {"bfloat16": True}, {"features": "paper"}])
 def test_other_networks_maps_and_precisions_learn_and_are_saved(change, tmp_path):
-    plan = localize.TrainingPlan(microphone_noise=1e-3, seconds_per_point=60, epochs=4, seed=1, **change)
+    usual = localize.TrainingPlan.on_maps()
+    plan = replace(usual, microphone_noise=1e-3, seconds_per_point=60, epochs=4, seed=1, **change)
     array = rc_line(4, spread=3.0)
     localizer = localize.train(array, plan)
     assert localizer.training["held_out_accuracy"][-1] > 0.6

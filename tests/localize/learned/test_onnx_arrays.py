@@ -1,8 +1,10 @@
-"""On a real array an ONNX file agrees with what it was made from to 1e-5 in probability, whatever the touch."""
+"""On a real array an ONNX file agrees with what it was made from in probability, whatever the touch: to 1e-5, or 1e-3
+where a network of hypotheses takes differences of large numbers in single precision."""
 
 from __future__ import annotations
 
 import functools
+from dataclasses import replace
 
 import numpy as np
 import onnxruntime
@@ -13,15 +15,18 @@ import acoustic_fem
 import geometry
 import localize
 from localize.decoders.surroundings import ROOM
+from localize.learned.hypothesis_network import HypothesisClassifier
 from localize.signals.array_response import response_of
 from localize.signals.stimulus_kinds import STIMULI
 
 AGREEMENT = 1e-5
+OF_HYPOTHESES = 1e-3
 PLAN = localize.TrainingPlan(
     seconds_per_point=10, epochs=2, microphone_noise=1e-3, stimuli=("multi-sines", "taps", "friction", "pulse-wave")
 )
 MADE = {
     "network": lambda array: localize.train(array, PLAN),
+    "network of maps": lambda array: localize.train(array, replace(PLAN, network="patches")),
     "decoder": lambda array: localize.BayesDecoder(array, 1e-3),
     "decoder of low noise": lambda array: localize.BayesDecoder(array, 1e-4),
     "decoder of three levels": lambda array: localize.BayesDecoder(array, 1e-3, ambient=(None, 60.0, 80.0)),
@@ -74,14 +79,16 @@ def frames_of(array, stimulus, noise, ambient=None):
 ])  # fmt: skip
 def test_probabilities_agree_on_line_2(array, pair, stimulus, noise, ambient, gain):
     localizer, session = pair
+    is_of_hypotheses = isinstance(getattr(localizer, "classifier", None), HypothesisClassifier)
+    agreement = OF_HYPOTHESES if is_of_hypotheses else AGREEMENT
     frames = frames_of(array, stimulus, noise, ambient) * gain
     expected = localizer.locate(frames)
     probability, logarithm = session.run(None, {"frames": frames.numpy()})
-    assert np.abs(probability - expected).max() < AGREEMENT
-    assert np.abs(np.exp(logarithm) - expected).max() < AGREEMENT
+    assert np.abs(probability - expected).max() < agreement
+    assert np.abs(np.exp(logarithm) - expected).max() < agreement
     alone = np.concatenate([session.run(None, {"frames": frame[None].numpy()})[0] for frame in frames[:40]])
-    assert np.abs(alone - expected[:40]).max() < AGREEMENT
-    assert np.abs(localizer.locate(frames[7]) - expected[7]).max() < AGREEMENT
+    assert np.abs(alone - expected[:40]).max() < agreement
+    assert np.abs(localizer.locate(frames[7]) - expected[7]).max() < agreement
 
 
 @pytest.mark.slow
