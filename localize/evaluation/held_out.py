@@ -1,0 +1,139 @@
+"""Held-out touches that several localizers are evaluated on, and what each decides about them.
+
+The touches are made once and kept, so that every localizer decides about the same ones, and none waits for them again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from localize.evaluation.accuracy import Evaluation, judged
+from localize.signals.array_response import ArrayResponse
+from localize.signals.disturbances import steady_sound
+from localize.signals.finger_strokes import press_strokes, tap_strokes
+from localize.signals.frames import FRAME
+from localize.signals.locator import Locator
+from localize.signals.noise_model import NoiseChoice
+from localize.signals.stimulus import StimulusSource, multi_sines
+from localize.signals.threads import one_thread
+from localize.signals.touch_generator import TouchGenerator
+
+
+@dataclass(frozen=True)
+class TouchKinds:
+    """Kinds of touches that an accuracy is of, each as often as the others."""
+
+    name: str
+    """Name in the plural, for a sentence."""
+    sources: tuple[StimulusSource, ...]
+    """Sources of the touches, at least one."""
+
+
+TAPS = TouchKinds("taps", (tap_strokes,))
+"""Taps: strokes of 10 to 100 ms."""
+PRESSES = TouchKinds("presses", (press_strokes,))
+"""Presses: strokes that are held, by a hand that trembles."""
+TAPS_AND_PRESSES = TouchKinds("taps and presses", TAPS.sources + PRESSES.sources)
+"""Touches of a finger, with which accuracies come first."""
+MULTI_SINES = TouchKinds("multi-sine touches", (multi_sines,))
+"""Touches of the publication."""
+
+
+@dataclass(frozen=True, eq=False)
+class HeldOutTouches:
+    """Touches that no localizer was trained on."""
+
+    generator: TouchGenerator
+    """Generator of the first of them, which knows their seed, their noise and the array."""
+    signals: NDArray[np.float32]
+    """(n, n_microphone, samples), Pa."""
+    point: NDArray[np.int64]
+    """Touched point of each, from 0; (n,)."""
+    sensor: NDArray[np.int64]
+    """Touched sensor of each, from 0; (n,)."""
+    interval: NDArray[np.int64]
+    """Index of each into ``stimulus.COMPONENT_INTERVALS``, -1 where it is not multi-sine; (n,)."""
+    kind: NDArray[np.int64]
+    """Kind of each, an index into :attr:`TouchKinds.sources`; (n,)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Decisions:
+    """Probabilities that a localizer states about held-out touches."""
+
+    touches: HeldOutTouches
+    """The touches."""
+    probability: NDArray[np.float64]
+    """Probability of each point; (n, n_point)."""
+
+    def evaluation(self, of: NDArray[np.bool_] | slice = slice(None)) -> Evaluation:
+        """Results on the touches that a mask (n,) selects; by default on all."""
+        own = self.touches
+        samples = own.signals.shape[-1]
+        return judged(self.probability[of], own.point[of], own.interval[of], own.generator, samples)
+
+    def by_sensor(self, kind: int | None = None) -> list[Evaluation]:
+        """Results on each sensor in turn, of one kind of touches if it is given."""
+        own = self.touches
+        wanted = np.ones(len(own.kind), dtype=bool) if kind is None else own.kind == kind
+        return [self.evaluation(wanted & (own.sensor == sensor)) for sensor in range(int(own.sensor.max()) + 1)]
+
+
+def held_out_touches(
+    response: ArrayResponse,
+    kinds: TouchKinds,
+    touches_per_point: int,
+    microphone_noise: NoiseChoice,
+    samples: int = FRAME,
+    seed: int = 0,
+    *,
+    sensors: NDArray[np.complex128] | None = None,
+    ambient: float | None = None,
+) -> HeldOutTouches:
+    """Held-out touches of a sensor, or of several.
+
+    They come from a stream of their own, so none was used in training, whatever the seeds are.
+
+    Args:
+        response: the array that is touched.
+        kinds: kinds of the touches.
+        touches_per_point: number of touches of each kind, of each point of each sensor; no two sensors have the same.
+        microphone_noise: as of :func:`localize.evaluate`.
+        samples: length of each signal, 250 (one frame) to 1000.
+        seed: any non-negative integer.
+        sensors: (n_sensor, n_point, n_microphone, n_freq) transfer functions of several sensors in place of those of
+            the array, on its frequencies, Pa/Pa.
+        ambient: level of the sound outside, dB SPL, for which the library must be of a design.
+    """
+    arrays = [response] if sensors is None else [replace(response, transfer_function=each) for each in sensors]
+    count = touches_per_point * response.point_count
+    generators, parts = [], []
+    for source in kinds.sources:
+        for number, array in enumerate(arrays):
+            generator = TouchGenerator(
+                array, seed, "evaluation", microphone_noise, stimuli=source, ambient=steady_sound(ambient)
+            )
+            generators.append(generator)
+            # Each sensor is touched by others of the touches.
+            parts += generator.stream(number * count, count)
+    return HeldOutTouches(
+        generator=generators[0],
+        signals=np.concatenate([part.signals[..., -samples:].numpy() for part in parts]),
+        point=np.concatenate([part.point.numpy() - 1 for part in parts]),
+        sensor=np.tile(np.repeat(np.arange(len(arrays)), count), len(kinds.sources)),
+        interval=np.concatenate([part.interval.numpy() for part in parts]),
+        kind=np.repeat(np.arange(len(kinds.sources)), count * len(arrays)),
+    )
+
+
+@one_thread()
+def decide(localizer: Locator, touches: HeldOutTouches, shard: int = 256) -> Decisions:
+    """Decisions of a localizer about held-out touches, of which it is given ``shard`` at a time."""
+    starts = range(0, len(touches.signals), shard)
+    return Decisions(
+        touches, np.concatenate([localizer.locate(touches.signals[first : first + shard]) for first in starts])
+    )
+
