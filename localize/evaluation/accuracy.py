@@ -290,6 +290,15 @@ def judged(
     touches: TouchGenerator,
     samples: int,
 ) -> Evaluation:
+    """Results of decisions that are made already.
+
+    Args:
+        probability: (n, n_point), that each point was touched.
+        point: (n,) touched points, from 0.
+        interval: (n,) indices into ``stimulus.COMPONENT_INTERVALS``, -1 for touches that are not multi-sine.
+        touches: generator of the touches, which knows their seed, their noise and the array.
+        samples: length of each signal.
+    """
     response, noise = touches.response, touches.microphone_noise
     order = np.argsort(-probability, axis=1, kind="stable")
     named = order[:, 0]

@@ -83,7 +83,10 @@ def conditions(response: ArrayResponse) -> tuple[Condition, ...]:
     return (
         *(Condition("microphone noise", f"{rms:g} Pa", rms, {"microphone_noise": rms}) for rms in NOISES),
         *(Condition("ambient sound", f"{level:g} dB SPL", level, {"ambient": level}) for level in loud),
-        *(Condition("stimulus", name, None, {"kinds": TouchKinds(name, (source,))}) for name, source in STIMULI.items()),
+        *(
+            Condition("stimulus", name, None, {"kinds": TouchKinds(name, (source,))})
+            for name, source in STIMULI.items()
+        ),
         *(Condition("length", f"{count} ms", float(count), {"samples": count}) for count in LENGTHS),
     )
 

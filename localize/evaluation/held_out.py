@@ -19,7 +19,7 @@ from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import StimulusSource, multi_sines
 from localize.signals.threads import one_thread
-from localize.signals.touch_generator import TouchGenerator
+from localize.signals.touch_generator import TouchGenerator, TouchSignals
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class HeldOutTouches:
     generator: TouchGenerator
     """Generator of the first of them, which knows their seed, their noise and the array."""
     signals: NDArray[np.float32]
-    """(n, n_microphone, samples), Pa."""
+    """(n, n_microphone, n_sample) float32, Pa."""
     point: NDArray[np.int64]
     """Touched point of each, from 0; (n,)."""
     sensor: NDArray[np.int64]
@@ -110,7 +110,8 @@ def held_out_touches(
     """
     arrays = [response] if sensors is None else [replace(response, transfer_function=each) for each in sensors]
     count = touches_per_point * response.point_count
-    generators, parts = [], []
+    generators: list[TouchGenerator] = []
+    parts: list[TouchSignals] = []
     for source in kinds.sources:
         for number, array in enumerate(arrays):
             generator = TouchGenerator(
@@ -136,4 +137,3 @@ def decide(localizer: Locator, touches: HeldOutTouches, shard: int = 256) -> Dec
     return Decisions(
         touches, np.concatenate([localizer.locate(touches.signals[first : first + shard]) for first in starts])
     )
-

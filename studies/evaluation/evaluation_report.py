@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from geometry.ground.whole_files import made_folder, temporary_folder, write_text
-from studies.evaluation.evaluation_figures import draw_conditions, draw_reliability
 from studies.evaluation.evaluated_sensors import SENSORS
+from studies.evaluation.evaluation_figures import draw_conditions, draw_reliability
 from studies.evaluation.full_evaluation import FullEvaluation
 from studies.output.folders import write_json
 from studies.output.report_texts import inlined_picture, percent, record_rows, rendered_page, with_worst

@@ -114,9 +114,7 @@ def confusion_sentence(result: RunResult) -> str:
     """Sentences on the hardest pair by distance against the pair the localizer confuses most."""
     pair = result.network.hardest_pair
     if pair is None:
-        return (
-            f"The localizer missed none of {result.network.touches} held-out touches ({result.network.signals})."
-        )
+        return f"The localizer missed none of {result.network.touches} held-out touches ({result.network.signals})."
     named, share = _numbers(result, pair), pair[2]
     text = (
         f"The localizer most often confuses points {named[0]} and {named[1]}: it assigns {percent(share)} of their "

@@ -133,8 +133,8 @@ def _assumptions(result: RunResult) -> list[str]:
 def _touches_sentence(result: RunResult) -> str:
     """Sentences on the touches of the evaluation and of the training."""
     plan = result.training["plan"]
-    sensors = plan["as_built"]
-    trained = f"{sensors} as-built sensors" if sensors and not result.network.unscattered else "the nominal sensor"
+    sensors = result.training["sensors"]
+    trained = f"{sensors} as-built sensors" if sensors > 1 else "the nominal sensor"
     shortest, longest = (1000 * each for each in TAP_SECONDS)
     return (
         f"Taps and presses are strokes of a membrane by a finger: a tap lasts {shortest:g} to {longest:g} ms, a press "

@@ -29,6 +29,7 @@ class RunResult(Shown):
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
+
         def accuracy(headline: Headline | None) -> str:
             return "" if headline is None else with_worst(headline.top1, headline.worst)
 
