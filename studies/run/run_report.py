@@ -138,8 +138,9 @@ def _touches_sentence(result: RunResult) -> str:
     shortest, longest = (1000 * each for each in TAP_SECONDS)
     return (
         f"Taps and presses are strokes of a membrane by a finger: a tap lasts {shortest:g} to {longest:g} ms, a press "
-        f"is held for {PRESS_HOLD[0]:g} to {PRESS_HOLD[1]:g} s. Their peaks are {PEAK[0]:g} to {PEAK[1]:g} Pa, so the "
-        "faintest are barely above the noise. Multi-sine touches, which the publication uses, have 1 to 100 sines from "
+        f"is held for {PRESS_HOLD[0]:g} to {PRESS_HOLD[1]:g} s. Their peaks are {PEAK[0]:g} to {PEAK[1]:g} Pa. Each is "
+        f"located from one frame of {result.network.samples} ms, and some begin before it, so no decoder locates all "
+        "of them. Multi-sine touches, which the publication uses, have 1 to 100 sines from "
         f"{BAND[0]:g} to {BAND[1]:g} Hz and white noise. A network recognizes only the kinds of touches that it was "
         f"trained on. This one was trained on {', '.join(plan['stimuli'])} on {trained}."
     )
