@@ -22,7 +22,7 @@ from .held_out import (
     TAPS_AND_PRESSES as TAPS_AND_PRESSES,
     Decisions as Decisions,
     HeldOutTouches as HeldOutTouches,
+    TouchedSensors as TouchedSensors,
     TouchKinds as TouchKinds,
     decide as decide,
-    held_out_touches as held_out_touches,
 )

@@ -7,7 +7,7 @@ Sensors that are made differently from their design need a model of their scatte
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ import scipy.stats
 from numpy.typing import NDArray
 
 from localize.evaluation.accuracy import Evaluation, Reliability, check_evaluation, wilson_interval
-from localize.evaluation.held_out import TAPS_AND_PRESSES, TouchKinds, decide, held_out_touches
+from localize.evaluation.held_out import TAPS_AND_PRESSES, TouchedSensors, TouchKinds, decide
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
@@ -40,8 +40,12 @@ class Condition:
     """Name of what it is changed to, in words with the unit."""
     value: float | None
     """Number that it is changed to, in its unit, where it is one."""
-    arguments: dict[str, Any]
-    """Arguments of :func:`localize.evaluation.held_out.held_out_touches` that differ."""
+    sensor: dict[str, Any] = field(default_factory=dict)
+    """Arguments of :class:`localize.evaluation.held_out.TouchedSensors` that differ."""
+    kinds: TouchKinds | None = None
+    """Kinds of the touches, where these differ."""
+    samples: int = FRAME
+    """Length of each signal, samples."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +91,7 @@ def conditions(response: ArrayResponse) -> tuple[Condition, ...]:
             Condition("stimulus", name, None, {"kinds": TouchKinds(name, (source,))})
             for name, source in STIMULI.items()
         ),
-        *(Condition("length", f"{count} ms", float(count), {"samples": count}) for count in LENGTHS),
+        *(Condition("length", f"{count} ms", float(count), samples=count) for count in LENGTHS),
     )
 
 
@@ -121,11 +125,9 @@ def evaluate_conditions(
     for number, condition in enumerate(chosen):
         if progress:
             progress(f"{condition.group} {condition.name}", number / len(chosen))
-        usual = {"microphone_noise": microphone_noise, "samples": FRAME, "kinds": kinds}
-        arguments = {**usual, **condition.arguments}
-        touched: TouchKinds = arguments["kinds"]
-        each = of_each_kind(touches_per_point, touched)
-        touches = held_out_touches(response, touches_per_point=each, seed=seed, **arguments)
+        sensors = TouchedSensors(response, **{"microphone_noise": microphone_noise, "seed": seed, **condition.sensor})
+        touched = condition.kinds or kinds
+        touches = sensors.touches(touched, of_each_kind(touches_per_point, touched), condition.samples)
         results = decide(localizer, touches).by_sensor()
         found.append(outcome_of(condition.group, condition.name, condition.value, touched.name, results))
     return found
@@ -161,8 +163,8 @@ def evaluate_sensors(
     check_evaluation(localizer, response, touches_per_point, microphone_noise)
     found = []
     for name, value, made in sensors:
-        each = of_each_kind(touches_per_point, kinds)
-        touches = held_out_touches(response, kinds, each, microphone_noise, seed=seed, sensors=made)
+        sensors_touched = TouchedSensors(response, microphone_noise, seed, sensors=made)
+        touches = sensors_touched.touches(kinds, of_each_kind(touches_per_point, kinds))
         found.append(outcome_of(group, name, value, kinds.name, decide(localizer, touches).by_sensor()))
     return found
 

@@ -47,7 +47,7 @@ class HeldOutTouches:
     """Touches that no localizer was trained on."""
 
     generator: TouchGenerator
-    """Generator of the first of them, which knows their seed, their noise and the array."""
+    """Generator of the first sensor, which knows the seed, the noise and the array."""
     signals: NDArray[np.float32]
     """(n, n_microphone, n_sample) float32, Pa."""
     point: NDArray[np.int64]
@@ -82,52 +82,57 @@ class Decisions:
         return [self.evaluation(wanted & (own.sensor == sensor)) for sensor in range(int(own.sensor.max()) + 1)]
 
 
-def held_out_touches(
-    response: ArrayResponse,
-    kinds: TouchKinds,
-    touches_per_point: int,
-    microphone_noise: NoiseChoice,
-    samples: int = FRAME,
-    seed: int = 0,
-    *,
-    sensors: NDArray[np.complex128] | None = None,
-    ambient: float | None = None,
-) -> HeldOutTouches:
-    """Held-out touches of a sensor, or of several.
-
-    They come from a stream of their own, so none was used in training, whatever the seeds are.
+class TouchedSensors:
+    """Sensors that are touched, one or several; :meth:`touches` makes held-out touches of them.
 
     Args:
         response: the array that is touched.
-        kinds: kinds of the touches.
-        touches_per_point: number of touches of each kind, of each point of each sensor; no two sensors have the same.
         microphone_noise: as of :func:`localize.evaluate`.
-        samples: length of each signal, 250 (one frame) to 1000.
         seed: any non-negative integer.
         sensors: (n_sensor, n_point, n_microphone, n_freq) transfer functions of several sensors in place of those of
             the array, on its frequencies, Pa/Pa.
         ambient: level of the sound outside, dB SPL, for which the library must be of a design.
     """
-    arrays = [response] if sensors is None else [replace(response, transfer_function=each) for each in sensors]
-    count = touches_per_point * response.point_count
-    generators: list[TouchGenerator] = []
-    parts: list[TouchSignals] = []
-    for source in kinds.sources:
-        for number, array in enumerate(arrays):
-            generator = TouchGenerator(
-                array, seed, "evaluation", microphone_noise, stimuli=source, ambient=steady_sound(ambient)
-            )
-            generators.append(generator)
-            # Each sensor is touched by others of the touches.
-            parts += generator.stream(number * count, count)
-    return HeldOutTouches(
-        generator=generators[0],
-        signals=np.concatenate([part.signals[..., -samples:].numpy() for part in parts]),
-        point=np.concatenate([part.point.numpy() - 1 for part in parts]),
-        sensor=np.tile(np.repeat(np.arange(len(arrays)), count), len(kinds.sources)),
-        interval=np.concatenate([part.interval.numpy() for part in parts]),
-        kind=np.repeat(np.arange(len(kinds.sources)), count * len(arrays)),
-    )
+
+    def __init__(
+        self,
+        response: ArrayResponse,
+        microphone_noise: NoiseChoice,
+        seed: int = 0,
+        *,
+        sensors: NDArray[np.complex128] | None = None,
+        ambient: float | None = None,
+    ) -> None:
+        arrays = [response] if sensors is None else [replace(response, transfer_function=each) for each in sensors]
+        sound = steady_sound(ambient)
+        self._point_count = response.point_count
+        self._generators = [
+            TouchGenerator(array, seed, "evaluation", microphone_noise, ambient=sound) for array in arrays
+        ]
+
+    def touches(self, kinds: TouchKinds, touches_per_point: int, samples: int = FRAME) -> HeldOutTouches:
+        """Held-out touches, from a stream of their own, so that none was used in training, whatever the seeds are.
+
+        Args:
+            kinds: kinds of the touches.
+            touches_per_point: number of touches of each kind, of each point of each sensor; no two sensors have the
+                same.
+            samples: length of each signal, 250 (one frame) to 1000.
+        """
+        count = touches_per_point * self._point_count
+        parts: list[TouchSignals] = []
+        for source in kinds.sources:
+            for number, generator in enumerate(self._generators):
+                parts += generator.with_stimuli(source).stream(number * count, count)
+        sensor = np.repeat(np.arange(len(self._generators)), count)
+        return HeldOutTouches(
+            generator=self._generators[0],
+            signals=np.concatenate([part.signals[..., -samples:].numpy() for part in parts]),
+            point=np.concatenate([part.point.numpy() - 1 for part in parts]),
+            sensor=np.tile(sensor, len(kinds.sources)),
+            interval=np.concatenate([part.interval.numpy() for part in parts]),
+            kind=np.repeat(np.arange(len(kinds.sources)), len(sensor)),
+        )
 
 
 @one_thread()

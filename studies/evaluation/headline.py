@@ -12,9 +12,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from acoustic_fem import Library
 from localize.evaluation.accuracy import Evaluation, check_evaluation
 from localize.evaluation.conditions import Outcome, interval_of, of_each_kind, outcome_of
@@ -24,9 +21,9 @@ from localize.evaluation.held_out import (
     TAPS,
     TAPS_AND_PRESSES,
     HeldOutTouches,
+    TouchedSensors,
     TouchKinds,
     decide,
-    held_out_touches,
 )
 from localize.signals.array_response import ArrayResponse
 from localize.signals.locator import Locator
@@ -141,21 +138,18 @@ class HeadlineTouches:
     def __init__(
         self, library: Library, response: ArrayResponse, touches: int, microphone_noise: NoiseChoice, seed: int
     ) -> None:
-        self._response, self._noise, self._seed = response, microphone_noise, seed
         few = min(touches, math.ceil(LEAST / response.point_count))
         made, self.unscattered = scattered_sensors(library, response, SENSOR_SEED, SENSORS, (WHOLE,))
-        self._nominal = self._made(TAPS_AND_PRESSES, touches if self.unscattered else few)
-        self._multi_sines = self._made(MULTI_SINES, few)
+        nominal = TouchedSensors(response, microphone_noise, seed)
+        self._nominal = _touches(nominal, TAPS_AND_PRESSES, touches if self.unscattered else few, 1)
+        self._multi_sines = _touches(nominal, MULTI_SINES, few, 1)
         if not self.unscattered:
-            as_built = made[0][-1]
-            rigs = rig_sensors(library, response, SENSOR_SEED, RIG_COUNT)[0][-1]
-            self._as_built = self._made(TAPS_AND_PRESSES, touches, as_built)
-            self._rigs = self._made(TAPS_AND_PRESSES, few, rigs)
-            self._as_built_multi_sines = self._made(MULTI_SINES, few, as_built)
-
-    def _made(self, kinds: TouchKinds, touches: int, sensors: NDArray[np.complex128] | None = None) -> HeldOutTouches:
-        each = of_each_kind(touches / (1 if sensors is None else len(sensors)), kinds)
-        return held_out_touches(self._response, kinds, each, self._noise, seed=self._seed, sensors=sensors)
+            as_built = TouchedSensors(response, microphone_noise, seed, sensors=made[0][-1])
+            self._as_built = _touches(as_built, TAPS_AND_PRESSES, touches, SENSORS)
+            self._as_built_multi_sines = _touches(as_built, MULTI_SINES, few, SENSORS)
+            found = rig_sensors(library, response, SENSOR_SEED, RIG_COUNT)[0][-1]
+            rigs = TouchedSensors(response, microphone_noise, seed, sensors=found)
+            self._rigs = _touches(rigs, TAPS_AND_PRESSES, few, RIG_COUNT)
 
     def headline(self, locator: Locator) -> Headline:
         """Headline of a localizer."""
@@ -182,6 +176,11 @@ class HeadlineTouches:
             multi_sines=multi_sines,
             unscattered=self.unscattered,
         )
+
+
+def _touches(sensors: TouchedSensors, kinds: TouchKinds, touches: int, count: int) -> HeldOutTouches:
+    """Touches per point, of all kinds and all of so many sensors together."""
+    return sensors.touches(kinds, of_each_kind(touches / count, kinds))
 
 
 def evaluate_headlines(

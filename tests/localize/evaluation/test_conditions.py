@@ -11,7 +11,7 @@ import acoustic_fem
 import localize
 from localize.evaluation.accuracy import Reliability
 from localize.evaluation.conditions import AMBIENT_LEVELS, NOISES, conditions, evaluate_conditions, evaluate_sensors
-from localize.evaluation.held_out import MULTI_SINES, TAPS_AND_PRESSES, decide, held_out_touches
+from localize.evaluation.held_out import MULTI_SINES, TAPS_AND_PRESSES, TouchedSensors, decide
 from localize.signals.array_response import response_of
 from localize.signals.stimulus_kinds import STIMULI
 
@@ -49,7 +49,7 @@ def test_the_worst_of_several_sensors_is_told_beside_their_mean():
 def test_no_two_sensors_have_the_same_touches_and_every_localizer_has_the_same():
     array = rc_line(5)
     same = np.stack([array.transfer_function, array.transfer_function])
-    touches = held_out_touches(array, TAPS_AND_PRESSES, 4, 0.0, seed=3, sensors=same)
+    touches = TouchedSensors(array, 0.0, 3, sensors=same).touches(TAPS_AND_PRESSES, 4)
     assert len({signal.tobytes() for signal in touches.signals}) == len(touches.signals) == 2 * 2 * 4 * 5
     decided = decide(localize.BayesDecoder(array, 1e-2), touches, shard=7)
     pooled = decided.evaluation()
@@ -66,7 +66,8 @@ def test_no_two_sensors_have_the_same_touches_and_every_localizer_has_the_same()
 def test_reliabilities_are_pooled_by_their_touches():
     array = rc_line(5)
     decoder = localize.BayesDecoder(array, 3e-2)
-    touches = held_out_touches(array, TAPS_AND_PRESSES, 20, 3e-2, sensors=np.stack(3 * [array.transfer_function]))
+    sensors = TouchedSensors(array, 3e-2, sensors=np.stack(3 * [array.transfer_function]))
+    touches = sensors.touches(TAPS_AND_PRESSES, 20)
     decided = decide(decoder, touches)
     whole = decided.evaluation().reliability
     pooled = Reliability.pooled([each.reliability for each in decided.by_sensor()])
