@@ -19,8 +19,8 @@ from matplotlib import colormaps
 import acoustic_fem
 import localize
 import studies
+from localize.evaluation import PRESSES, TAPS, TouchedSensors, decide
 from localize.signals import response_of
-from localize.signals.stimulus_kinds import STIMULI
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 
 DESIGN = "array-2x6"
@@ -28,8 +28,8 @@ DESIGN = "array-2x6"
 RIGS = (9101, 9102, 9103, 9104)
 #: Touches of each kind at every point of a sensor.
 TOUCHES = 100
-#: Kinds of touches: their name, and that of their source.
-KINDS = {"taps": "tap-strokes", "presses": "press-strokes"}
+#: Kinds of touches by name.
+KINDS = {each.name: each for each in (TAPS, PRESSES)}
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "level-difference.png"
 
 
@@ -66,11 +66,8 @@ def finger_accuracy(touches: int = TOUCHES, rigs: tuple[int, ...] = RIGS) -> Fin
 
 def _accuracy(known: acoustic_fem.Library, sensor: acoustic_fem.Library, touches: int) -> dict[str, float]:
     """Top-1 accuracy by kind of touches at a sensor, decoded with a library that may be another."""
-    decoder, array = localize.open_model(known).locator, response_of(sensor)
-    return {
-        kind: localize.evaluate(decoder, array, touches, "design", stimuli=STIMULI[source], seed=77).top1
-        for kind, source in KINDS.items()
-    }
+    decoder, touched = localize.open_model(known).locator, TouchedSensors(response_of(sensor), "design", seed=77)
+    return {name: decide(decoder, touched.touches(kinds, touches)).evaluation().top1 for name, kinds in KINDS.items()}
 
 
 def draw_level_difference() -> Path:

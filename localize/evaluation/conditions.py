@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from localize.evaluation.accuracy import Evaluation, Reliability, check_evaluation, wilson_interval
 from localize.evaluation.held_out import TAPS_AND_PRESSES, TouchedSensors, TouchKinds, decide
+from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
@@ -88,7 +89,7 @@ def conditions(response: ArrayResponse) -> tuple[Condition, ...]:
         *(Condition("microphone noise", f"{rms:g} Pa", rms, {"microphone_noise": rms}) for rms in NOISES),
         *(Condition("ambient sound", f"{level:g} dB SPL", level, {"ambient": level}) for level in loud),
         *(
-            Condition("stimulus", name, None, {"kinds": TouchKinds(name, (source,))})
+            Condition("stimulus", name, None, kinds=TouchKinds(name, (source,), HIGH_PASS))
             for name, source in STIMULI.items()
         ),
         *(Condition("length", f"{count} ms", float(count), samples=count) for count in LENGTHS),

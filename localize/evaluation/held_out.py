@@ -8,9 +8,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy.signal
 from numpy.typing import NDArray
 
 from localize.evaluation.accuracy import Evaluation, judged
+from localize.live.front_end import high_pass_sections
+from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import steady_sound
 from localize.signals.finger_strokes import press_strokes, tap_strokes
@@ -30,16 +33,18 @@ class TouchKinds:
     """Name in the plural, for a sentence."""
     sources: tuple[StimulusSource, ...]
     """Sources of the touches, at least one."""
+    high_pass: float | None = None
+    """Corner of the high-pass that the signals pass before they are located, Hz; None for none."""
 
 
-TAPS = TouchKinds("taps", (tap_strokes,))
-"""Taps: strokes of 10 to 100 ms."""
-PRESSES = TouchKinds("presses", (press_strokes,))
-"""Presses: strokes that are held, by a hand that trembles."""
-TAPS_AND_PRESSES = TouchKinds("taps and presses", TAPS.sources + PRESSES.sources)
-"""Touches of a finger, with which accuracies come first."""
+TAPS = TouchKinds("taps", (tap_strokes,), HIGH_PASS)
+"""Taps: strokes of 10 to 100 ms, behind the high-pass of a stream."""
+PRESSES = TouchKinds("presses", (press_strokes,), HIGH_PASS)
+"""Presses: strokes that are held, by a hand that trembles, behind the high-pass of a stream."""
+TAPS_AND_PRESSES = TouchKinds("taps and presses", TAPS.sources + PRESSES.sources, HIGH_PASS)
+"""Touches of a finger, with which accuracies come first, behind the high-pass of a stream."""
 MULTI_SINES = TouchKinds("multi-sine touches", (multi_sines,))
-"""Touches of the publication."""
+"""Touches of the publication, unfiltered as there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,12 +132,19 @@ class TouchedSensors:
         sensor = np.repeat(np.arange(len(self._generators)), count)
         return HeldOutTouches(
             generator=self._generators[0],
-            signals=np.concatenate([part.signals[..., -samples:].numpy() for part in parts]),
+            signals=np.concatenate([_passed(part.signals.numpy(), kinds.high_pass)[..., -samples:] for part in parts]),
             point=np.concatenate([part.point.numpy() - 1 for part in parts]),
             sensor=np.tile(sensor, len(kinds.sources)),
             interval=np.concatenate([part.interval.numpy() for part in parts]),
             kind=np.repeat(np.arange(len(kinds.sources)), len(sensor)),
         )
+
+
+def _passed(signals: NDArray[np.float32], corner: float | None) -> NDArray[np.float32]:
+    """Whole signals behind a high-pass."""
+    if corner is None:
+        return signals
+    return np.asarray(scipy.signal.sosfilt(high_pass_sections(corner), signals, axis=-1), dtype=np.float32)
 
 
 @one_thread()

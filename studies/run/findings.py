@@ -229,7 +229,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     ]
     pair = network.hardest_pair
     confused = "none" if pair is None else "points {} and {}".format(*_numbers(result, pair))
-    share = "" if pair is None else f"{percent(pair[2])} of these touches of them are assigned to the other point"
+    share = "" if pair is None else f"{percent(pair[2])} of their taps and presses are assigned to the other point"
     figures.append(KeyFigure("most confused by the localizer", confused, share))
     for frequency in (10.0, 100.0):
         weakest, point = worst_heard(h, frequency)

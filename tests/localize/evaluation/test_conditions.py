@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+import scipy.signal
 from rc_line import rc_line
 from small_run import small_design
 
@@ -11,7 +14,7 @@ import acoustic_fem
 import localize
 from localize.evaluation.accuracy import Reliability
 from localize.evaluation.conditions import AMBIENT_LEVELS, NOISES, conditions, evaluate_conditions, evaluate_sensors
-from localize.evaluation.held_out import MULTI_SINES, TAPS_AND_PRESSES, TouchedSensors, decide
+from localize.evaluation.held_out import MULTI_SINES, TAPS_AND_PRESSES, TouchedSensors, TouchKinds, decide
 from localize.signals.array_response import response_of
 from localize.signals.stimulus_kinds import STIMULI
 
@@ -29,7 +32,8 @@ def test_each_condition_changes_one_thing_and_reaches_the_signals():
     assert {name for group, name in outcomes if group == "stimulus"} == set(STIMULI)
     assert outcomes["length", "1000 ms"].top1 >= outcomes["length", "250 ms"].top1
     for name in ("taps", "tap-strokes"):
-        alone = localize.evaluate(decoder, array, 6, 1e-2, stimuli=STIMULI[name])
+        touches = TouchedSensors(array, 1e-2).touches(TouchKinds(name, (STIMULI[name],), 3.0), 6)
+        alone = decide(decoder, touches).evaluation()
         assert (outcomes["stimulus", name].top1, outcomes["stimulus", name].signals) == (alone.top1, name)
     assert {each.signals for (group, _), each in outcomes.items() if group != "stimulus"} == {"multi-sine touches"}
 
@@ -57,10 +61,15 @@ def test_no_two_sensors_have_the_same_touches_and_every_localizer_has_the_same()
     assert [[each.touches for each in results] for results in by_kind] == [[20, 20], [20, 20]]
     right = sum(each.top1 * each.touches for results in by_kind for each in results)
     assert pooled.top1 * pooled.touches == pytest.approx(right)
-    # The first sensor has the touches of localize.evaluate.
-    for number, name in enumerate(("tap-strokes", "press-strokes")):
-        alone = localize.evaluate(localize.BayesDecoder(array, 1e-2), array, 4, 0.0, seed=3, stimuli=STIMULI[name])
-        assert by_kind[number][0].confusion.tolist() == alone.confusion.tolist()
+    # The first sensor has the touches of localize.evaluate, behind a high-pass.
+    unfiltered = TouchedSensors(array, 0.0, 3).touches(replace(TAPS_AND_PRESSES, high_pass=None), 4)
+    found = decide(localize.BayesDecoder(array, 1e-2), unfiltered).by_sensor(0)
+    alone = localize.evaluate(localize.BayesDecoder(array, 1e-2), array, 4, 0.0, seed=3, stimuli=STIMULI["tap-strokes"])
+    assert found[0].confusion.tolist() == alone.confusion.tolist()
+    whole = TouchedSensors(array, 0.0, 3).touches(replace(TAPS_AND_PRESSES, high_pass=None), 4, 1000).signals
+    passed = scipy.signal.sosfilt(scipy.signal.butter(2, 3.0, "highpass", fs=1000, output="sos"), whole)
+    ours = TouchedSensors(array, 0.0, 3).touches(TAPS_AND_PRESSES, 4).signals
+    assert np.abs(ours - passed[..., -250:]).max() < 1e-5 * np.abs(ours).max()
 
 
 def test_reliabilities_are_pooled_by_their_touches():
