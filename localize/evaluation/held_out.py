@@ -74,11 +74,11 @@ class Decisions:
     probability: NDArray[np.float64]
     """Probability of each point; (n, n_point)."""
 
-    def evaluation(self, of: NDArray[np.bool_] | slice = slice(None)) -> Evaluation:
-        """Results on the touches that a mask (n,) selects; by default on all."""
+    def evaluation(self, chosen: NDArray[np.bool_] | None = None) -> Evaluation:
+        """Results on the touches that are ``chosen`` by a mask, (n,) bool; by default on all."""
         own = self.touches
-        samples = own.signals.shape[-1]
-        return judged(self.probability[of], own.point[of], own.interval[of], own.generator, samples)
+        mask = np.ones(len(own.point), dtype=bool) if chosen is None else chosen
+        return judged(self.probability[mask], own.point[mask], own.interval[mask], own.generator, own.signals.shape[-1])
 
     def by_sensor(self, kind: int | None = None) -> list[Evaluation]:
         """Results on each sensor in turn, of one kind of touches if it is given."""
