@@ -1,4 +1,4 @@
-"""Make the figures of README: accuracy of finger taps by the default decoder, and the picture of its ten lines.
+"""Make the figures of README: accuracy of taps and presses by the default decoder, and the picture of its ten lines.
 
     python -m benchmarks.readme          # prints the table, writes docs/images/level-difference.png; two minutes
 
@@ -19,30 +19,35 @@ from matplotlib import colormaps
 import acoustic_fem
 import localize
 import studies
+from localize.evaluation import PRESSES, TAPS, TouchedSensors, decide
 from localize.signals import response_of
-from localize.signals.stimulus_kinds import STIMULI
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 
 DESIGN = "array-2x6"
 #: Seeds of the rigs: on none of them was a constant of a decoder chosen.
 RIGS = (9101, 9102, 9103, 9104)
-#: Taps at every point of a sensor.
-TAPS = 100
+#: Touches of each kind at every point of a sensor.
+TOUCHES = 100
+#: Kinds of touches by name.
+KINDS = {each.name: each for each in (TAPS, PRESSES)}
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "level-difference.png"
 
 
-class TapAccuracy(NamedTuple):
-    """Top-1 accuracy of finger taps, fractions of one."""
+class FingerAccuracy(NamedTuple):
+    """Top-1 accuracy for touches of a finger: fractions of one by kind of touches, one for each sensor."""
 
-    nominal: float
-    as_built: tuple[float, ...]
-    """Accuracy of each rig, decoded with the library of the design."""
-    calibrated: tuple[float, ...]
-    """Accuracy of each rig, decoded with its own measured library."""
+    as_built: dict[str, list[float]]
+    """Rigs, decoded with the library of the design."""
+    calibrated: dict[str, list[float]]
+    """Rigs, each decoded with its own measured library."""
+    nominal: dict[str, list[float]]
+    """The nominal sensor."""
 
 
-def tap_accuracy(taps: int = TAPS, rigs: tuple[int, ...] = RIGS) -> TapAccuracy:
-    """Accuracy of the default decoder on simulated taps of 250 ms with the noise of the design's microphones."""
+def finger_accuracy(touches: int = TOUCHES, rigs: tuple[int, ...] = RIGS) -> FingerAccuracy:
+    """Accuracy of the default decoder on simulated taps and presses, of which it is given 250 ms with the noise of the
+    design's microphones.
+    """
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder)
         designed = studies.solve_library(DESIGN, place / "designed.nc")
@@ -51,16 +56,18 @@ def tap_accuracy(taps: int = TAPS, rigs: tuple[int, ...] = RIGS) -> TapAccuracy:
             rig = studies.record_rig(DESIGN, place / f"rig-{seed}", seed=seed)
             studies.calibrate_sensor(rig.calibration, place / f"{seed}.nc")
             truth = acoustic_fem.load(rig.library)
-            as_built.append(_accuracy(designed, truth, taps))
-            calibrated.append(_accuracy(acoustic_fem.load(place / f"{seed}.nc"), truth, taps))
-        return TapAccuracy(_accuracy(designed, designed, taps), tuple(as_built), tuple(calibrated))
+            as_built.append(_accuracy(designed, truth, touches))
+            calibrated.append(_accuracy(acoustic_fem.load(place / f"{seed}.nc"), truth, touches))
+        nominal = [_accuracy(designed, designed, touches)]
+    return FingerAccuracy(
+        *({kind: [each[kind] for each in sensors] for kind in KINDS} for sensors in (as_built, calibrated, nominal))
+    )
 
 
-def _accuracy(known: acoustic_fem.Library, sensor: acoustic_fem.Library, taps: int) -> float:
-    """Top-1 accuracy on taps at a sensor, decoded with a library that may be another."""
-    decoder = localize.open_model(known).locator
-    found = localize.evaluate(decoder, response_of(sensor), taps, "design", stimuli=STIMULI["taps"], seed=77)
-    return found.top1
+def _accuracy(known: acoustic_fem.Library, sensor: acoustic_fem.Library, touches: int) -> dict[str, float]:
+    """Top-1 accuracy by kind of touches at a sensor, decoded with a library that may be another."""
+    decoder, touched = localize.open_model(known).locator, TouchedSensors(response_of(sensor), "design", seed=77)
+    return {name: decide(decoder, touched.touches(kinds, touches)).evaluation().top1 for name, kinds in KINDS.items()}
 
 
 def draw_level_difference() -> Path:
@@ -80,10 +87,9 @@ def draw_level_difference() -> Path:
 def main() -> None:
     """Print the table, and draw the picture."""
     print(draw_level_difference())
-    found = tap_accuracy()
-    for name, values in zip(found._fields, (found.nominal, found.as_built, found.calibrated), strict=True):
-        each = 100 * np.atleast_1d(values)
-        print(f"{name}: {each.mean():.1f} % (worst sensor {each.min():.1f})")
+    for name, by_kind in finger_accuracy()._asdict().items():
+        for kind, values in by_kind.items():
+            print(f"{name}, {kind}: {100 * np.mean(values):.1f} % (worst sensor {100 * min(values):.1f})", flush=True)
 
 
 if __name__ == "__main__":

@@ -15,3 +15,14 @@ from .goodness_of_fit import (
     SensorFit as SensorFit,
     sensor_fit as sensor_fit,
 )
+from .held_out import (
+    MULTI_SINES as MULTI_SINES,
+    PRESSES as PRESSES,
+    TAPS as TAPS,
+    TAPS_AND_PRESSES as TAPS_AND_PRESSES,
+    Decisions as Decisions,
+    HeldOutTouches as HeldOutTouches,
+    TouchedSensors as TouchedSensors,
+    TouchKinds as TouchKinds,
+    decide as decide,
+)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -73,6 +73,28 @@ class Reliability:
 
     bins: tuple[ReliabilityBin, ...]
     """Equal ranges of the stated probability, from 0 to 1."""
+
+    @classmethod
+    def pooled(cls, parts: Sequence[Reliability]) -> Reliability:
+        """Reliability over the touches of several, which have equal bins."""
+
+        def mean(bins: Sequence[ReliabilityBin], name: str) -> float | None:
+            filled = [each for each in bins if each.touches]
+            touches = sum(each.touches for each in filled)
+            return sum(each.touches * getattr(each, name) for each in filled) / touches if touches else None
+
+        return cls(
+            tuple(
+                ReliabilityBin(
+                    low=bins[0].low,
+                    high=bins[0].high,
+                    touches=sum(each.touches for each in bins),
+                    stated=mean(bins, "stated"),
+                    right=mean(bins, "right"),
+                )
+                for bins in zip(*(part.bins for part in parts), strict=True)
+            )
+        )
 
     @property
     def expected_error(self) -> float:
@@ -232,7 +254,7 @@ def evaluate(
         probability.append(localizer.locate(part.signals[..., -samples:].numpy()))
         point.append(part.point.numpy() - 1)
         interval.append(part.interval.numpy())
-    return _judged(
+    return judged(
         np.concatenate(probability), np.concatenate(point), np.concatenate(interval), touches, samples
     )  # fmt: skip
 
@@ -261,13 +283,22 @@ def check_evaluation(
     response.noise(microphone_noise)
 
 
-def _judged(
+def judged(
     probability: NDArray[np.float64],
     point: NDArray[np.int64],
     interval: NDArray[np.int64],
     touches: TouchGenerator,
     samples: int,
 ) -> Evaluation:
+    """Results of decisions that are made already.
+
+    Args:
+        probability: (n, n_point), that each point was touched.
+        point: (n,) touched points, from 0.
+        interval: (n,) indices into ``stimulus.COMPONENT_INTERVALS``, -1 for touches that are not multi-sine.
+        touches: generator of the touches, which knows their seed, their noise and the array.
+        samples: length of each signal.
+    """
     response, noise = touches.response, touches.microphone_noise
     order = np.argsort(-probability, axis=1, kind="stable")
     named = order[:, 0]

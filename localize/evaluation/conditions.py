@@ -7,14 +7,16 @@ Sensors that are made differently from their design need a model of their scatte
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 import scipy.stats
 from numpy.typing import NDArray
 
-from localize.evaluation.accuracy import Evaluation, evaluate
+from localize.evaluation.accuracy import Evaluation, Reliability, check_evaluation, wilson_interval
+from localize.evaluation.held_out import TAPS_AND_PRESSES, TouchedSensors, TouchKinds, decide
+from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
@@ -39,8 +41,12 @@ class Condition:
     """Name of what it is changed to, in words with the unit."""
     value: float | None
     """Number that it is changed to, in its unit, where it is one."""
-    arguments: dict[str, Any]
-    """Arguments of :func:`localize.evaluate` that differ."""
+    sensor: dict[str, Any] = field(default_factory=dict)
+    """Arguments of :class:`localize.evaluation.held_out.TouchedSensors` that differ."""
+    kinds: TouchKinds | None = None
+    """Kinds of the touches, where these differ."""
+    samples: int = FRAME
+    """Length of each signal, samples."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +59,10 @@ class Outcome:
     """Name of what it is changed to, in words with the unit."""
     value: float | None
     """Number that it is changed to, in its unit, where it is one."""
+    signals: str
+    """Name of the touches, in the plural."""
+    sensors: int
+    """Number of sensors."""
     top1: float
     """Share of touches whose most probable point is the right one."""
     top2: float
@@ -60,7 +70,7 @@ class Outcome:
     within_one: float
     """Share of touches whose most probable point is the right one or a neighbour on its line."""
     expected_calibration_error: float
-    """Expected calibration error of the stated probabilities."""
+    """Expected calibration error of the stated probabilities, over the touches of all sensors."""
     touches: int
     """Number of touches, of all sensors together."""
     low: float
@@ -78,8 +88,11 @@ def conditions(response: ArrayResponse) -> tuple[Condition, ...]:
     return (
         *(Condition("microphone noise", f"{rms:g} Pa", rms, {"microphone_noise": rms}) for rms in NOISES),
         *(Condition("ambient sound", f"{level:g} dB SPL", level, {"ambient": level}) for level in loud),
-        *(Condition("stimulus", name, None, {"stimuli": source}) for name, source in STIMULI.items()),
-        *(Condition("length", f"{count} ms", float(count), {"samples": count}) for count in LENGTHS),
+        *(
+            Condition("stimulus", name, None, kinds=TouchKinds(name, (source,), HIGH_PASS))
+            for name, source in STIMULI.items()
+        ),
+        *(Condition("length", f"{count} ms", float(count), samples=count) for count in LENGTHS),
     )
 
 
@@ -91,30 +104,33 @@ def evaluate_conditions(
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
     *,
-    wanted: Sequence[Condition] | None = None,
+    kinds: TouchKinds = TAPS_AND_PRESSES,
 ) -> list[Outcome]:
     """Results of a localizer under one condition after the other.
 
     Args:
         localizer: anything that :func:`localize.evaluate` takes.
         response: the array that is touched.
-        touches_per_point: in each condition.
+        touches_per_point: in each condition, rounded to as many of each kind.
         microphone_noise: where the condition is not the noise.
         seed: any non-negative integer.
         progress: called with the condition and the fraction done.
-        wanted: some of :func:`conditions`; by default all.
+        kinds: the touches, where the condition is not the stimulus.
 
     Raises:
         Refusal: as :func:`localize.evaluate`.
     """
-    chosen = conditions(response) if wanted is None else wanted
+    check_evaluation(localizer, response, touches_per_point, microphone_noise)
+    chosen = conditions(response)
     found = []
     for number, condition in enumerate(chosen):
         if progress:
             progress(f"{condition.group} {condition.name}", number / len(chosen))
-        arguments = {"microphone_noise": microphone_noise, "samples": FRAME, "seed": seed, **condition.arguments}
-        result = evaluate(localizer, response, touches_per_point, **arguments)
-        found.append(_outcome(condition.group, condition.name, condition.value, [result]))
+        sensors = TouchedSensors(response, **{"microphone_noise": microphone_noise, "seed": seed, **condition.sensor})
+        touched = condition.kinds or kinds
+        touches = sensors.touches(touched, of_each_kind(touches_per_point, touched), condition.samples)
+        results = decide(localizer, touches).by_sensor()
+        found.append(outcome_of(condition.group, condition.name, condition.value, touched.name, results))
     return found
 
 
@@ -126,6 +142,8 @@ def evaluate_sensors(
     microphone_noise: NoiseChoice,
     seed: int = 0,
     group: str = "as-built sensors",
+    *,
+    kinds: TouchKinds = TAPS_AND_PRESSES,
 ) -> list[Outcome]:
     """Results of a localizer on sensors that were made differently from the library's.
 
@@ -134,40 +152,60 @@ def evaluate_sensors(
         response: the array of the library.
         sensors: sets of sensors: name, scatter where it is a number, and (n_sensor, n_point, n_microphone, n_freq)
             complex128 transfer functions on the frequencies of the library, Pa/Pa.
-        touches_per_point: of each sensor.
+        touches_per_point: of each sensor, rounded to as many of each kind.
         microphone_noise: as :func:`localize.evaluate`.
         seed: any non-negative integer.
         group: of the outcomes.
+        kinds: the touches.
+
+    Raises:
+        Refusal: as :func:`localize.evaluate`.
     """
+    check_evaluation(localizer, response, touches_per_point, microphone_noise)
     found = []
     for name, value, made in sensors:
-        results = [
-            evaluate(localizer, replace(response, transfer_function=h), touches_per_point, microphone_noise, seed=seed)
-            for h in made
-        ]
-        found.append(_outcome(group, name, value, results))
+        sensors_touched = TouchedSensors(response, microphone_noise, seed, sensors=made)
+        touches = sensors_touched.touches(kinds, of_each_kind(touches_per_point, kinds))
+        found.append(outcome_of(group, name, value, kinds.name, decide(localizer, touches).by_sensor()))
     return found
 
 
-def _outcome(group: str, name: str, value: float | None, results: Sequence[Evaluation]) -> Outcome:
+def of_each_kind(touches: float, kinds: TouchKinds) -> int:
+    """Number of touches of each kind, at least one, where so many are wanted of all kinds together."""
+    return max(1, round(touches / len(kinds.sources)))
+
+
+def outcome_of(group: str, name: str, value: float | None, signals: str, results: Sequence[Evaluation]) -> Outcome:
+    """Outcome of results on the touches of one sensor, or of several that have as many touches each."""
+
     def mean(field: str) -> float:
         return float(np.mean([getattr(result, field) for result in results]))
 
-    shares = np.array([result.top1 for result in results])
-    low, high = results[0].interval()
-    if len(results) > 1:
-        half = scipy.stats.t.ppf(0.975, len(shares) - 1) * shares.std(ddof=1) / np.sqrt(len(shares))
-        low, high = np.clip([shares.mean() - half, shares.mean() + half], 0.0, 1.0)
+    low, high = interval_of(results)
     return Outcome(
         group=group,
         name=name,
         value=value,
+        signals=signals,
+        sensors=len(results),
         top1=mean("top1"),
         top2=mean("top2"),
         within_one=mean("within_one"),
-        expected_calibration_error=float(np.mean([result.reliability.expected_error for result in results])),
+        expected_calibration_error=Reliability.pooled([result.reliability for result in results]).expected_error,
         touches=sum(result.touches for result in results),
-        low=float(low),
-        high=float(high),
+        low=low,
+        high=high,
         worst=min(result.top1 for result in results) if len(results) > 1 else None,
     )
+
+
+def interval_of(results: Sequence[Evaluation], name: str = "top1") -> tuple[float, float]:
+    """95 % interval of ``top1``, ``top2`` or ``within_one``: Wilson's of the touches of one sensor; of several sensors
+    Student's t of their mean, because they differ more than chance.
+    """
+    shares = np.array([getattr(result, name) for result in results])
+    if len(shares) == 1:
+        return wilson_interval(float(shares[0]), results[0].touches)
+    half = scipy.stats.t.ppf(0.975, len(shares) - 1) * shares.std(ddof=1) / np.sqrt(len(shares))
+    low, high = np.clip([shares.mean() - half, shares.mean() + half], 0.0, 1.0)
+    return float(low), float(high)

@@ -7,6 +7,7 @@ functions of its point (:mod:`localize.signals`); the sound outside and the micr
 
 from __future__ import annotations
 
+import copy
 import hashlib
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -228,6 +229,12 @@ class TouchGenerator:
         sound = disturbances.ambient_sound(*sample, levels, self._band[1], self.device)
         spectrum = sound[:, None, : response.shape[-1]] * response
         return torch.fft.irfft(spectrum, n=stimulus.SAMPLE_LENGTH, norm="forward")
+
+    def with_stimuli(self, stimuli: StimulusSource) -> TouchGenerator:
+        """Generator of other kinds of touches of the same sensors, without solving these on the lines again."""
+        other = copy.copy(self)
+        other.stimuli = stimuli
+        return other
 
     def transfer_function_sha256(self) -> str:
         """Checksum of the transfer functions; of a source, of its first sensor and their number."""

@@ -71,10 +71,10 @@ def check(
 ) -> None:
     """Validate a design and predict how well it will work.
 
-    Problems that prevent it from being made come first. Then come the predicted top-1 accuracy of the nominal and of
-    the as-built sensor, the wiring, the layout, the print rules and the validity of the models. The exit code is 1 if
-    the design is invalid, if parts overlap, or if a print rule fails. Parts are drawn and measured but nothing is
-    solved in 3-D, so it takes seconds.
+    Problems that prevent it from being made come first. Then come the top-1 accuracy that is predicted for multi-sine
+    touches on as-built sensors and on the nominal one, the wiring, the layout, the print rules and the validity of the
+    models. The exit code is 1 if the design is invalid, if parts overlap, or if a print rule fails. Parts are drawn and
+    measured but nothing is solved in 3-D, so it takes seconds.
 
     Example: [bold]acoustic-fem check mine.toml[/bold]
     """

@@ -178,7 +178,13 @@ def evaluate(
         Path, typer.Argument(metavar="MODEL", help="Trained localizer, a folder from train or run, or an .onnx file.")
     ],
     library: LibraryFile,
-    touches: Annotated[int, typer.Option(help="Number of held-out touches of every point.")] = HELD_OUT_TOUCHES,
+    touches: Annotated[
+        int,
+        typer.Option(
+            help="Number of held-out taps and presses of every point, on all as-built sensors together, but at least "
+            "one tap and one press on each of 20 sensors."
+        ),
+    ] = HELD_OUT_TOUCHES,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the touches.")] = SEED,
     out: Annotated[
@@ -191,9 +197,9 @@ def evaluate(
 ) -> None:
     """Measure how accurately a trained network locates touches it was not trained on.
 
-    Prints the accuracy of the network and, for comparison, of the Bayes decoder of the library. The first line of each
-    is for multi-sine touches on the nominal sensor. The lines below it are for taps, and for multi-sine touches on
-    as-built sensors.
+    Prints the accuracy of the network and, for comparison, of decoders of the library that need no training. The first
+    line of each is for taps and presses on as-built sensors. The lines below it are for taps, presses, virtual rigs,
+    the nominal sensor and multi-sine touches.
 
     Example: [bold]acoustic-fem evaluate localizer library.nc --out evaluation[/bold]
     """
@@ -221,15 +227,22 @@ def _show_evaluations(results: dict[str, Headline]) -> None:
     for title, result in results.items():
         table.add_row(title, *4 * [""])
         pair = result.hardest_pair
-        confused = "" if pair is None else f"most confused: {pair[0]} and {pair[1]}, {100 * pair[2]:.1f} %"
-        row(result.signals, (result.top1, result.top2, result.within_one, result.reliability.expected_error), confused)
+        remarks = [_worst_in_words(result.worst)]
+        remarks += [] if pair is None else [f"most confused: {pair[0]} and {pair[1]}, {100 * pair[2]:.1f} %"]
+        shares = (result.top1, result.top2, result.within_one, result.reliability.expected_error)
+        row(result.signals, shares, "\n    ".join(filter(None, remarks)))
         for name, each in result.beside:
-            worst = "" if each.worst is None else f"the worst sensor: {100 * each.worst:.1f} % correct"
-            row(name, (each.top1, each.top2, each.within_one, each.expected_calibration_error), worst)
+            shares = (each.top1, each.top2, each.within_one, each.expected_calibration_error)
+            row(name, shares, _worst_in_words(each.worst))
     show(table)
     unscattered = next(iter(results.values())).unscattered
     if unscattered:
         tell(f"as-built sensors are left out: {unscattered}")
+
+
+def _worst_in_words(worst: float | None) -> str:
+    """Accuracy on the worst of several sensors, for a remark; empty for one sensor."""
+    return "" if worst is None else f"the worst sensor: {100 * worst:.1f} % correct"
 
 
 def _show_recorded(localizer: Localizer) -> None:

@@ -28,9 +28,9 @@ def draw_reliability(results: Sequence[LocalizerResult], path: str | os.PathLike
         upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
         upper.plot([0, 1], [0, 1], color="#999999", linestyle="--", linewidth=1)
         for each, colour, mark in zip(results, _COLOURS, _MARKS, strict=False):
-            bins = [each_bin for each_bin in each.overall.reliability.bins if each_bin.touches]
+            bins = [each_bin for each_bin in each.headline.reliability.bins if each_bin.touches]
             stated, right = ([getattr(each_bin, name) for each_bin in bins] for name in ("stated", "right"))
-            error = each.overall.reliability.expected_error
+            error = each.headline.reliability.expected_error
             label = f"{each.name}: expected calibration error {100 * error:.1f} %"
             upper.plot(stated, right, marker=mark, color=colour, label=label)
             lower.plot(stated, [each_bin.touches for each_bin in bins], marker=mark, color=colour)
@@ -63,11 +63,11 @@ def draw_conditions(results: Sequence[LocalizerResult], path: str | os.PathLike[
 
 def _draw_components(results: Sequence[LocalizerResult], panel: Axes) -> None:
     for number, each in enumerate(results):
-        counted = list(each.overall.by_components.values())
+        counted = list(each.headline.multi_sines.by_components.values())
         shares = [100 * share for share, _ in counted]
         bars = _error_bars([(share, *wilson_interval(share, touches)) for share, touches in counted])
-        _draw_bars(panel, list(each.overall.by_components), shares, bars, number, len(results), each.name)
-    panel.set(title="components of the touch")
+        _draw_bars(panel, list(each.headline.multi_sines.by_components), shares, bars, number, len(results), each.name)
+    panel.set(title="sines of a multi-sine touch, nominal sensor")
 
 
 def _draw_group(panel: Axes, outcomes: list[Outcome], number: int, name: str) -> None:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from geometry.ground.whole_files import made_folder, temporary_folder, write_text
-from localize.evaluation.conditions import Outcome
+from studies.evaluation.evaluated_sensors import SENSORS
 from studies.evaluation.evaluation_figures import draw_conditions, draw_reliability
-from studies.evaluation.full_evaluation import SENSORS, FullEvaluation
-from studies.evaluation.headline import SIGNALS, Headline
+from studies.evaluation.full_evaluation import FullEvaluation
 from studies.output.folders import write_json
-from studies.output.report_texts import inlined_picture, percent, record_rows, rendered_page
+from studies.output.report_texts import inlined_picture, percent, record_rows, rendered_page, with_worst
 from studies.output.response_figures import draw_confusion
 
 #: What is written into a folder, the page for people first.
@@ -36,7 +35,7 @@ def render(found: FullEvaluation) -> str:
         found=found,
         verdict=_verdict(found),
         accuracies=_accuracy_rows(found),
-        noise=found.results[0].overall.noise_in_words,
+        noise=found.results[0].headline.noise_in_words,
         rows=list(zip(*(each.outcomes for each in found.results), strict=True)),
         sensors=SENSORS,
         pictures=_pictures(found),
@@ -47,24 +46,21 @@ def render(found: FullEvaluation) -> str:
 def _verdict(found: FullEvaluation) -> str:
     """The accuracy of the first localizer, in one sentence; :func:`_accuracy_rows` has the other accuracies."""
     first = found.results[0]
-    return f"The {first.name} assigns {percent(first.overall.top1)} of held-out {SIGNALS} to the correct point."
+    return (
+        f"The {first.name} assigns {percent(first.headline.top1)} of held-out {first.headline.signals} to the correct "
+        "point."
+    )
 
 
 def _accuracy_rows(found: FullEvaluation) -> list[tuple[str, ...]]:
     """Rows of the table of accuracies: touches and sensors, then a cell for each localizer."""
-    headlines = [Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.results]
-    rows = [(SIGNALS, *(percent(each.top1) for each in headlines))]
+    headlines = [each.headline for each in found.results]
+    rows = [(headlines[0].signals, *(with_worst(each.top1, each.worst) for each in headlines))]
     for pairs in zip(*(each.beside for each in headlines), strict=True):
-        rows.append((pairs[0][0], *(_with_worst(outcome) for _, outcome in pairs)))
+        rows.append((pairs[0][0], *(with_worst(outcome.top1, outcome.worst) for _, outcome in pairs)))
     hardest = (min(each.outcomes, key=lambda outcome: outcome.top1) for each in found.results)
     cells = (f"{percent(worst.top1)} ({worst.group}: {worst.name})" for worst in hardest)
     return [*rows, ("the hardest of all conditions below", *cells)]
-
-
-def _with_worst(outcome: Outcome) -> str:
-    """Accuracy in a condition, and that on the worst sensor if there are several."""
-    worst = "" if outcome.worst is None else f" (worst sensor {percent(outcome.worst)})"
-    return percent(outcome.top1) + worst
 
 
 def _pictures(found: FullEvaluation) -> dict[str, str]:
@@ -75,7 +71,7 @@ def _pictures(found: FullEvaluation) -> dict[str, str]:
         }
         for index, each in enumerate(found.results):
             name = f"confusion-{index}"
-            paths[name] = draw_confusion(each.overall.confusion, found.points, place / f"{name}.png")
+            paths[name] = draw_confusion(each.headline.confusion, found.points, place / f"{name}.png")
         return {name: inlined_picture(path) for name, path in paths.items()}
 
 

@@ -17,7 +17,6 @@ from localize.signals.array_response import response_of
 from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice, check_noise_choice
 from localize.signals.same_array import check_same_array, design_difference
-from studies.evaluation.full_evaluation import SENSORS, evaluate_fully
 from studies.output.call_defaults import HELD_OUT_TOUCHES, SEED
 from studies.output.display import Display
 from studies.output.folders import check_folder, claimed_folder
@@ -41,16 +40,18 @@ def evaluate_localizer(
 ) -> dict[str, Headline]:
     """Evaluations of a localizer and, for comparison, of the Bayes decoder, on touches that were not used in training.
 
-    The touches are multi-sine touches on the nominal sensor. Further results are for taps, and for as-built sensors
-    with a workshop's tolerances.
+    The headline is for taps and presses on as-built sensors, which have a workshop's tolerances and are not calibrated.
+    Beside it are taps and presses apart, virtual rigs, the nominal sensor and multi-sine touches. Where as-built
+    sensors are not known, such as for a measured library, the headline is for the nominal sensor.
 
     Args:
         model: a path, a library, a localizer or an open model, see :func:`localize.open_model`.
         library: library that the touches are simulated with: its path, or a library or an open model in memory. By
             default the library of the model, if it has one.
         out: a folder for ``evaluation.json`` and ``evaluation.html``. If you give it, both are also evaluated with
-            other noise, room sound, kinds and lengths of touches, and on more as-built sensors.
-        touches: number of held-out touches of each point.
+            other noise, room sound, kinds and lengths of touches, and on sensors with other tolerances.
+        touches: number of held-out touches of each point in the headline, on all its sensors together and half of them
+            taps, but at least one tap and one press on each sensor.
         microphone_noise: white noise of the microphones, Pa rms over 0 to 500 Hz, or "design" for that of the design's
             microphone.
         seed: seed of the touches.
@@ -65,7 +66,8 @@ def evaluate_localizer(
             localizer of another array, or a value out of range.
     """
     from studies.evaluation.evaluation_report import JSON_FILE, write_evaluation
-    from studies.evaluation.headline import TOLERANT, Headline, evaluate_headlines
+    from studies.evaluation.full_evaluation import evaluate_fully
+    from studies.evaluation.headline import TOLERANT, evaluate_headlines
 
     check_noise_choice(microphone_noise, "microphone_noise")
     folder = None if out is None else Path(out)
@@ -94,7 +96,7 @@ def evaluate_localizer(
             found = evaluate_fully(locators, solved, response, touches, microphone_noise, seed, report)
             report("report", 1.0)
             write_evaluation(found, folder)
-    return {each.name: Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.results}
+    return {each.name: each.headline for each in found.results}
 
 
 def _library_of(opened_model: Model, model: ModelSource, library: ModelSource | None) -> Library:

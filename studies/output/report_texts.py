@@ -44,6 +44,11 @@ def percent(fraction: float) -> str:
     return "100 %" if fraction == 1 else f"{100 * min(fraction, 0.9995):.1f} %"
 
 
+def with_worst(accuracy: float, worst: float | None) -> str:
+    """Percentage of an accuracy and, if it is a mean over several sensors, that of the worst one."""
+    return percent(accuracy) + ("" if worst is None else f" (worst sensor {percent(worst)})")
+
+
 def record_rows(name: str, value: object) -> Iterator[tuple[str, str]]:
     """Rows of a nested record, each a dotted name with its value."""
     if isinstance(value, Mapping):

@@ -114,7 +114,7 @@ class DesignCheck(Shown):
             "points": self.design.point_count,
             "coverage": f"{self.coverage:.0%}",
             "cells": f"{len(self.cells)} distinct",
-            "predicted top-1 accuracy": "" if quality is None else f"{quality.nominal:.1%} on the nominal sensor",
+            "predicted top-1 accuracy": "" if quality is None else quality.accuracy,
             "problems": f"{len(self.problems)}, the first: {self.problems[0]}" if self.problems else "none",
             "fix": self.mend,
         }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,8 +18,11 @@ from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
-from studies.output.report_texts import percent
+from studies.output.report_texts import percent, with_worst
 from studies.run.run_result import RunResult
+
+if TYPE_CHECKING:
+    from studies.evaluation.headline import Headline
 
 #: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
 AGREEMENT = (0.015, 1.0)
@@ -79,23 +82,17 @@ def verdict(result: RunResult) -> str:
 
 def accuracy_rows(result: RunResult) -> list[AccuracyRow]:
     """Rows of the table of accuracies: touches and sensors, the headline's first, each with every decoder."""
-    headlines = (result.network, result.bayes, result.tolerant)
-
-    def cells(row: int) -> tuple[str, ...]:
-        found = []
-        for each in headlines:
-            if each is None:
-                found.append("not known")
-            elif row < 0:
-                found.append(percent(each.top1))
-            else:
-                outcome = each.outcomes[row]
-                worst = "" if outcome.worst is None else f" (worst sensor {percent(outcome.worst)})"
-                found.append(percent(outcome.top1) + worst)
-        return tuple(found)
-
+    columns = [_accuracy_cells(each) for each in (result.network, result.bayes, result.tolerant) if each is not None]
+    if result.tolerant is None:
+        columns.append(["not known"] * len(columns[0]))
     names = (result.network.signals, *(name for name, _ in result.network.beside))
-    return [AccuracyRow(name, *cells(row)) for row, name in enumerate(names, -1)]
+    return [AccuracyRow(name, *cells) for name, *cells in zip(names, *columns, strict=True)]
+
+
+def _accuracy_cells(headline: Headline) -> list[str]:
+    """Accuracies of a decoder, that of its headline first."""
+    beside = [with_worst(outcome.top1, outcome.worst) for outcome in headline.outcomes]
+    return [with_worst(headline.top1, headline.worst), *beside]
 
 
 def printing_sentence(result: RunResult) -> str:
@@ -117,11 +114,11 @@ def confusion_sentence(result: RunResult) -> str:
     """Sentences on the hardest pair by distance against the pair the localizer confuses most."""
     pair = result.network.hardest_pair
     if pair is None:
-        return f"The localizer missed none of {result.network.touches} held-out touches."
+        return f"The localizer missed none of {result.network.touches} held-out touches ({result.network.signals})."
     named, share = _numbers(result, pair), pair[2]
     text = (
         f"The localizer most often confuses points {named[0]} and {named[1]}: it assigns {percent(share)} of their "
-        "touches to the other point. "
+        f"touches to the other point ({result.network.signals}). "
     )
     if named in result.separability.equally_hard:
         return text + "They are also the hardest pair by distance."
@@ -129,7 +126,8 @@ def confusion_sentence(result: RunResult) -> str:
     return text + (
         f"By distance this pair is number {rank} of {len(result.separability.hardest_pairs)}, hardest first. The two "
         "need not agree, because the distance weights all frequencies equally and ignores noise, whereas each touch "
-        "contains only some frequencies, and the training of a network ends before its result is perfect."
+        "contains only some frequencies, and the training of a network ends before its result is perfect. The distance "
+        "is also that of the nominal sensor."
     )
 
 
@@ -211,11 +209,15 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
             f"{coverage(design, layout=result.layout):.0%}",
             f"fraction of the area where a contact of {FINGER:g} mm radius touches a membrane",
         ),
-        KeyFigure("localizer, top-1", percent(network.top1), f"{network.touches} {network.signals}, {noise}"),
+        KeyFigure(
+            "localizer, top-1",
+            with_worst(network.top1, network.worst),
+            f"{network.touches} {network.signals}, {noise}",
+        ),
         KeyFigure(
             "localizer, top-2",
             percent(network.top2),
-            "correct point among the two most probable; correct point or a neighbour on its line: "
+            "on these touches, correct point among the two most probable; correct point or a neighbour on its line: "
             f"{percent(network.within_one)}",
         ),
         KeyFigure(
@@ -227,7 +229,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     ]
     pair = network.hardest_pair
     confused = "none" if pair is None else "points {} and {}".format(*_numbers(result, pair))
-    share = "" if pair is None else f"{percent(pair[2])} of their touches are assigned to the other point"
+    share = "" if pair is None else f"{percent(pair[2])} of their taps and presses are assigned to the other point"
     figures.append(KeyFigure("most confused by the localizer", confused, share))
     for frequency in (10.0, 100.0):
         weakest, point = worst_heard(h, frequency)

@@ -1,4 +1,8 @@
-"""Quality of a design, in seconds: accuracy of the nominal and of as-built sensors, the hardest pair, cost."""
+"""Quality of a design, in seconds: accuracy of as-built sensors and of the nominal one, the hardest pair, cost.
+
+Accuracies are predictions for the publication's multi-sine touches, see :mod:`studies.metrics.confusion`, for a
+localizer that was trained on the nominal sensor alone. They rank designs; a run measures taps and presses.
+"""
 
 from __future__ import annotations
 
@@ -27,11 +31,14 @@ from studies.metrics.shared import SharedFigures
 from studies.output.display import number
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 from studies.output.frequencies import FREQUENCIES
+from studies.output.report_texts import percent
 from studies.scatter.effects import quick_scattered_accuracy
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+#: Touches that the accuracies are of.
+SIGNALS = "multi-sine touches"
 #: As-built sensors for designs of up to so many points; of larger ones fewer, as each takes the square of its points,
 #: and never less than the last.
 SENSORS, SENSORS_UP_TO, _LEAST_SENSORS = 64, 24, 4
@@ -41,7 +48,9 @@ _MOST_POINTS = 256
 
 @dataclass(frozen=True, eq=False)
 class DesignQuality:
-    """Predicted quality of a design: multi-sine touches, the noise of the design's microphone."""
+    """Predicted quality of a design: multi-sine touches with the noise of the design's microphone, decoded with the
+    nominal design.
+    """
 
     nominal: float
     """Share of touches on the nominal sensor whose point a trained localizer is predicted to name, 0 to 1."""
@@ -71,19 +80,21 @@ class DesignQuality:
     """Share of the touches of each point on the nominal sensor that name it; (n_point,) float64."""
 
     @property
+    def accuracy(self) -> str:
+        """Predicted accuracy in words: touches, as-built sensors where they are known, the nominal sensor."""
+        as_built = f"{percent(self.as_built)} on as-built sensors, " if self.sensors else ""
+        return f"{SIGNALS}: {as_built}{percent(self.nominal)} on the nominal sensor"
+
+    @property
     def lines(self) -> tuple[tuple[str, str, str], ...]:
         """Rows of a table: what, value, and what the value is of."""
         first, second = self.hardest
         made = f"{100 * self.as_built:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
-        of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "use acoustic-fem tolerance"
+        of = f"{SIGNALS}, mean of {self.sensors} (worst)" if self.sensors else "use acoustic-fem tolerance"
         fidelities = {"nominal sensor": self.fidelity, "as-built sensors": self.as_built_fidelity}
         return (
-            (
-                "top-1 accuracy, nominal sensor",
-                f"{100 * self.nominal:.1f} %",
-                "multi-sine touches, predicted for a localizer",
-            ),
             ("top-1 accuracy, as-built sensors", made, of),
+            ("top-1 accuracy, nominal sensor", f"{100 * self.nominal:.1f} %", SIGNALS),
             ("hardest pair", f"{first} and {second}", f"{self.level:.2g} dB, {self.phase:.2g} degrees apart"),
             ("smallest detectable force", f"{number(1e9 * self.force)} nN", f"rms, at point {self.weakest}"),
             ("cost", f"{self.cost:.2f} USD", "materials of one array, assumed prices"),
@@ -163,10 +174,7 @@ def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.Pat
         axes = figure.subplots()
         _plan(axes, design, quality)
         axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")
-        figure.suptitle(
-            f"{design.name}: predicted to be classified correctly {100 * quality.nominal:.1f} % on the nominal sensor"
-            + (f", {100 * quality.as_built:.1f} % on as-built ones" if quality.sensors else "")
-        )
+        figure.suptitle(f"{design.name}, predicted top-1 accuracy\n{quality.accuracy}")
         figure.legend(loc="outside lower center", ncols=2)
         return save_figure(figure, path)
 
@@ -190,7 +198,7 @@ def _plan(axes: Axes, design: ArrayDesign, quality: DesignQuality) -> None:
     shells.set_array(quality.per_point)
     axes.add_collection(shells)
     bar = axes.figure.colorbar(shells, ax=axes, shrink=0.6)
-    bar.set_label("touches that name the point, nominal")
+    bar.set_label("top-1 accuracy, nominal sensor")
     for point in layout.points:
         if len(layout.points) <= 64:
             box = {"boxstyle": "round,pad=0.15", "facecolor": "#00000090", "edgecolor": "none"}

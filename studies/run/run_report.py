@@ -13,6 +13,9 @@ from acoustic_fem.cell.lumped import lumped_admittance
 from geometry.air.cells import Cell
 from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import cutting_list
+from localize.evaluation.held_out import TAPS_AND_PRESSES
+from localize.signals.finger_stimuli import PRESS_HOLD
+from localize.signals.finger_strokes import PEAK, TAP_SECONDS
 from localize.signals.stimulus import BAND
 from studies.output.report_texts import inlined_picture, record_rows, rendered_page
 from studies.run.check import cell_uses
@@ -124,9 +127,25 @@ def _assumptions(result: RunResult) -> list[str]:
         "tolerances of bores, lengths, cavities and membranes of a careful workshop. They are not calibrated. "
         "Calibration would remove most of their loss of accuracy. Virtual rigs are not calibrated either. Their "
         "rubber, microphones and air also differ from the design in ways that no decoder is given.",
-        f"Multi-sine touches have 1 to 100 sines from {BAND[0]:g} to {BAND[1]:g} Hz and white noise; taps are "
-        "pulses of 5 to 100 ms. A network recognizes only the touches that it was trained on, here multi-sine touches.",
+        _touches_sentence(result),
     ]
+
+
+def _touches_sentence(result: RunResult) -> str:
+    """Sentences on the touches of the evaluation and of the training."""
+    plan = result.training["plan"]
+    sensors = result.training["sensors"]
+    trained = f"{sensors} as-built sensors" if sensors > 1 else "the nominal sensor"
+    shortest, longest = (1000 * each for each in TAP_SECONDS)
+    return (
+        f"Taps and presses are strokes of a membrane by a finger: a tap lasts {shortest:g} to {longest:g} ms, a press "
+        f"is held for {PRESS_HOLD[0]:g} to {PRESS_HOLD[1]:g} s. Their peaks are {PEAK[0]:g} to {PEAK[1]:g} Pa. They "
+        f"pass the high-pass of {TAPS_AND_PRESSES.high_pass:g} Hz of a stream, and multi-sine touches do not. Each is "
+        f"located from one frame of {result.network.samples} ms, and some begin before it, so no decoder locates all "
+        "of them. Multi-sine touches, which the publication uses, have 1 to 100 sines from "
+        f"{BAND[0]:g} to {BAND[1]:g} Hz and white noise. A network recognizes only the kinds of touches that it was "
+        f"trained on. This one was trained on {', '.join(plan['stimuli'])} on {trained}."
+    )
 
 
 def _provenance(result: RunResult) -> list[tuple[str, str]]:

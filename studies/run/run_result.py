@@ -16,6 +16,7 @@ from geometry.layout.placement import ArrayLayout
 from geometry.printing.printability import PrintReport
 from studies.metrics.pairs import Disagreement
 from studies.metrics.separation import Separability
+from studies.output.report_texts import with_worst
 from studies.run.validity import Validity
 
 if TYPE_CHECKING:
@@ -28,13 +29,17 @@ class RunResult(Shown):
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
-        tolerant = self.tolerant
+
+        def accuracy(headline: Headline | None) -> str:
+            return "" if headline is None else with_worst(headline.top1, headline.worst)
+
         return f"Run of {self.design.name}", {
             "folder": self.folder,
             "fidelity": self.library.fidelity,
-            "localizer, top-1 accuracy on multi-sine touches": f"{self.network.top1:.1%}",
-            "Bayes decoder": f"{self.bayes.top1:.1%}",
-            "tolerance-aware decoder": "" if tolerant is None else f"{tolerant.top1:.1%}",
+            "top-1 accuracy on": self.network.signals,
+            "localizer": accuracy(self.network),
+            "Bayes decoder": accuracy(self.bayes),
+            "tolerance-aware decoder": accuracy(self.tolerant),
             "parts": f"{sum(self.part_counts.values())}, in {len(self.files)} files",
             "warnings": len(self.warnings) or "none",
             "time": f"{sum(self.seconds.values()):.0f} s",
@@ -56,7 +61,7 @@ class RunResult(Shown):
     separability: Separability
     """Distances of all pairs of points."""
     network: Headline
-    """Results of the trained localizer on held-out multi-sine touches, beside them taps and as-built sensors."""
+    """Results of the trained localizer on held-out taps and presses on as-built sensors, and those beside them."""
     bayes: Headline
     """Results of the Bayes decoder on the same touches."""
     tolerant: Headline | None

@@ -138,7 +138,7 @@ def test_the_gallery_says_what_check_says() -> None:
         assert f"| [{name}](#{name}) |" in page
     quality = design_quality(geometry.load_design(examples / "wristband-16.toml"))
     row = next(line for line in page.splitlines() if line.startswith("| [wristband-16]"))
-    named, made = (cell.strip() for cell in row.split("|")[5:7])
+    made, named = (cell.strip() for cell in row.split("|")[5:7])
     assert named == f"{100 * quality.nominal:.1f}", "python docs/make_gallery.py"
     assert made == f"{100 * quality.as_built:.1f} ({100 * quality.worst:.1f})"
 

@@ -265,11 +265,11 @@ def test_a_localizer_in_python_is_that_of_the_verbs(command: Callable[..., str],
     assert list(judged) == ["network", "Bayes decoder", "tolerance-aware decoder"]
     for title, each in judged.items():
         after = [line for line in out.partition(title)[2].splitlines() if line.strip()]
-        assert "multi-sine touches on the nominal sensor" in after[0]
+        assert "taps and presses on 20 as-built sensors" in after[0]
         assert f"{100 * each.top1:.1f}" in after[0]
         assert [name for name, _ in each.beside]
         for name, own in each.beside:
-            line = next(line for line in after if name in line)
+            line = next(line for line in after if line.strip().startswith(name))
             assert f"{100 * own.top1:.1f}" in line
 
 

@@ -57,9 +57,10 @@ def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
     told = command("evaluate", model, library, "--touches", 50, "--out", verdict)
     assert told.code == 0, told.err
     found = json.loads((verdict / "evaluation.json").read_text(encoding="utf-8"))
-    assert found["Bayes decoder"]["top1"] > 0.99
+    assert found["Bayes decoder"]["multi_sines"]["top1"] > 0.99
     assert found["network"]["top1"] > 0.5  # three short epochs; chance is 0.33
-    assert np.sum(found["network"]["confusion"]) == 150
+    # A tap and a press of three points on 20 sensors: 50 touches of a point are 1.25 of each.
+    assert np.sum(found["network"]["confusion"]) == 120
     assert f"{100 * found['network']['top1']:.1f}" in told.out
     assert told.out.endswith(f"{verdict / 'evaluation.html'}\n{verdict / 'evaluation.json'}\n")
 

@@ -1,4 +1,4 @@
-"""A full evaluation judges every condition, sensors that are not as the library says too; its page shows it all."""
+"""A full evaluation has a headline, every condition and as-built sensors; its page shows all of it."""
 
 from __future__ import annotations
 
@@ -13,10 +13,24 @@ from small_run import small_design
 import acoustic_fem
 import localize
 from localize.signals.array_response import response_of
+from studies.evaluation.evaluated_sensors import SENSORS, rig_sensors, scattered_sensors, sensor_sets
 from studies.evaluation.evaluation_report import write_evaluation
-from studies.evaluation.full_evaluation import evaluate_fully, rig_sensors, scattered_sensors, sensor_sets
-from studies.output.report_texts import percent
+from studies.evaluation.full_evaluation import evaluate_fully
+from studies.output.report_texts import percent, with_worst
 from studies.test_rig.virtual_rig import Rig
+
+#: Touches and sensors of the table of accuracies.
+ROWS = (
+    "taps and presses on 20 as-built sensors",
+    "taps on 20 as-built sensors",
+    "presses on 20 as-built sensors",
+    "taps and presses on 8 virtual rigs",
+    "taps and presses on the nominal sensor",
+    "multi-sine touches on 20 as-built sensors",
+    "multi-sine touches on the nominal sensor",
+)
+#: Fractions of the tolerances.
+FRACTIONS = (0.25, 0.5, 1.0)
 
 
 def test_conditions_have_touches_enough_for_four_points_either_way_but_no_more_than_were_asked_for(library):
@@ -37,12 +51,12 @@ def library():
 
 def test_as_built_sensors_scatter_around_the_library_whatever_its_fidelity(library):
     response = response_of(library)
-    sets = sensor_sets(library, response, seed=0, count=6)
+    sets = sensor_sets(library, response, seed=0, count=6, shares=FRACTIONS)
     spread = [np.abs(np.log(made / response.transfer_function)).std() for _, _, made in sets]
     assert spread[0] < spread[1] < spread[2]
     assert spread[2] == pytest.approx(4 * spread[0], rel=0.2)
     turned = replace(response, transfer_function=1.5j * response.transfer_function)
-    again = sensor_sets(library, turned, seed=0, count=6)
+    again = sensor_sets(library, turned, seed=0, count=6, shares=FRACTIONS)
     assert again[1][2] == pytest.approx(1.5j * sets[1][2])
 
 
@@ -79,18 +93,21 @@ def test_the_page_is_one_file_with_all_figures_and_the_json_has_their_numbers(li
     assert not re.search(r'(src|href)="(?!data:|#)', page)
     assert "<script" not in page
     first = numbers["first"]
-    assert f"{100 * first['top1']:.1f}" in page
+    assert f"The first assigns {percent(first['top1'])} of held-out taps and presses on 20 as-built sensors" in page
+    assert f"{100 * first['top1']:.1f} ({100 * first['intervals']['top1'][0]:.1f} to" in page
+    assert (len(first["sensors"]), min(first["sensors"])) == (SENSORS, first["worst"])
     assert {each["group"] for each in first["conditions"]} == {
         "microphone noise", "ambient sound", "stimulus", "length", "as-built sensors", "virtual rigs"
     }  # fmt: skip
     for each in first["conditions"]:
         assert f">{each['name']}<" in page
         assert f"{100 * each['top1']:.1f} ({100 * each['low']:.1f} to {100 * each['high']:.1f})" in page
-    for name in ("first", "second"):
+    assert [each["value"] for each in first["conditions"] if each["group"] == "as-built sensors"] == [*FRACTIONS]
+    for name in locators:
         hardest = min(numbers[name]["conditions"], key=lambda each: each["top1"])
         assert f"{percent(hardest['top1'])} ({hardest['group']}: {hardest['name']})</td>" in page
-    taps = [next(each["top1"] for each in numbers[name]["conditions"] if each["name"] == "taps") for name in locators]
-    cells = "".join(f'<td class="figure">{percent(each)}</td>' for each in taps)
-    assert f'<td class="label">taps on the nominal sensor</td>{cells}' in page
-    assert f"The first assigns {percent(first['top1'])} of held-out multi-sine touches" in page
+    rows = re.findall(r'<tr><td class="label">(.*?)</td><td class="figure">(.*?)</td>', page)
+    assert [row[0] for row in rows] == [*ROWS, "the hardest of all conditions below"]
+    for (_, cell), each in zip(rows[1:], first["beside"], strict=False):
+        assert cell == with_worst(each["top1"], each["worst"])
     assert 'name = "row-3"' in numbers["provenance"]["design"]

@@ -76,17 +76,21 @@ def test_the_results_are_those_of_the_library() -> None:
     assert found["network"]["top1"] == pytest.approx(np.trace(found["network"]["confusion"]) / 3000)
 
 
-def test_taps_and_as_built_sensors_stand_beside_the_headline() -> None:
+def test_multi_sines_and_the_nominal_sensor_stand_beside_the_headline() -> None:
     for each in (results()["network"], results()["bayes"]):
-        assert each["signals"] == "multi-sine touches on the nominal sensor"
-        assert [(own["group"], own["name"]) for own in each["conditions"]] == [
-            ("stimulus", "taps"), ("as-built sensors", "1 of the tolerances"), ("virtual rigs", "uncalibrated")
+        assert each["signals"] == "taps and presses on 20 as-built sensors"
+        assert [(own["group"], own["signals"], own["sensors"]) for own in each["beside"]] == [
+            ("as-built sensors", "taps", 20), ("as-built sensors", "presses", 20),
+            ("virtual rigs", "taps and presses", 8), ("nominal sensor", "taps and presses", 1),
+            ("as-built sensors", "multi-sine touches", 20), ("nominal sensor", "multi-sine touches", 1),
         ]  # fmt: skip
+        assert each["worst"] == min(each["sensors"])
+        assert each["multi_sines"]["top1"] == each["beside"][-1]["top1"]
 
 
 def test_three_points_are_told_apart() -> None:
     found = results()
-    assert found["bayes"]["top1"] > 0.99
+    assert found["bayes"]["multi_sines"]["top1"] > 0.99
     assert found["network"]["top1"] > 0.5  # three short epochs; chance is 0.33
 
 
