@@ -7,8 +7,9 @@ makes at :data:`localize.signals.touch_generator.SCALED_AT`. Where an array does
 pressure.
 
 A tap rises and falls, a press rises, is held and falls, a finger that slides over the membrane presses as it passes. In
-each, either the rise or the fall lies in the last 250 samples of the second. The ranges are those of
-:mod:`localize.contacts` and :mod:`localize.signals.finger_stimuli`.
+each, either the rise or the fall lies in the last 250 samples of the second. Where strokes are evaluated, that edge
+lies wholly in this frame if it is short enough, as in the frames by which a stream reports a touch. In training it may
+also begin before. The ranges are those of :mod:`localize.contacts` and :mod:`localize.signals.finger_stimuli`.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ def tap_strokes(
     """
     drawn = uniform(random_words(seed, purpose, "tap strokes", start, count, 4), device)
     half = 0.5 * SAMPLE_RATE * log_between(*TAP_SECONDS, drawn[:, 0, 0])
-    begin = _begin(2 * half, drawn[:, 0, 1])
+    begin = _begin(2 * half, drawn[:, 0, 1], purpose)
     apart = SAMPLE_RATE * between(*SECOND, drawn[:, 1, 0])
     second = torch.where(drawn[:, 1, 1] < DOUBLE, between(0.6, 1.4, drawn[:, 2, 0]), 0.0)
     # Either tap of the two may be the one in the frame.
@@ -77,7 +78,9 @@ def press_strokes(
     rise, fall = (SAMPLE_RATE * log_between(*PRESS_RISE, drawn[:, 0, k]) for k in range(2))
     hold = SAMPLE_RATE * log_between(*PRESS_HOLD, drawn[:, 1, 0])
     at_rise = drawn[:, 2, 0] < 0.5
-    begin = torch.where(at_rise, _begin(rise, drawn[:, 1, 1]), _begin(fall, drawn[:, 1, 1]) - rise - hold)
+    begin = torch.where(
+        at_rise, _begin(rise, drawn[:, 1, 1], purpose), _begin(fall, drawn[:, 1, 1], purpose) - rise - hold
+    )
     # What would begin before the second is held for less long.
     hold, begin = hold + begin.clamp(max=0.0) * ~at_rise, begin.clamp(min=0.0)
     slow = torch.zeros(count, SAMPLE_LENGTH // 2, dtype=torch.complex64, device=device)
@@ -103,14 +106,18 @@ def slide_strokes(
     along = speed[:, None]
     inside = (frequency >= along / GRAIN[1]) & (frequency <= (along / GRAIN[0]).clamp(max=band[1]))
     noise = unit_noise(complex_normal(words[:, :lines], device) * inside).repeat(1, 2)
-    shape = _pressed(_begin(2 * half, drawn[:, 2, 0]), half, torch.zeros_like(half), half)
+    shape = _pressed(_begin(2 * half, drawn[:, 2, 0], purpose), half, torch.zeros_like(half), half)
     return _strokes(log_between(*PEAK, drawn[:, 1, 0]), shape * (1 + rough * noise), band)
 
 
-def _begin(length: Tensor, drawn: Tensor) -> Tensor:
+def _begin(length: Tensor, drawn: Tensor, purpose: Purpose) -> Tensor:
     """Sample at which an edge of some length begins, so that most of it lies in the last frame; (n,)."""
-    first = SAMPLE_LENGTH - FRAME - 0.9 * length
-    last = SAMPLE_LENGTH - HEARD - 0.5 * length
+    start = SAMPLE_LENGTH - FRAME
+    first, last = start - 0.9 * length, SAMPLE_LENGTH - HEARD - 0.5 * length
+    if purpose == "evaluation":
+        inside = SAMPLE_LENGTH - 2 * HEARD - length
+        is_short = inside > start
+        first, last = torch.where(is_short, start, first + 0.4 * length), torch.where(is_short, inside, last)
     return first + (torch.maximum(last, first) - first) * drawn
 
 
