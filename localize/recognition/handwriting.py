@@ -26,7 +26,7 @@ from localize.live.stream_options import HIGH_PASS
 from localize.recognition.letter_classifier import Hand, smooth_bend, written
 from localize.recognition.letter_shapes import LETTERS
 from localize.recognition.pen_path import PenTracker
-from localize.recognition.recognition_options import OTHER_HANDS, VariantOptions, WritingOptions
+from localize.recognition.recognition_options import VariantOptions, WritingOptions
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -226,8 +226,7 @@ class LetterMaker:
         for number in range(count):
             sensor = number // len(LETTERS) % len(self.sensors)
             letter = LETTERS[number % len(LETTERS)]
-            hand = self.hands[number // len(LETTERS) // len(self.sensors) % len(self.hands)]
-            contact = written(letter, self.sensors[sensor], hand, self.seed, purpose, number)
+            contact = written(letter, self.sensors[sensor], self._hand(number), self.seed, purpose, number)
             take = recorders[sensor].take(contact, number)
             found.append(self.readers[sensor % len(self.readers)].line(take.signals))
             if report:
@@ -244,10 +243,14 @@ class LetterMaker:
         for number, line in enumerate(self.lines(purpose, count, report)):
             key = (PURPOSES.index(purpose), 2, number)
             random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=key))
-            made = [letter_maps(line, random, variants=OTHER_HANDS) for _ in range(variants)]
+            made = [letter_maps(line, random, variants=self._hand(number).variants) for _ in range(variants)]
             maps += made or [letter_maps(line)]
             kinds += [number % len(LETTERS)] * max(1, variants)
         return torch.stack(maps), torch.tensor(kinds)
+
+    def _hand(self, number: int) -> Hand:
+        """Hand that writes a letter: all letters on all sensors, then the next hand."""
+        return self.hands[number // len(LETTERS) // len(self.sensors) % len(self.hands)]
 
 
 def _frames(signals: Array, hop: int) -> tuple[Array, NDArray[np.int64]]:

@@ -12,6 +12,7 @@ from geometry.ground.typed import Array
 from localize.contacts import FINGER, Contact, Tool, joined, stroke
 from localize.contacts.contact import surface_of
 from localize.recognition.letter_shapes import HAND, PRINT, SCRIPT, Alphabet
+from localize.recognition.recognition_options import OTHER_HANDS, VariantOptions
 from localize.recognition.stroke_fonts import alphabet_of
 from localize.signals.array_response import ArrayResponse
 from localize.signals.random_streams import PURPOSES, Purpose
@@ -48,6 +49,8 @@ class Hand:
     """Fraction of the ends of strokes that have a hook."""
     bend: float = 0.0
     """Standard deviation of the smooth waves by which the whole letter is bent, in its heights."""
+    variants: VariantOptions = VariantOptions()
+    """How much the variants of its letters differ that a network is trained on."""
 
 
 def training_hands(speed: tuple[float, float], fonts: tuple[str, ...]) -> tuple[Hand, ...]:
@@ -62,7 +65,9 @@ def training_hands(speed: tuple[float, float], fonts: tuple[str, ...]) -> tuple[
         MissingExtra: fonts, and the package that has them is not installed.
     """
     usual = Hand(speed=speed)
-    other = replace(usual, slant=0.25, turn=8.0, reordered=0.3, connected=0.1, hooks=0.15, bend=0.03)
+    other = replace(
+        usual, slant=0.25, turn=8.0, reordered=0.3, connected=0.1, hooks=0.15, bend=0.03, variants=OTHER_HANDS
+    )
     printed, script = replace(other, alphabets=(PRINT,)), replace(other, alphabets=(SCRIPT,))
     if not fonts:
         return (usual, printed, script, usual, printed, script, usual)

@@ -71,7 +71,7 @@ class RecognitionPlan:
         if subject == "letters":
             return cls(
                 takes=80,
-                epochs=24,
+                epochs=30,
                 salt_and_pepper=0.05,
                 network="small-patches",
                 letter_variants=4,
