@@ -4,7 +4,7 @@ docs/letters.md and writes it there, in about ten minutes of one core. ``--model
 
 The test fonts are the single-stroke Roman and script of the package Hershey-Fonts, futural and scripts. It has them
 under further names (rowmans, mathupp, meteorology; cursive) and its futuram and rowmand are futural with double lines;
-none of these is trained on. Constants were chosen on fonts of the npm package hersheytext 2.0.0 (EMS Tech, EMS
+none of these is trained on. The mixture was tried on fonts of the npm package hersheytext 2.0.0 (EMS Tech, EMS
 Readability, EMS Nixish, EMS Elfin; EMS Felix, EMS Allure) at seed 7200, and on none of the test fonts.
 """
 

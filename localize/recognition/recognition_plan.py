@@ -64,9 +64,8 @@ class RecognitionPlan:
 
     @classmethod
     def of(cls, subject: str) -> RecognitionPlan:
-        """Plan of a subject: for letters 80 samples of each, small patches, in which the strokes of unknown shapes are
-        told apart, and the paper's salt and pepper; for textures half as many takes again, for a third of them pass
-        their point.
+        """Plan of a subject: for letters 80 samples of each, small patches that need fewer epochs, the paper's salt
+        and pepper; for textures half as many takes again, for a third of them pass their point.
         """
         if subject == "letters":
             return cls(
