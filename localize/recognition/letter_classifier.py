@@ -72,7 +72,7 @@ def training_hands(speed: tuple[float, float], fonts: tuple[str, ...]) -> tuple[
     if not fonts:
         return (usual, printed, script, usual, printed, script, usual)
     drawn = replace(other, alphabets=tuple(map(alphabet_of, fonts)), reordered=0.0, connected=0.0, hooks=0.05)
-    return (usual, printed, script, drawn, usual, printed, script, usual)
+    return (usual, printed, script, drawn, usual, printed, script, usual, usual)
 
 
 def strokes_of(letter: str, hand: Hand, random: np.random.Generator) -> list[Array]:

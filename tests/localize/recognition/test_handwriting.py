@@ -125,10 +125,12 @@ def test_a_font_that_is_not_known_is_refused_before_any_work(surface: ArrayRespo
 
 @pytest.mark.slow
 def test_a_recognizer_of_letters_learns_and_tells(surface: ArrayResponse) -> None:
-    plan = replace(localize.RecognitionPlan.of("letters"), takes=6, epochs=6, microphone_noise=1e-4)
+    plan = replace(
+        localize.RecognitionPlan.of("letters"), takes=18, epochs=12, letter_variants=4, microphone_noise=1e-4
+    )
     own = localize.train_recognizer(surface, "letters", plan)
     assert own.labels == LETTERS
-    assert own.training["held_out_accuracy"][-1] > 0.2  # a few takes; by chance it is 0.04
+    assert own.training["held_out_accuracy"][-1] > 0.12  # a few takes of many hands; by chance it is 0.04
     maker = LetterMaker((LineReader(surface, 1e-4),), (surface,), 5, 1e-4)
     maps, kind = maker.maps("evaluation", 26)
     assert (own.of_maps(maps).argmax(1) == kind.numpy()).mean() > 0.2
@@ -157,7 +159,7 @@ def test_signs_of_ones_own_are_learnt_from_recordings(surface: ArrayResponse, tm
             lines += ["[[recordings]]", f'file = "{name}"', "point = 1", f'label = "{letter}"']
             number += 1
     (tmp_path / "mine.toml").write_text("\n".join(lines))
-    plan = replace(localize.RecognitionPlan.of("letters"), epochs=2, batch=4, microphone_noise=1e-4)
+    plan = replace(localize.RecognitionPlan.of("letters"), epochs=2, batch=4, letter_variants=6, microphone_noise=1e-4)
     own = localize.train_recognizer(surface, "letters", plan, recordings=tmp_path / "mine.toml")
     assert own.labels == ("L", "O")
     assert own.training["takes"] == 12  # six pictures of each
