@@ -24,7 +24,8 @@ from geometry.ground.whole_files import replace_section
 from localize.contacts import FEATHER, FINGER, STYLUS
 from localize.evaluation.accuracy import wilson_interval
 from localize.recognition.handwriting import LetterMaker, LineReader
-from localize.recognition.letter_classifier import LETTERS, Hand
+from localize.recognition.letter_classifier import Hand
+from localize.recognition.letter_shapes import LETTERS
 from localize.signals.array_response import ArrayResponse, response_of
 from studies.output.response_figures import draw_confusion
 
@@ -58,7 +59,7 @@ def column(name: str) -> list[str]:
 
     def cell(readers: tuple[LineReader, ...], sensors: tuple[ArrayResponse, ...], hand: Hand, of_each: int) -> str:
         count = of_each * len(LETTERS)
-        maps, kind = LetterMaker(readers, sensors, SEED, "design", hand).maps("evaluation", count)
+        maps, kind = LetterMaker(readers, sensors, SEED, "design", (hand,)).maps("evaluation", count)
         named = recognizer.of_maps(maps).argmax(1)
         if len(sensors) == 1 and hand is SLOW:
             np.add.at(confusion, (kind.numpy(), named), 1)

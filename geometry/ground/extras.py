@@ -19,6 +19,7 @@ EXTRAS = {
     "audio": ("soundfile",),
     "sofa": ("sofar",),
     "parquet": ("pyarrow",),
+    "fonts": ("HersheyFonts",),
 }
 #: Packages that those of an extra bring: theirs is the name in the error where they are missing.
 _BROUGHT = {"OCP": "cad", "vtkmodules": "cad"}

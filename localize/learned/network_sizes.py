@@ -11,4 +11,5 @@ NETWORKS: Mapping[str, Mapping[str, Any]] = {
     "stride-2": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (2, 2)},
     "paper": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (1, 1), "merge_last": True},
     "two-stage": {"width": 64, "depths": (1, 2), "patch": (16, 8), "merge_last": True},
+    "small-patches": {"width": 24, "depths": (1, 1, 2), "patch": (4, 2), "merge_last": True},
 }

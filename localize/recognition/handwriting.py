@@ -8,7 +8,7 @@ letters that look alike are drawn in another order.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 import torch
@@ -23,9 +23,10 @@ from localize.decoders.frame_covariance import INTEGRATION_STEP
 from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.live.front_end import HighPass
 from localize.live.stream_options import HIGH_PASS
-from localize.recognition.letter_classifier import LETTERS, Hand, written
+from localize.recognition.letter_classifier import Hand, smooth_bend, written
+from localize.recognition.letter_shapes import LETTERS
 from localize.recognition.pen_path import PenTracker
-from localize.recognition.recognition_options import WritingOptions
+from localize.recognition.recognition_options import VariantOptions, WritingOptions
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -125,28 +126,32 @@ class LineReader:
 
 
 def letter_maps(
-    line: Array, random: np.random.Generator | None = None, pen_width: float = WritingOptions.pen_width
+    line: Array,
+    random: np.random.Generator | None = None,
+    pen_width: float = WritingOptions.pen_width,
+    variants: VariantOptions = VariantOptions(),
 ) -> Tensor:
     """Maps of one line.
 
     Args:
         line: (n, 4) float64, as of :meth:`LineReader.line`.
-        random: turns, moves and stretches it a little; None for as it is.
+        random: draws a variant of the line (:func:`varied`); None for as it is.
         pen_width: standard deviation of the pen that draws the picture, in its heights.
+        variants: how much variants differ.
 
     Returns:
         (2, 64, 32) float32: the line, 0 to 1, top row first; and its time, -1 to 1, where there is a line.
     """
     if not len(line):
         return torch.zeros(2, FREQUENCIES, COLUMNS)
+    if random is not None:
+        line = varied(line, random, variants)
     begin = np.flatnonzero(np.diff(line[:, 0], prepend=-1.0))
     down = np.add.reduceat(line[:, 3], begin)
     middle = np.add.reduceat(line[:, 1:3] * line[:, 3:], begin) / down[:, None]
     middle = middle[down >= min(0.5, float(down.max()))]
     places = line[:, 1:3] - (middle.max(0) + middle.min(0)) / 2
     places = places / max(float(np.ptp(middle, axis=0).max()), 1e-3)
-    if random is not None:
-        places = places @ (np.eye(2) + 0.06 * random.standard_normal((2, 2))) + 0.02 * random.standard_normal(2)
     # the line fills most of the picture: its rows are twice as close as its columns
     rows, columns = np.linspace(0.65, -0.65, FREQUENCIES), np.linspace(-0.65, 0.65, COLUMNS)
     upright = np.exp((-0.5 * ((rows - places[:, 1:]) / pen_width) ** 2).astype(np.float32)) * line[:, 3:].astype(
@@ -160,7 +165,40 @@ def letter_maps(
     ink = near.max(0)
     clear = np.square(np.square(near))
     when = np.tensordot(time.astype(np.float32), clear, 1) / (clear.sum(0) + 1e-6)
+    if random is not None and random.random() < variants.without_time:
+        when = np.zeros_like(when)
     return torch.from_numpy(np.stack([ink, ink * when]).astype(np.float32))
+
+
+def varied(line: Array, random: np.random.Generator, options: VariantOptions = VariantOptions()) -> Array:
+    """Line as another hand might have drawn it: slanted, turned, stretched, bent, in part not detected, or backwards.
+
+    Args:
+        line: (n, 4) float64, as of :meth:`LineReader.line`, n at least 1.
+        random: draws the changes.
+        options: how large they are.
+
+    Returns:
+        (m, 4) float64, m at most n.
+    """
+    low, high = line[:, 1:3].min(0), line[:, 1:3].max(0)
+    size = max(float((high - low).max()), 1e-3)
+    places = (line[:, 1:3] - (low + high) / 2) / size
+    turn = np.radians(options.turn * random.standard_normal())
+    turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    slant, width = options.slant * random.standard_normal(), options.width * random.standard_normal()
+    bends = options.bend * random.standard_normal((2, 3, 3))
+    places = places @ (turned @ np.array([[np.exp(width), slant], [0.0, 1.0]])).T + smooth_bend(places, bends)
+    line = np.column_stack([line[:, 0], size * places, line[:, 3]])
+    if random.random() < options.backwards:
+        line = line[::-1] * [-1.0, 1.0, 1.0, 1.0] + [1.0, 0.0, 0.0, 0.0]
+    if random.random() < options.with_gap:
+        time = np.unique(line[:, 0])
+        length = int(len(time) * random.uniform(*options.gap))
+        begin = int(random.integers(max(1, len(time) - length)))
+        seen = (line[:, 0] < time[begin]) | (line[:, 0] > time[min(len(time) - 1, begin + length)])
+        line = line[seen] if seen.any() else line
+    return line
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,8 +213,8 @@ class LetterMaker:
     """Seed of the letters."""
     microphone_noise: NoiseChoice = "design"
     """Noise of the microphones."""
-    hand: Hand = field(default_factory=Hand)
-    """How letters are written."""
+    hands: tuple[Hand, ...] = (Hand(),)
+    """Hands that write, one after the other."""
 
     def lines(self, purpose: Purpose, count: int, report: Callable[[float], None] | None = None) -> list[Array]:
         """Lines of letters 0 to ``count - 1``, (n, 4) float64 each, as of :meth:`LineReader.line`."""
@@ -188,7 +226,7 @@ class LetterMaker:
         for number in range(count):
             sensor = number // len(LETTERS) % len(self.sensors)
             letter = LETTERS[number % len(LETTERS)]
-            contact = written(letter, self.sensors[sensor], self.hand, self.seed, purpose, number)
+            contact = written(letter, self.sensors[sensor], self._hand(number), self.seed, purpose, number)
             take = recorders[sensor].take(contact, number)
             found.append(self.readers[sensor % len(self.readers)].line(take.signals))
             if report:
@@ -205,9 +243,14 @@ class LetterMaker:
         for number, line in enumerate(self.lines(purpose, count, report)):
             key = (PURPOSES.index(purpose), 2, number)
             random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=key))
-            maps += [letter_maps(line, random) for _ in range(variants)] if variants else [letter_maps(line)]
+            made = [letter_maps(line, random, variants=self._hand(number).variants) for _ in range(variants)]
+            maps += made or [letter_maps(line)]
             kinds += [number % len(LETTERS)] * max(1, variants)
         return torch.stack(maps), torch.tensor(kinds)
+
+    def _hand(self, number: int) -> Hand:
+        """Hand that writes a letter: all letters on all sensors, then the next hand."""
+        return self.hands[number // len(LETTERS) // len(self.sensors) % len(self.hands)]
 
 
 def _frames(signals: Array, hop: int) -> tuple[Array, NDArray[np.int64]]:

@@ -26,7 +26,8 @@ from localize.learned.epochs import TrainingProgress, TrainingTask, most_probabl
 from localize.learned.network_sizes import NETWORKS
 from localize.learned.training_plan import identity_of
 from localize.recognition.handwriting import WRITTEN, LetterMaker, LineReader
-from localize.recognition.letter_classifier import LETTERS, Hand
+from localize.recognition.letter_classifier import Hand, training_hands
+from localize.recognition.letter_shapes import LETTERS
 from localize.recognition.power_maps import MAPS
 from localize.recognition.recognition_plan import RecognitionPlan
 from localize.recognition.recognizer import Recognizer
@@ -80,7 +81,9 @@ def train_recognizer(
         making: function that is called with the fraction of the simulated signals that are made.
 
     Raises:
-        Refusal: an unknown subject, or one that does not go with recordings; a library that does not cover 1 to 100 Hz.
+        Refusal: an unknown subject, or one that does not go with recordings; a library that does not cover 1 to 100 Hz;
+            an unknown font of letters.
+        MissingExtra: simulated letters of fonts, and the extra "fonts" is not installed.
         TouchManifestError, RecordingError: recordings that cannot be used.
         CheckpointError: the checkpoint is damaged, or that of another training.
     """
@@ -124,6 +127,9 @@ def _takes(
     making: Callable[[float], None] | None,
 ) -> tuple[Takes, bool]:
     """Data of a training, and True if they are of sliding at a known speed."""
+    hands: tuple[Hand, ...] = ()
+    if subject == WRITTEN and recordings is None:
+        hands = training_hands(plan.letter_speeds, plan.letter_fonts)
     reconstructor = reconstructor_of(response, plan)
     reader = LineReader(response, plan.microphone_noise) if subject == WRITTEN else None
     if recordings is not None:
@@ -136,7 +142,7 @@ def _takes(
     kinds = LETTERS if reader else SUBJECTS[subject].labels
     held = max(1, round(plan.held_out_fraction * plan.takes)) * len(kinds)
     if reader:
-        written = LetterMaker((reader,), (response,), plan.seed, plan.microphone_noise, Hand(speed=plan.letter_speeds))
+        written = LetterMaker((reader,), (response,), plan.seed, plan.microphone_noise, hands)
         seen = written.maps("training", plan.takes * len(kinds), making, plan.letter_variants)
         return Takes(kinds, *seen, *written.maps("held-out", held), {}), False
     slides = SUBJECTS[subject].speeds is not None

@@ -1,8 +1,4 @@
-"""Handwriting: capital letters as strokes, and a contact that writes one.
-
-The strokes are drawn by us, as a hand draws them: round where it is round, from the top, left to right. (Those of
-:mod:`geometry.solids.stroke_font` are made to be printed: angular, and some in lower case.)
-"""
+"""Handwriting: a contact that writes a letter of an alphabet, as a hand would."""
 
 from __future__ import annotations
 
@@ -15,60 +11,11 @@ import numpy as np
 from geometry.ground.typed import Array
 from localize.contacts import FINGER, Contact, Tool, joined, stroke
 from localize.contacts.contact import surface_of
+from localize.recognition.letter_shapes import HAND, PRINT, SCRIPT, Alphabet
+from localize.recognition.recognition_options import OTHER_HANDS, VariantOptions
+from localize.recognition.stroke_fonts import alphabet_of
 from localize.signals.array_response import ArrayResponse
 from localize.signals.random_streams import PURPOSES, Purpose
-
-Stroke = list[tuple[float, float]]
-
-LETTERS = tuple("ABCDEFGHIJKLMNOPQRSTUVWXYZ")
-"""The letters that are written."""
-WIDTH = 0.75
-"""Width of a letter, in its heights."""
-
-
-def _arc(x: float, y: float, rx: float, ry: float, begin: float, end: float) -> Stroke:
-    """Piece of an ellipse about (x, y), from one angle to another, degrees, against the clock from the right."""
-    angles = np.radians(np.linspace(begin, end, max(4, round(abs(end - begin) / 20) + 1)))
-    return [(x + rx * math.cos(angle), y + ry * math.sin(angle)) for angle in angles]
-
-
-_FONT: dict[str, list[Stroke]] = {
-    "A": [[(0, 0), (0.37, 1), (0.75, 0)], [(0.15, 0.38), (0.6, 0.38)]],
-    "B": [
-        [(0.05, 1), (0.05, 0)],
-        [(0.05, 1), *_arc(0.35, 0.76, 0.3, 0.24, 90, -90), (0.05, 0.52)],
-        [(0.05, 0.52), *_arc(0.4, 0.26, 0.33, 0.26, 90, -90), (0.05, 0)],
-    ],
-    "C": [_arc(0.4, 0.5, 0.38, 0.5, 50, 310)],
-    "D": [[(0.05, 1), (0.05, 0)], [(0.05, 1), *_arc(0.25, 0.5, 0.48, 0.5, 90, -90), (0.05, 0)]],
-    "E": [[(0.65, 1), (0.05, 1), (0.05, 0), (0.65, 0)], [(0.05, 0.52), (0.55, 0.52)]],
-    "F": [[(0.65, 1), (0.05, 1), (0.05, 0)], [(0.05, 0.52), (0.55, 0.52)]],
-    "G": [[*_arc(0.4, 0.5, 0.38, 0.5, 50, 330), (0.74, 0.42), (0.42, 0.42)]],
-    "H": [[(0.05, 1), (0.05, 0)], [(0.7, 1), (0.7, 0)], [(0.05, 0.5), (0.7, 0.5)]],
-    "I": [[(0.37, 1), (0.37, 0)]],
-    "J": [[(0.6, 1), (0.6, 0.28), *_arc(0.34, 0.28, 0.26, 0.28, 0, -170)]],
-    "K": [[(0.05, 1), (0.05, 0)], [(0.68, 1), (0.05, 0.45)], [(0.25, 0.6), (0.72, 0)]],
-    "L": [[(0.05, 1), (0.05, 0), (0.68, 0)]],
-    "M": [[(0, 0), (0.08, 1), (0.37, 0.3), (0.67, 1), (0.75, 0)]],
-    "N": [[(0.05, 0), (0.05, 1), (0.7, 0), (0.7, 1)]],
-    "O": [_arc(0.375, 0.5, 0.375, 0.5, 90, 450)],
-    "P": [[(0.05, 1), (0.05, 0)], [(0.05, 1), *_arc(0.36, 0.74, 0.32, 0.26, 90, -90), (0.05, 0.48)]],
-    "Q": [_arc(0.375, 0.5, 0.375, 0.5, 90, 450), [(0.45, 0.3), (0.78, -0.05)]],
-    "R": [
-        [(0.05, 1), (0.05, 0)],
-        [(0.05, 1), *_arc(0.36, 0.74, 0.32, 0.26, 90, -90), (0.05, 0.48), (0.3, 0.48), (0.72, 0)],
-    ],
-    "S": [[*_arc(0.38, 0.75, 0.32, 0.25, 40, 270), *_arc(0.38, 0.25, 0.34, 0.25, 90, -140)]],
-    "T": [[(0, 1), (0.75, 1)], [(0.37, 1), (0.37, 0)]],
-    "U": [[(0.05, 1), (0.05, 0.33), *_arc(0.375, 0.33, 0.325, 0.33, 180, 360), (0.7, 1)]],
-    "V": [[(0, 1), (0.37, 0), (0.75, 1)]],
-    "W": [[(0, 1), (0.17, 0), (0.37, 0.7), (0.58, 0), (0.75, 1)]],
-    "X": [[(0.03, 1), (0.72, 0)], [(0.72, 1), (0.03, 0)]],
-    "Y": [[(0.02, 1), (0.37, 0.5), (0.73, 1)], [(0.37, 0.5), (0.37, 0)]],
-    "Z": [[(0.03, 1), (0.72, 1), (0.03, 0), (0.72, 0)]],
-}
-"""Strokes of each letter, in its heights."""
-
 
 PAD = replace(FINGER, contact_radius_mm=(5.0, 8.0))
 """Pad of a finger that writes, laid flat: as wide as finger pads are, 10 to 14 mm and a little more."""
@@ -92,13 +39,47 @@ class Hand:
     """Deviation of the line, rms, in heights of the letter; it moves smoothly along the line."""
     tool: Tool = PAD
     """Tool that writes."""
+    alphabets: tuple[Alphabet, ...] = (HAND,)
+    """Alphabets of which each letter draws one, and in it one shape."""
+    reordered: float = 0.0
+    """Fraction of the letters whose strokes are written in any order and direction."""
+    connected: float = 0.0
+    """Fraction of the letters that are written without lifting the finger between strokes."""
+    hooks: float = 0.0
+    """Fraction of the ends of strokes that have a hook."""
+    bend: float = 0.0
+    """Standard deviation of the smooth waves by which the whole letter is bent, in its heights."""
+    variants: VariantOptions = VariantOptions()
+    """How much the variants of its letters differ that a network is trained on."""
+
+
+def training_hands(speed: tuple[float, float], fonts: tuple[str, ...]) -> tuple[Hand, ...]:
+    """Hands that a network learns letters from: ours, others in print and in school script, and fonts.
+
+    Args:
+        speed: slowest and fastest speed, mm/s.
+        fonts: names of :data:`localize.recognition.stroke_fonts.FONTS`; none for our shapes alone.
+
+    Raises:
+        Refusal: an unknown font.
+        MissingExtra: fonts, and the package that has them is not installed.
+    """
+    usual = Hand(speed=speed)
+    other = replace(
+        usual, slant=0.25, turn=8.0, reordered=0.3, connected=0.1, hooks=0.15, bend=0.03, variants=OTHER_HANDS
+    )
+    printed, script = replace(other, alphabets=(PRINT,)), replace(other, alphabets=(SCRIPT,))
+    if not fonts:
+        return (usual, printed, script, usual, printed, script, usual)
+    drawn = replace(other, alphabets=tuple(map(alphabet_of, fonts)), reordered=0.0, connected=0.0, hooks=0.05)
+    return (usual, printed, script, drawn, usual, printed, script, usual, usual)
 
 
 def strokes_of(letter: str, hand: Hand, random: np.random.Generator) -> list[Array]:
     """Strokes of one written letter.
 
     Args:
-        letter: one of :data:`LETTERS`.
+        letter: one of :data:`localize.recognition.LETTERS`.
         hand: how it is written.
         random: draws the letter.
 
@@ -112,12 +93,62 @@ def strokes_of(letter: str, hand: Hand, random: np.random.Generator) -> list[Arr
     shape = turned @ np.array([[aspect, slant], [0.0, 1.0]])
     waves = random.standard_normal((2, 2, 3))
     made = []
-    for corners in _FONT[letter]:
-        line = _resampled(np.array(corners) - [WIDTH / 2, 0.5])
+    for line in _drawn(letter, hand, random):
         along = np.linspace(0, 1, len(line))[:, None] * np.array([1.0, 2.0, 3.0]) * math.pi + random.uniform(0, 6.3, 3)
         bent = np.stack([np.sin(along) @ waves[0, k] + np.cos(along) @ waves[1, k] for k in (0, 1)], 1) / math.sqrt(3)
         made.append(line @ shape.T + hand.wobble * bent)
     return made
+
+
+def _drawn(letter: str, hand: Hand, random: np.random.Generator) -> list[Array]:
+    """Strokes of one shape of a letter, in heights, about its middle, in the order in which they are written."""
+    shapes = hand.alphabets[_one_of(len(hand.alphabets), random)][letter]
+    strokes = [np.array(each) for each in shapes[_one_of(len(shapes), random)]]
+    ends = np.concatenate(strokes)
+    strokes = [each - [(ends[:, 0].min() + ends[:, 0].max()) / 2, 0.5] for each in strokes]
+    if random.random() < hand.reordered:
+        order = random.permutation(len(strokes))
+        strokes = [strokes[k][:: random.choice([-1, 1])] for k in order]
+    if random.random() < hand.connected:
+        strokes = [np.concatenate(strokes)]
+    strokes = [_hooked(each, hand, random) for each in strokes]
+    lines = [_resampled(each) for each in strokes]
+    if hand.bend:
+        knots = hand.bend * random.standard_normal((2, 3, 3))
+        lines = [each + smooth_bend(each, knots) for each in lines]
+    return lines
+
+
+def _one_of(count: int, random: np.random.Generator) -> int:
+    """Number below ``count``; nothing is drawn where there is one."""
+    return int(random.integers(count)) if count > 1 else 0
+
+
+def _hooked(corners: Array, hand: Hand, random: np.random.Generator) -> Array:
+    """A stroke with a hook at either end, or without."""
+    for _ in range(2):  # the end, then the begin
+        corners = corners[::-1]
+        if random.random() < hand.hooks:
+            length = random.uniform(0.06, 0.2)
+            angle = random.uniform(0, 2 * math.pi)
+            bow = random.uniform(-2.0, 2.0) + angle + np.linspace(0, 1, 5)[:, None] * random.uniform(-2.5, 2.5)
+            steps = length / 5 * np.concatenate([np.cos(bow), np.sin(bow)], 1)
+            corners = np.concatenate([(corners[0] + steps.cumsum(0))[::-1], corners])
+    return corners
+
+
+def smooth_bend(places: Array, knots: Array) -> Array:
+    """Displacement of places of a letter by a smooth field, of one to two half waves over the letter.
+
+    Args:
+        places: (n, 2), in heights of the letter, about its middle.
+        knots: (2, 3, 3) amplitudes of the waves in either direction, in heights.
+
+    Returns:
+        (n, 2) float64, in heights.
+    """
+    waves = np.stack([np.sin(math.pi * places * k + k) for k in (1.0, 1.5, 2.0)])  # (3, n, 2)
+    return np.stack([np.einsum("in,jn,ij->n", waves[..., 0], waves[..., 1], each) for each in knots], 1)
 
 
 def written(
@@ -126,7 +157,7 @@ def written(
     """A contact that writes a letter over the surface of an array, lifted between its strokes.
 
     Args:
-        letter: one of :data:`LETTERS`.
+        letter: one of :data:`localize.recognition.LETTERS`.
         response: the array, with the places of its points.
         hand: how it is written.
         seed: any non-negative integer.

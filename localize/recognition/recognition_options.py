@@ -116,6 +116,32 @@ class WritingOptions:
 
 
 @dataclass(frozen=True)
+class VariantOptions:
+    """Numbers by which the variants of a line differ. The defaults keep what may tell two signs of a user apart."""
+
+    slant: float = 0.06
+    """Standard deviation of the slant, width per height."""
+    turn: float = 3.0
+    """Standard deviation of the turn, degrees."""
+    width: float = 0.06
+    """Standard deviation of the logarithm of the width."""
+    bend: float = 0.01
+    """Standard deviation of the waves by which the line is bent, in sizes of the letter."""
+    backwards: float = 0.0
+    """Fraction of the variants whose times run backwards: a network that relies on one direction fails with others."""
+    without_time: float = 0.0
+    """Fraction of the variants whose second picture, of the times, is empty."""
+    with_gap: float = 0.0
+    """Fraction of the variants of which one part is not detected."""
+    gap: tuple[float, float] = (0.03, 0.12)
+    """Shortest and longest such part, fractions of the line."""
+
+
+OTHER_HANDS = VariantOptions(slant=0.25, turn=5.0, width=0.12, bend=0.03, backwards=0.1, without_time=0.3, with_gap=0.2)
+"""Variants of simulated letters: other people's slant, width, directions and strokes between the rows of points."""
+
+
+@dataclass(frozen=True)
 class PulseOptions:
     """Numbers that tune the reading of pulses."""
 

@@ -56,16 +56,26 @@ class RecognitionPlan:
     """Slowest and fastest speed at which simulated letters are written, mm/s."""
     letter_variants: int = 6
     """Number of pictures of each letter, each a little turned, moved and stretched."""
+    letter_fonts: tuple[str, ...] = ("timesr", "timesi", "scriptc")
+    """Stroke fonts of :data:`localize.recognition.stroke_fonts.FONTS` of which letters are written beside those of our
+    own shapes, with the extra "fonts"; none for our shapes alone."""
     least_noise: float = 1e-5
     """Least noise that waveforms are made with, Pa rms: a filter for no noise at all amplifies rounding."""
 
     @classmethod
     def of(cls, subject: str) -> RecognitionPlan:
-        """Plan of a subject: for letters the paper's two stages of blocks, 60 samples of each and salt and pepper; for
-        textures half as many takes again, for a third of them pass their point.
+        """Plan of a subject: for letters 90 samples of each, small patches that need fewer epochs, the paper's salt
+        and pepper; for textures half as many takes again, for a third of them pass their point.
         """
         if subject == "letters":
-            return cls(takes=60, epochs=20, salt_and_pepper=0.05, network="two-stage")
+            return cls(
+                takes=90,
+                epochs=15,
+                salt_and_pepper=0.05,
+                network="small-patches",
+                letter_variants=8,
+                held_out_fraction=0.1,
+            )
         return cls(takes=450) if subject == "textures" else cls()
 
     def __post_init__(self) -> None:

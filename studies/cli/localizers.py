@@ -48,9 +48,9 @@ def train(
         str | None,
         typer.Option(
             help="hypotheses weighs what the sensor may have come out as. patches, stride-2 and paper are "
-            "convolutional, each larger and slower than the one before; two-stage is the paper's network for letters. "
-            "Default: hypotheses; patches with --plan maps or --kind, paper with --plan paper, two-stage with "
-            "--kind letters."
+            "convolutional, each larger and slower than the one before; two-stage is the paper's network for letters, "
+            "small-patches needs fewer epochs for them. Default: hypotheses; patches with --plan maps or --kind, paper "
+            "with --plan paper, small-patches with --kind letters."
         ),
     ] = None,
     stimuli: Annotated[

@@ -246,6 +246,7 @@ USED_THROUGH_OTHERS = {
 }
 #: Modules that come with a requirement under another name.
 COMES_WITH = {
+    "HersheyFonts": "Hershey-Fonts",
     "lazy_loader": "lazy-loader",
     "skfem": "scikit-fem",
     "OCP": "cadquery",
@@ -269,7 +270,10 @@ def test_what_is_required_is_imported_and_what_is_imported_is_required() -> None
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = {name: names_of(lines) - {"acoustic-fem"} for name, lines in project["optional-dependencies"].items()}
     required = names_of(project["dependencies"]).union(
-        *(extras[name] for name in ("audio", "plots", "cad", "fem", "onnx", "train", "studies", "sofa", "parquet"))
+        *(
+            extras[name]
+            for name in ("audio", "plots", "cad", "fem", "onnx", "train", "studies", "sofa", "parquet", "fonts")
+        )
     )
     optional = extras["studio"]
     studio = ROOT / "studies" / "studio"

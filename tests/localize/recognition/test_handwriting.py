@@ -16,7 +16,10 @@ from geometry import Kind
 from localize.contacts import ContactRecorder
 from localize.recognition import LETTERS, Hand, LetterMaker, LineReader, letter_maps, written
 from localize.recognition.filter_bank import FilterBank
+from localize.recognition.handwriting import varied
 from localize.recognition.letter_classifier import strokes_of
+from localize.recognition.letter_shapes import HAND
+from localize.recognition.recognition_options import VariantOptions
 from localize.signals.array_response import ArrayResponse
 
 
@@ -81,17 +84,53 @@ def test_a_picture_does_not_know_place_and_size() -> None:
     assert not np.allclose(maps, letter_maps(line, np.random.default_rng(0)))
 
 
+def test_variants_lean_turn_run_backwards_and_lose_parts() -> None:
+    along = np.linspace(0, 1, 50)
+    line = np.column_stack([along, 10 * along, 20 * along, np.ones(50)])
+    still = {"slant": 0.0, "turn": 0.0, "width": 0.0, "bend": 0.0}
+    random = np.random.default_rng(0)
+    np.testing.assert_allclose(varied(line, random, VariantOptions(**still))[:, 3], line[:, 3])
+    leaning = varied(line, random, VariantOptions(**still | {"slant": 0.3}))
+    np.testing.assert_allclose(np.diff(leaning[:, 2]), np.diff(line[:, 2]), atol=1e-9)  # heights stay
+    assert abs(np.ptp(leaning[:, 1]) - 10) > 0.1
+    back = varied(line, random, VariantOptions(**still, backwards=1.0))
+    assert np.all(np.diff(back[:, 0]) > 0)
+    assert back[0, 2] > back[-1, 2]
+    gap = varied(line, random, VariantOptions(**still, with_gap=1.0))
+    assert 40 <= len(gap) < 50
+    assert np.diff(gap[:, 0]).max() > 1.5 / 49
+
+
+def test_makers_take_hands_in_turn(surface: ArrayResponse) -> None:
+    mirrored = {letter: [[[(-x, y) for x, y in each] for each in shapes[0]]] for letter, shapes in HAND.items()}
+    hands = (Hand(), Hand(alphabets=(mirrored,)))
+    reader = LineReader(surface, 1e-4)
+    maker = LetterMaker((reader,), (surface,), 5, 1e-4, hands)
+    plain = LetterMaker((reader,), (surface,), 5, 1e-4)
+    both, one = maker.lines("evaluation", 38), plain.lines("evaluation", 38)
+    assert all(np.array_equal(a, b) for a, b in zip(both[:26], one[:26], strict=True))
+    assert not np.array_equal(both[26 + 11], one[26 + 11])  # an L, mirrored
+
+
 def test_letters_need_places() -> None:
     with refused(Kind.MISMATCH):
         LineReader(rc_line(3, np.arange(1.0, 501.0, 3.0)), 1e-3)
 
 
+def test_a_font_that_is_not_known_is_refused_before_any_work(surface: ArrayResponse) -> None:
+    plan = replace(localize.RecognitionPlan.of("letters"), letter_fonts=("comic",))
+    with refused(Kind.OUT_OF_RANGE, "font", "comic"):
+        localize.train_recognizer(surface, "letters", plan)
+
+
 @pytest.mark.slow
 def test_a_recognizer_of_letters_learns_and_tells(surface: ArrayResponse) -> None:
-    plan = replace(localize.RecognitionPlan.of("letters"), takes=6, epochs=6, microphone_noise=1e-4)
+    plan = replace(
+        localize.RecognitionPlan.of("letters"), takes=18, epochs=12, letter_variants=4, microphone_noise=1e-4
+    )
     own = localize.train_recognizer(surface, "letters", plan)
     assert own.labels == LETTERS
-    assert own.training["held_out_accuracy"][-1] > 0.2  # a few takes; by chance it is 0.04
+    assert own.training["held_out_accuracy"][-1] > 0.12  # a few takes of many hands; by chance it is 0.04
     maker = LetterMaker((LineReader(surface, 1e-4),), (surface,), 5, 1e-4)
     maps, kind = maker.maps("evaluation", 26)
     assert (own.of_maps(maps).argmax(1) == kind.numpy()).mean() > 0.2
@@ -120,7 +159,7 @@ def test_signs_of_ones_own_are_learnt_from_recordings(surface: ArrayResponse, tm
             lines += ["[[recordings]]", f'file = "{name}"', "point = 1", f'label = "{letter}"']
             number += 1
     (tmp_path / "mine.toml").write_text("\n".join(lines))
-    plan = replace(localize.RecognitionPlan.of("letters"), epochs=2, batch=4, microphone_noise=1e-4)
+    plan = replace(localize.RecognitionPlan.of("letters"), epochs=2, batch=4, letter_variants=6, microphone_noise=1e-4)
     own = localize.train_recognizer(surface, "letters", plan, recordings=tmp_path / "mine.toml")
     assert own.labels == ("L", "O")
     assert own.training["takes"] == 12  # six pictures of each
