@@ -141,8 +141,9 @@ def _touches_sentence(result: RunResult) -> str:
         f"Taps and presses are strokes of a membrane by a finger: a tap lasts {shortest:g} to {longest:g} ms, a press "
         f"is held for {PRESS_HOLD[0]:g} to {PRESS_HOLD[1]:g} s. Their peaks are {PEAK[0]:g} to {PEAK[1]:g} Pa. They "
         f"pass the high-pass of {TAPS_AND_PRESSES.high_pass:g} Hz of a stream, and multi-sine touches do not. Each is "
-        f"located from one frame of {result.network.samples} ms. Multi-sine touches, which the publication uses, have 1 to 100 sines from "
-        f"{BAND[0]:g} to {BAND[1]:g} Hz and white noise. A network recognizes only the kinds of touches that it was "
+        f"located from one frame of {result.network.samples} ms. Multi-sine touches, which the publication uses, have "
+        f"1 to 100 sines from {BAND[0]:g} to {BAND[1]:g} Hz and white noise. A network recognizes only the kinds of "
+        "touches that it was "
         f"trained on. This one was trained on {', '.join(plan['stimuli'])} on {trained}."
     )
 

@@ -126,7 +126,7 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
     command("train", library, "--out", tmp_path / "localizer", "--plan", "paper", "--epochs", 2, "--noise", 0.001)
     assert plans[1:] == [replace(localize.TrainingPlan.paper(), epochs=2, microphone_noise=1e-3)]
     told = command("train", library, "--out", tmp_path / "localizer", "--plan", "best")
-    assert (told.code, "--plan = 'best' must be one of: usual, paper" in told.err) == (1, True)
+    assert (told.code, "--plan = 'best' must be one of: usual, maps, paper" in told.err) == (1, True)
     told = command("train", library, "--out", tmp_path / "localizer", "--plan", "paper", "--kind", "events")
     assert (told.code, "--plan is for localizers" in told.err) == (2, True)
 
