@@ -18,6 +18,7 @@ import acoustic_fem
 import geometry
 import localize
 from localize.signals.array_response import response_of
+from localize.signals.finger_strokes import tap_strokes
 
 
 def assert_exported(told: Outcome) -> None:
@@ -141,7 +142,9 @@ def test_sound_is_no_touch_for_any_model_that_is_given_a_library(command: Comman
 @pytest.mark.slow
 def test_a_microphone_far_off_its_level_is_told_and_brought_to_it(command: Command, tmp_path: Path) -> None:
     library = small_run().folder / "library.nc"
-    touches = localize.TouchGenerator(response_of(acoustic_fem.load(library)), 0, "evaluation", 0.0).samples(0, 12)
+    # Taps, because multi-sine touches may begin with a fall, which a stream takes for the end of the touch before.
+    response = response_of(acoustic_fem.load(library))
+    touches = localize.TouchGenerator(response, 0, "evaluation", 0.0, stimuli=tap_strokes).samples(0, 12)
     loud = touches.signals.numpy() / touches.signals.numpy().std((1, 2), keepdims=True) / 20
     still = np.zeros((12, 2, 1000))
     samples = np.concatenate([still, loud], axis=2).transpose(1, 0, 2).reshape(2, -1)
