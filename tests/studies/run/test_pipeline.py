@@ -218,7 +218,7 @@ def test_a_run_from_the_command_line_solves_cells_once_and_says_so(
     assert not any(cell["cached"] for cell in found["cells"])
     assert found["training"]["plan"] == json.loads(json.dumps(asdict(TrainingPlan())))
     assert not found["training"]["cut_short"]
-    assert found["network"]["top1"] > 0.98
+    assert found["network"]["top1"] > 0.95  # taps and presses on as-built sensors
     assert found["lumped_difference"]["magnitude"] < 0.015
     assert found["lumped_difference"]["phase"] < 1.0
     assert "Lumped is within them" in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
