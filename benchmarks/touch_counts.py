@@ -1,4 +1,4 @@
-"""Whether a stream reports each touch exactly once: taps, presses, slides, pairs of taps, pulses.
+"""Count how often a stream reports each touch: taps, presses, slides, pairs of taps, pulses.
 
 ``python benchmarks/touch_counts.py --write`` writes the table of docs/evidence/streams.md, in some six minutes of one
 core.
@@ -221,6 +221,7 @@ def rows(
 
 
 def main() -> None:
+    # Closed forms warn of tubes' entrances: touches and libraries here are of the same forms.
     warnings.filterwarnings("ignore", "entrance loss", UserWarning)
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--design", default=DESIGN)
@@ -229,7 +230,9 @@ def main() -> None:
     parser.add_argument("--records", type=int, default=1, help="records of each kind for each sensor")
     parser.add_argument("--kind", choices=KINDS, action="append")
     parser.add_argument("--write", action="store_true", help="into docs/evidence/streams.md")
-    parser.add_argument("--corner", type=float, help="of a high-pass of the microphones, Hz; by default they have none")
+    parser.add_argument(
+        "--corner", type=float, help="corner of a high-pass that the microphones have, Hz; by default they have none"
+    )
     chosen = parser.parse_args()
     titles = [
         "sensor, touch", "touches", "exactly one `down` (%)", "one touch in `locate` (%)", "only the correct point (%)",

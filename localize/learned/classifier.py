@@ -10,6 +10,7 @@ the last stage as well. Five mergings leave 2 x 1 of 64 x 32, so that its embedd
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
@@ -116,23 +117,23 @@ class TouchNetwork(nn.Module):
                 yield partial(normalisation, layer)
 
 
-class Classifier(nn.Module):
+class Classifier(nn.Module, ABC):
     """Module that makes one logit per class of a batch of inputs, in two parts: what is learned, and what is not."""
 
     network: nn.Module
     """Learned part: from what :meth:`maps` gives to logits, (n, n_class) float32."""
 
+    @abstractmethod
     def maps(self, inputs: Tensor) -> Tensor:
         """Inputs of the learned part, (n, ...) float32; nothing is differentiated through them.
 
         Args:
             inputs: a batch.
         """
-        raise NotImplementedError
 
+    @abstractmethod
     def fit_normalisation(self, inputs: Tensor) -> None:
         """Take mean and standard deviation of the maps over inputs."""
-        raise NotImplementedError
 
 
 class MapClassifier(Classifier):

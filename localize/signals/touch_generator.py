@@ -125,7 +125,8 @@ class TouchGenerator:
         if source is not None:
             self._sensors = range(source.sensor_count) if sensors is None else sensors
             _check_source(source, response, self._sensors)
-            self._splines = interpolation_from_zero(grid, lines, response.sealed)
+            if not isinstance(source, AsBuiltDraws):  # which interpolates its own factors
+                self._splines = interpolation_from_zero(grid, lines, response.sealed)
         self._membrane_on_lines = self._strokes_on_lines()
         if ambient is not None:
             disturbances.check_ambient(ambient)

@@ -46,7 +46,7 @@ def percent(fraction: float) -> str:
 
 def with_worst(accuracy: float, worst: float | None) -> str:
     """Percentage of an accuracy and, if it is a mean over several sensors, that of the worst one."""
-    return percent(accuracy) + ("" if worst is None else f" (worst sensor {percent(worst)})")
+    return percent(accuracy) + ("" if worst is None else f" (worst {percent(worst)})")
 
 
 def record_rows(name: str, value: object) -> Iterator[tuple[str, str]]:

@@ -1,4 +1,4 @@
-"""Rises and falls of the mean pressure are told apart, and so are beats from taps and presses."""
+"""The course of the mean pressure distinguishes rises from falls, and beats from taps and presses."""
 
 from __future__ import annotations
 
