@@ -50,3 +50,4 @@ from .print_processes import (
     find_process as find_process,
     process_of as process_of,
 )
+from .target import Target as Target

@@ -14,6 +14,7 @@ from geometry.schema.kinds import PLAIN, Pattern, PointKind
 from geometry.schema.manufacture import Molding, Printing
 from geometry.schema.materials import MATERIALS, Material
 from geometry.schema.part_fields import Membrane, Microphone, Resonator, Shell, Tube
+from geometry.schema.target import Target
 
 MicrophoneName = Annotated[str, Field(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
 
@@ -99,6 +100,7 @@ class StatedArray(Section):
     air: Air = Field(default=Air(), description="temperature, humidity and pressure of the air")
     printing: Printing = Field(default=Printing(), description="printing of the parts")
     mold: Molding = Field(default=Molding(), description="mold in which the membranes are cast")
+    target: Target = Field(default=Target(), description="use against which the verdict on the design is given")
     materials: dict[str, Material] = Field(
         default_factory=dict, description="materials in addition to the built-in ones"
     )

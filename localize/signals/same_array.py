@@ -12,7 +12,7 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import PathLike
 from localize.signals.array_facts import ArrayFacts
 
-_NOT_OF_THE_ARRAY = ("name", "description", "air", "printing")
+_NOT_OF_THE_ARRAY = ("name", "description", "air", "printing", "target")
 """Fields that may differ: what an array is called, where it is, and how its parts are printed."""
 
 
