@@ -11,6 +11,7 @@ from . import (
     printing as printing,
     schema as schema,
     solids as solids,
+    stock as stock,
 )
 from .assembly.bill import bill_of_materials as bill_of_materials
 from .assembly.model import build_assembly as build_assembly

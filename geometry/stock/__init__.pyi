@@ -1,0 +1,19 @@
+from .fitting import StockChange as StockChange, StockFit as StockFit
+from .stock_catalogue import Catalogue as Catalogue, catalogue as catalogue
+from .stock_files import VARIABLE as VARIABLE, stock_places as stock_places
+from .stock_rows import (
+    KINDS as KINDS,
+    Glue as Glue,
+    PartKind as PartKind,
+    Resin as Resin,
+    Sheath as Sheath,
+    Sheet as Sheet,
+    Silicone as Silicone,
+    Sleeve as Sleeve,
+    Spring as Spring,
+    StockMicrophone as StockMicrophone,
+    StockPart as StockPart,
+    Sundry as Sundry,
+    Tubing as Tubing,
+)
+from .tube_stock import TubePart as TubePart, TubeStock as TubeStock

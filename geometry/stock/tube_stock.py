@@ -1,0 +1,194 @@
+"""Springs and sheaths of a tube that can be bought, and the ones nearest to what is wished."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from geometry.schema.part_fields import Tube
+from geometry.stock.stock_rows import Sheath, Spring, Tubing
+
+#: Fields of a tube that its parts determine.
+TUBE_FIELDS = ("inner_diameter", "spring_outer_diameter", "wire_diameter", "outer_diameter", "sheath_wall")
+#: Difference of sizes that are the same, mm.
+SAME = 1e-3
+#: Weight of the wire beside the bore where a spring is looked for: sound hardly depends on it.
+_WIRE = 0.25
+
+
+@dataclass(frozen=True)
+class TubePart:
+    """Parts of a tube: a sheath, with the spring in it unless the bore is smooth. Lengths in mm."""
+
+    spring: Spring | None
+    """Spring; None where the tubing alone is the tube."""
+    sheath: Sheath
+    """Sheath."""
+    inner_diameter: float
+    """Bore."""
+    wire_diameter: float
+    """Wire of the spring; of a smooth bore what the design states, at most the wall."""
+    outer_diameter: float
+    """Outside diameter."""
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Fields of :class:`geometry.schema.Tube`."""
+        names = ("inner_diameter", "wire_diameter", "outer_diameter")
+        return {name: getattr(self, name) for name in names}
+
+
+@dataclass(frozen=True)
+class TubeStock:
+    """Springs and sheaths that can be bought."""
+
+    springs: tuple[Spring, ...]
+    """All springs; of several of one size the cheapest comes first."""
+    sheaths: tuple[Sheath, ...]
+    """All sleeves and tubings."""
+
+    @cached_property
+    def tubings(self) -> tuple[Tubing, ...]:
+        """Tubings, which also serve alone."""
+        return tuple(each for each in self.sheaths if isinstance(each, Tubing))
+
+    @cached_property
+    def _over(self) -> Mapping[float, tuple[tuple[float, Sheath], ...]]:
+        """Outside diameters over each spring's outside diameter, the narrowest first."""
+        found = {}
+        for spring in {each.outer_diameter for each in self.springs}:
+            outsides = ((each.outside_over(spring), each) for each in self.sheaths)
+            known = [(outside, each) for outside, each in outsides if outside is not None]
+            found[spring] = tuple(sorted(known, key=lambda pair: (pair[0], pair[1].price)))
+        return found
+
+    def sheaths_over(self, spring: float) -> tuple[tuple[float, Sheath], ...]:
+        """Outside diameters (mm) and sheaths over a spring of the catalogue, by its outside diameter in mm."""
+        return self._over.get(spring, ())
+
+    @cached_property
+    def enclosed(self) -> tuple[Spring, ...]:
+        """Springs that some sheath goes over."""
+        return tuple(spring for spring in self.springs if self.sheaths_over(spring.outer_diameter))
+
+    def sizes(self, name: str, tube: Tube | None = None) -> tuple[float, ...]:
+        """Values of a field of a tube that can be bought, ascending, mm.
+
+        Args:
+            name: one of :data:`TUBE_FIELDS`.
+            tube: the tube at hand: sheaths are those over the spring nearest to its own, and its bore may be smooth.
+        """
+        smooth = tube is not None and tube.bore == "smooth"
+        if name == "inner_diameter" and smooth:
+            return _unique(each.inner_diameter for each in self.tubings)
+        if name == "inner_diameter":
+            return _unique(each.bore for each in self.enclosed)
+        if name == "spring_outer_diameter":
+            return () if smooth else _unique(each.outer_diameter for each in self.enclosed)
+        if name == "wire_diameter":
+            return () if smooth else _unique(each.wire_diameter for each in self.enclosed)
+        if tube is not None and smooth:
+            nearest = self.smooth(tube)[0]
+            same = (each for each in self.tubings if abs(each.inner_diameter - nearest.inner_diameter) < SAME)
+            return () if name == "sheath_wall" else _unique(each.outer_diameter for each in same)
+        springs = self.enclosed if tube is None else self.nearest_springs(tube.inner_diameter, tube.wire_diameter)[:1]
+        pairs = [(each.outer_diameter, outer) for each in springs for outer, _ in self._over[each.outer_diameter]]
+        if name == "sheath_wall":
+            return _unique((outer - spring) / 2 for spring, outer in pairs)
+        return _unique(outer for _, outer in pairs)
+
+    def nearest_springs(
+        self, inner: float, wire: float, held: Sequence[str] = ("inner_diameter", "wire_diameter")
+    ) -> list[Spring]:
+        """Springs that a sheath goes over, those nearest to a wish first.
+
+        Args:
+            inner: bore that is wished, mm.
+            wire: wire that is wished, mm.
+            held: fields of the tube whose wish comes first, the wire's as well as the bore's where both are.
+        """
+        outer = inner + 2 * wire
+        wished = {"inner_diameter": inner, "spring_outer_diameter": outer, "wire_diameter": wire}
+        if set(held) == {"inner_diameter", "wire_diameter"}:
+            return sorted(
+                self.enclosed,
+                key=lambda each: (
+                    round(_apart(each.bore, inner) + _WIRE * _apart(each.wire_diameter, wire), 9),
+                    each.price,
+                ),
+            )
+
+        def rank(each: Spring) -> tuple[float, ...]:
+            own = {
+                "inner_diameter": each.bore,
+                "spring_outer_diameter": each.outer_diameter,
+                "wire_diameter": each.wire_diameter,
+            }
+            first = sum(_apart(own[name], wished[name]) for name in held if name in own)
+            then = _apart(each.bore, inner) + _WIRE * _apart(each.wire_diameter, wire)
+            return round(first, 9), round(then, 9), each.price
+
+        return sorted(self.enclosed, key=rank)
+
+    def coiled(self, tube: Tube, held: Sequence[str] = ("inner_diameter", "wire_diameter")) -> Iterator[TubePart]:
+        """Parts for a tube with a spring, those nearest to it first.
+
+        A sheath whose wall is the tube's within its tolerance leaves it as it is.
+
+        Args:
+            tube: what is wished.
+            held: see :meth:`nearest_springs`.
+        """
+        for spring in self.nearest_springs(tube.inner_diameter, tube.wire_diameter, held):
+            yield from self.around(spring, tube.sheath_wall)
+
+    def around(self, spring: Spring, wall: float) -> list[TubePart]:
+        """A spring in each of the sheaths that go over it, those of a wall nearest to the wished one (mm) first."""
+        diameter, bore = spring.outer_diameter, spring.bore
+
+        def part(outside: float, sheath: Sheath) -> TubePart:
+            own = (outside - diameter) / 2
+            kept = round(diameter + 2 * wall, 9) if abs(own - wall) <= sheath.tolerance and wall > 0 else outside
+            return TubePart(spring, sheath, bore, spring.wire_diameter, kept)
+
+        by_wall = sorted(
+            self.sheaths_over(diameter),
+            key=lambda pair: (round(abs((pair[0] - diameter) / 2 - wall), 4), pair[1].price),
+        )
+        return [part(outside, sheath) for outside, sheath in by_wall]
+
+    def smooth(self, tube: Tube) -> list[TubePart]:
+        """Tubings that are a tube of smooth bore, those nearest to it first."""
+        found = []
+        for each in self.tubings:
+            wall = (each.outer_diameter - each.inner_diameter) / 2
+            wire = min(tube.wire_diameter, math.floor(wall * 1e6) / 1e6)
+            found.append(TubePart(None, each, each.inner_diameter, wire, each.outer_diameter))
+        return sorted(
+            found,
+            key=lambda part: (
+                round(_apart(part.inner_diameter, tube.inner_diameter), 9),
+                round(_apart(part.outer_diameter, tube.outer_diameter), 9),
+                part.sheath.price,
+            ),
+        )
+
+    def nearest(self, tube: Tube, held: Sequence[str] = ("inner_diameter", "wire_diameter")) -> Iterator[TubePart]:
+        """Parts for a tube, those nearest to it first, whatever its bore."""
+        return iter(self.smooth(tube)) if tube.bore == "smooth" else self.coiled(tube, held)
+
+
+def _apart(one: float, other: float) -> float:
+    """Distance of two sizes: the logarithm of their ratio."""
+    return abs(math.log(one / other))
+
+
+def _unique(values: Iterator[float]) -> tuple[float, ...]:
+    """Values ascending, each once; of two that differ by less than :data:`SAME` the smaller."""
+    found: list[float] = []
+    for value in sorted(values):
+        if not found or value - found[-1] > SAME / 2:
+            found.append(round(value, 4))
+    return tuple(found)
