@@ -9,6 +9,7 @@ from functools import partial
 from geometry.design import shell_rules
 from geometry.design.kind_rules import kind_rules, pattern_rules
 from geometry.design.layout_rules import area_rules, cylinder_rules, hand_rules, plane_rules
+from geometry.design.place_rules import places_rules, side_rules
 from geometry.design.tube_rules import microphone_socket_rules, socket_rules, tube_rules
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.array_fields import StatedArray
@@ -48,6 +49,8 @@ def check_consistency(design: StatedArray) -> None:
         area_rules,
         cylinder_rules,
         hand_rules,
+        places_rules,
+        side_rules,
         microphone_socket_rules,
         _print_rules,
     ):

@@ -15,7 +15,7 @@ _KIND_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 #: Fields of the stated parts that a kind has of its own.
 _OWN_FIELDS = {"cavity_height": "resonator.cavity_height", "membrane_thickness": "membrane.thickness"}
 #: Layouts that lay tubes of different lengths in one line.
-_GRADED_LAYOUTS = ("serpentine", "ring", "area")
+_GRADED_LAYOUTS = ("serpentine", "ring", "area", "places")
 
 Rule = Callable[["StatedArray"], Iterable[Refusal]]
 

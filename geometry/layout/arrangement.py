@@ -10,7 +10,8 @@ import numpy as np
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.typed import Array
-from geometry.layout.lines_in_plan import End, Run, area_runs, hand_runs, ring_runs, serpentine_runs
+from geometry.layout.below import led_below
+from geometry.layout.lines_in_plan import End, Run, area_runs, hand_runs, place_runs, ring_runs, serpentine_runs
 from geometry.layout.placement import (
     ArrayLayout,
     Housings,
@@ -20,7 +21,7 @@ from geometry.layout.placement import (
     TubePlacement,
 )
 from geometry.plan.cylinder import Cylinder, Plane, surface_of
-from geometry.plan.routing import bearing, bow_angle, bowed_path, drawn_path, tidy, unit
+from geometry.plan.routing import bearing, bow_angle, bowed_path, directions, drawn_path, routed_path, tidy, unit
 from geometry.schema.part_fields import Tube
 from geometry.schema.ports import Port
 
@@ -47,7 +48,16 @@ def lay_out(design: DesignLike) -> ArrayLayout:
     ``ring``: the lines are the sides of a polygon at their true length, the microphones its corners (see
     :func:`geometry.plan.ring.corners`). Microphone tubes lie straight, other tubes bow outwards.
 
+    ``places``: points lie where the design states them. A longer tube bows to the left of its line, or leaves and
+    arrives in the stated directions along a smooth curve of exactly its length.
+
+    Two microphones on one line may lie at a side of the array, or below the shells: see
+    :mod:`geometry.plan.tube_descent`.
+
     Parts that could not be built as drawn are listed by :func:`geometry.layout.overlaps.buildability_notes`.
+
+    Raises:
+        DesignError: not a design, or a microphone tube that is too short to lead below the shells.
     """
     design = resolve_design(design)
     housings, runs, bows = _housed(design)
@@ -73,6 +83,7 @@ def _runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
         "ring": ring_runs,
         "area": area_runs,
         "hand": hand_runs,
+        "places": place_runs,
     }
     return builders[design.layout.kind](design, surface)
 
@@ -81,6 +92,8 @@ def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]
     """The housings, the lines they lie on, and how far each tube between the points of a line bows, degrees."""
     surface = surface_of(design)
     runs = _runs(design, surface)
+    if design.layout.microphone_side == "below":
+        runs = led_below(design, runs)
     ends = [end for run in runs for end in run.ends]
     microphones = _microphones(design, ends, np.vstack([run.positions for run in runs]))
     bows = [_bows(design, index, run, surface) for index, run in enumerate(runs)]
@@ -116,13 +129,14 @@ def _microphones(design: ArrayDesign, ends: list[End], points: Array) -> list[Mi
             angles = _equally_spaced([bearing(position, end.point) for end in own])
         else:
             position = own[0].target
-            angles = [end.direction + 180 for end in own]
+            angles = [end.arrival for end in own]
         tubes = [design.microphone_tube_of(design.lines[end.line]) for end in own]
         ports = tuple(
             MicrophonePort(end.line, end.end, _port(angle, tube))
             for end, angle, tube in zip(own, angles, tubes, strict=True)
         )
-        microphones.append(MicrophonePlacement(name, _pair(position), ports))
+        depth = own[0].descent.depth if own[0].descent is not None else 0.0
+        microphones.append(MicrophonePlacement(name, _pair(position), ports, depth))
     return microphones
 
 
@@ -173,14 +187,23 @@ def _points(line: int, run: Run, bows: list[float], tubes: Sequence[Tube], befor
     places = run.positions.tolist()
     first, last = run.ends
     backward, forward = [first.direction], []
-    for start, end, side, bow in zip(places[:-1], places[1:], run.sides, bows, strict=True):
-        direction = bearing(start, end)
-        forward.append(direction + side * bow)
-        backward.append(direction + 180 - side * bow)
+    for place, bow in enumerate(bows):
+        leaving, arriving = _ends_of_tube(run, place, bow)
+        forward.append(leaving)
+        backward.append(arriving)
     forward.append(last.direction)
     for place, position in enumerate(places):
         ports = _port(backward[place], tubes[place]), _port(forward[place], tubes[place + 1])
         yield PointPlacement(before + place + 1, line, place, _pair(position), ports)
+
+
+def _ends_of_tube(run: Run, place: int, bow: float) -> tuple[float, float]:
+    """Directions in which the tube after a point leaves it and, seen from there, the next one, degrees."""
+    ends = run.positions[place], run.positions[place + 1]
+    if run.is_bowed(place):
+        direction = bearing(*ends)
+        return direction + run.sides[place] * bow, direction + 180 - run.sides[place] * bow
+    return directions(ends, run.angles[place], run.angles[place + 1])
 
 
 def _port(angle: float, tube: Tube) -> Port:
@@ -201,7 +224,12 @@ def _tubes(
             run.positions[:-1], run.positions[1:], run.sides, design.segments_of(line), bows[index], strict=True
         )
         for segment, (start, end, side, tube, bow) in enumerate(between, start=1):
-            path = _at_port_height(design, bowed_path(start, end, bow, side, cavity, outer))
+            if run.is_bowed(segment - 1):
+                plan = bowed_path(start, end, bow, side, cavity, outer)
+            else:
+                leaving, arriving = _ends_of_tube(run, segment - 1, bow)
+                plan = routed_path((start, leaving), (end, arriving), cavity, outer, tube.length)
+            path = _at_port_height(design, plan)
             course = _course(surface, path, (start, end), (cavity, cavity), (outer, outer))
             yield TubePlacement(index, segment, tube, path, course)
         yield _microphone_tube(design, last, microphones[last.microphone], runs, surface)
@@ -215,7 +243,10 @@ def _microphone_tube(
     tube = design.microphone_tube_of(line)
     cavity, chamber = design.resonator.cavity_diameter / 2, design.microphone.chamber_diameter / 2
     centre = np.array(microphone.position)
-    if np.linalg.norm(centre - end.target) < _SAME_PLACE:
+    if end.descent is not None:
+        path, schematic = end.descent.path(cavity, chamber, design.resonator.port_axis_height), False
+        course = surface.mapped(path)
+    elif np.linalg.norm(centre - end.target) < _SAME_PLACE:
         out = unit(end.direction)
         path = _at_port_height(design, np.array([end.point + cavity * out, end.target - chamber * out]))
         outer = (design.resonator.outer_diameter / 2, chamber + design.microphone.wall_thickness)

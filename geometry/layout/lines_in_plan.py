@@ -1,8 +1,8 @@
-"""Positions of each line's points in plan, and directions of its ends: a serpentine, an area, a ring, a hand."""
+"""Positions of each line's points in plan, and directions of its ends, for each kind of layout."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -15,6 +15,8 @@ from geometry.plan.area import area_positions, outside_at
 from geometry.plan.cylinder import Cylinder, Plane, wound_turn
 from geometry.plan.hand import finger_positions, meeting_at
 from geometry.plan.routing import bearing, unit
+from geometry.plan.sides import SIDES, has_turned_rows, turned_to
+from geometry.plan.tube_descent import Descent
 
 
 @dataclass(frozen=True)
@@ -33,11 +35,20 @@ class End:
     """Direction from the point to the microphone, degrees."""
     distance: float
     """Distance of the axes of point and chamber if the tube lies straight, mm."""
+    descent: Descent | None = None
+    """Course of a tube that leads below the shells; None where the tube is in their plane."""
 
     @property
     def target(self) -> Array:
-        """Axis of the chamber at the end of a straight tube, (2,) float64, mm."""
+        """Axis of the chamber at the end of the tube, (2,) float64, mm."""
+        if self.descent is not None:
+            return self.descent.chamber
         return self.point + self.distance * unit(self.direction)
+
+    @property
+    def arrival(self) -> float:
+        """Direction of the tube from the axis of the chamber, degrees."""
+        return (self.direction if self.descent is None else self.descent.azimuth) + 180
 
 
 @dataclass(frozen=True)
@@ -50,6 +61,14 @@ class Run:
     """Side to which each tube between two points bows: +1 left, -1 right."""
     ends: tuple[End, End]
     """The first and the second end."""
+    angles: tuple[float | None, ...] = ()
+    """Direction in which the line runs straight through each point, degrees; None where its tubes follow their own;
+    empty where no point has one.
+    """
+
+    def is_bowed(self, place: int) -> bool:
+        """True where no direction is stated for the tube after a point: it is straight, or one arc."""
+        return not self.angles or self.angles[place] is self.angles[place + 1] is None
 
 
 def run_of(
@@ -82,11 +101,14 @@ def run_of(
 def serpentine_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
     """Rows of ``columns`` points, every second row backwards; lines are blocks above each other.
 
-    On a cylinder x runs around it: the pitch along the rows is then that of tubes wound between the shells.
+    On a cylinder x runs around it: the pitch along the rows is then that of tubes wound between the shells. Where
+    microphones lie at a side, the rows are turned so that both ends of the line are there.
     """
-    runs, bottom = [], 0.0
+    runs, bottom, side = [], 0.0, SIDES.get(design.layout.microphone_side)
     for index, line in enumerate(design.lines):
         pitch, columns = design.pitch_of(line), min(design.layout.columns, line.points)
+        turned = side is not None and has_turned_rows(design)
+        columns = -(-line.points // columns) if turned and side in (90.0, 270.0) else columns
         place = np.arange(line.points)
         row, column = place // columns, place % columns
         column = np.where(row % 2 == 0, column, columns - 1 - column)
@@ -102,7 +124,9 @@ def serpentine_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]
             backwards = row[k - 1] % 2 == 1
             turn = row[k] != row[k - 1]
             sides.append((1 if backwards else -1) if turn else (-1 if backwards else 1))
-        if line.points == 1:
+        if side is not None:
+            positions, out = (turned_to(positions, side) if turned else positions), (side, side)
+        elif line.points == 1:
             out = (180.0, 0.0)
         else:
             out = (bearing(positions[1], positions[0]), bearing(positions[-2], positions[-1]))
@@ -202,4 +226,22 @@ def hand_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
         # Outwards over the fingertips, towards the wrist between the roots of the fingers.
         sides = tuple(-1 if k % columns == 0 and (k // columns) % 2 == 0 else 1 for k in range(1, len(points)))
         runs.append(run_of(design, index, points, sides, (out[index][0], out[index][1]), surface))
+    return runs
+
+
+def place_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
+    """Lines over points wherever the design states them; tubes that are longer than straight bow to the left."""
+    runs, before, side = [], 0, SIDES.get(design.layout.microphone_side)
+    for index, line in enumerate(design.lines):
+        places = design.layout.places[before : before + line.points]
+        positions, angles = np.array([(p.x, p.y) for p in places]), tuple(place.angle for place in places)
+        first = bearing(positions[1], positions[0]) if line.points > 1 else 180.0
+        last = bearing(positions[-2], positions[-1]) if line.points > 1 else 0.0
+        out = (
+            first if angles[0] is None else (angles[0] + 180) % 360,
+            last if angles[-1] is None else angles[-1] % 360,
+        )
+        run = run_of(design, index, positions, (1,) * (line.points - 1), out if side is None else (side, side), surface)
+        runs.append(replace(run, angles=angles))
+        before += line.points
     return runs

@@ -75,6 +75,8 @@ class MicrophonePlacement:
     """Axis of the chamber in plan, mm."""
     ports: tuple[MicrophonePort, ...]
     """Line ends that it joins, in order of (line, end)."""
+    depth: float = 0.0
+    """Distance of its ports below those of the shells, mm."""
 
     @cached_property
     def turned(self) -> tuple[tuple[Port, ...], float]:
@@ -117,8 +119,16 @@ class Housings:
     """Surface that the shells stand on."""
 
     def frame(self, placement: PointPlacement | MicrophonePlacement) -> Frame:
-        """Place of a point or a microphone in space; the floors of resonators' cavities lie at its z = 0."""
-        return self.surface.frame(*placement.position)
+        """Place of a point or a microphone in space.
+
+        Its z = 0 is the floor of the resonators' cavities, for a microphone below them moved down by its depth.
+        """
+        frame = self.surface.frame(*placement.position)
+        depth = placement.depth if isinstance(placement, MicrophonePlacement) else 0.0
+        if not depth:
+            return frame
+        x, y, z = frame.at(0.0, 0.0, -depth).tolist()
+        return Frame((x, y, z), frame.axes)
 
 
 @dataclass(frozen=True)

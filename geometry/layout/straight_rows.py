@@ -19,8 +19,11 @@ def is_wide_apart(design: ArrayDesign) -> bool:
     of every case. False says nothing.
     """
     ends = [name for line in design.lines for name in line.between]
-    if design.layout.kind != "serpentine" or design.layout.pitch is not None or len(set(ends)) < len(ends):
+    layout = design.layout
+    if layout.kind != "serpentine" or layout.pitch is not None or len(set(ends)) < len(ends):
         return False
+    if layout.microphone_side != "ends":
+        return False  # beside each other, or below
     if len(design.lines) > 1 and any(_points_upwards(line.points, design.layout.columns) for line in design.lines):
         return False  # at the block of the next line
     resonator, chamber, gap = design.resonator, design.microphone, design.printing.glue_gap

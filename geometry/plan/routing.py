@@ -14,6 +14,8 @@ from geometry.plan.crossing import zero_crossing
 
 #: Chords per arc; the polyline of a half circle is then shorter than the arc by 1e-4.
 _CHORDS = 64
+#: Length of a Bezier curve's handles by its chord, at which it bends evenly.
+_HANDLE = 0.36
 
 
 def bow_angle(length: float, distance: float, cavity_radius: float, outer_radius: float) -> float:
@@ -92,6 +94,64 @@ def _bowed(angle: float, distance: float, cavity_radius: float, outer_radius: fl
     arc = np.column_stack([distance / 2 + radius * np.sin(turns), height])
     wall = cavity_radius * math.cos(turn), cavity_radius * math.sin(turn)
     return np.vstack([wall, arc, (distance - wall[0], wall[1])])
+
+
+def directions(ends: tuple[Array, Array], first: float | None, second: float | None) -> tuple[float, float]:
+    """Directions in which a tube leaves two shells, degrees, where a line runs straight through them.
+
+    Args:
+        ends: axes of the shells in plan, (2,) float64, mm.
+        first: direction of the line through the first shell, degrees; None: the tube leaves towards the second.
+        second: the same for the second.
+    """
+    direct = bearing(*ends)
+    return direct if first is None else first, direct + 180 if second is None else second + 180
+
+
+def routed_path(
+    start: tuple[Array, float], end: tuple[Array, float], cavity_radius: float, outer_radius: float, length: float
+) -> Array:
+    """Axis of a tube of exact length that leaves two shells in stated directions: a smooth curve between the walls.
+
+    Args:
+        start: axis of the first shell in plan, (2,) float64, mm, and direction of the tube from there, degrees.
+        end: the same for the second shell.
+        cavity_radius: of the cavities, mm.
+        outer_radius: of the shells, mm.
+        length: bore from cavity wall to cavity wall, mm.
+
+    Returns:
+        (n, 2) float64, mm, from cavity wall to cavity wall.
+
+    Raises:
+        Refusal: the tube is shorter than the chord between the walls and the two walls.
+    """
+    (first, leaving), (second, arriving) = start, end
+    out, back = unit(leaving), unit(arriving)
+    p0, p3 = first + outer_radius * out, second + outer_radius * back
+    between = length - 2 * (outer_radius - cavity_radius)
+    chord = float(np.linalg.norm(p3 - p0))
+    if between < chord - 1e-9:
+        allowed = f"at least {chord + length - between:.4g} mm"
+        raise Refusal(kind=Kind.CONFLICT, field="length", value=length, unit="mm", allowed=allowed)
+    s = np.linspace(0, 1, 2 * _CHORDS + 1)[:, None]
+    left = np.array([p0[1] - p3[1], p3[0] - p0[0]]) / chord
+
+    def curve(reach: float, bulge: float = 0.0) -> Array:
+        """A Bezier curve with handles of that length; a bulge to the left that is flat at both ends makes it longer."""
+        p1, p2 = p0 + reach * out, p3 + reach * back
+        bezier = (1 - s) ** 3 * p0 + 3 * s * (1 - s) ** 2 * p1 + 3 * s**2 * (1 - s) * p2 + s**3 * p3
+        return np.asarray(bezier + bulge * np.sin(np.pi * s) ** 2 * left)
+
+    smooth = _HANDLE * chord
+    spare = between - path_length(curve(smooth))
+    if abs(spare) < 1e-9 * between:
+        course = curve(smooth)
+    elif spare < 0:
+        course = curve(zero_crossing(lambda reach: path_length(curve(reach)) - between, 0.0, smooth))
+    else:
+        course = curve(smooth, zero_crossing(lambda bulge: path_length(curve(smooth, bulge)) - between, 0.0, between))
+    return np.vstack([first + cavity_radius * out, course, second + cavity_radius * back])
 
 
 def drawn_path(

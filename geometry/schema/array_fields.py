@@ -31,15 +31,29 @@ class Line(Section):
     pattern: Pattern | None = Field(default=None, description="kinds of its points and tubes, if they differ")
 
 
+class PointPlace(Section):
+    """Place of one point of a layout of ``places``."""
+
+    x: Number = Field(ge=-2000, le=2000, description="axis of the point", json_schema_extra={"unit": "mm"})
+    y: Number = Field(ge=-2000, le=2000, description="axis of the point", json_schema_extra={"unit": "mm"})
+    angle: Degree | None = Field(
+        default=None,
+        ge=-360,
+        le=360,
+        description="direction in which the line runs straight through the shell; default: each tube leaves towards "
+        "its neighbour",
+    )
+
+
 class Layout(Section):
     """Arrangement of the resonators."""
 
-    kind: Literal["serpentine", "ring", "area", "cylinder", "hand"] = Field(
+    kind: Literal["serpentine", "ring", "area", "cylinder", "hand", "places"] = Field(
         description="serpentine: rows of `columns` points, one block per line; ring: lines are the sides of a "
         "polygon, microphones its corners; area: all lines one after the other along one path over rows of "
         "`columns` points, microphones around them; cylinder: a serpentine wound on a cylinder, rows around it; hand: "
         "fingers of "
-        "`columns` points that fan out from the wrist"
+        "`columns` points that fan out from the wrist; places: every point where `places` states it"
     )
     columns: Count = Field(
         default=1000, ge=1, le=1000, description="points per row of a serpentine or an area, or per finger"
@@ -58,6 +72,21 @@ class Layout(Section):
     )
     spread: Degree | None = Field(
         default=None, ge=1, le=60, description="angle between neighbouring fingers; for kind = 'hand' only"
+    )
+    places: tuple[PointPlace, ...] = Field(
+        default=(), max_length=1000, description="place of every point, in their order; for kind = 'places' only"
+    )
+    microphone_side: Literal["ends", "left", "right", "front", "back", "below"] = Field(
+        default="ends",
+        description="ends: microphones lie straight on from the ends of the lines; left (-x), right (+x), front (-y) "
+        "and back (+y): beside the array; below: under the shells. A side is for two microphones on one line",
+    )
+    depth: Millimetre | None = Field(
+        default=None,
+        ge=1,
+        le=50,
+        description="distance of the microphones' ports below those of the shells; for microphone_side = 'below' only; "
+        "default: housings are close under the shells",
     )
 
 

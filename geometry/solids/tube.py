@@ -98,22 +98,64 @@ def _sleeve(points: Array, inner: float, outer: float, name: str) -> cq.Workplan
 
 
 def _wire(points: Array) -> cq.Wire:
-    """Straight, or a line, an arc through the points between and a line; a spline where they lie on no arc."""
+    """Lines and arcs through the points, each tangent to the one before; of other curves a spline between two lines."""
     import cadquery as cq
 
-    if np.isinf(tightest_bend(points)):
-        return cq.Wire.assembleEdges([cq.Edge.makeLine(cq.Vector(*points[0]), cq.Vector(*points[-1]))])
-    bend = points[1:-1]
-    first, last, end = (cq.Vector(*point) for point in (bend[0], bend[-1], points[-1]))
-    arc = cq.Edge.makeTangentArc(first, cq.Vector(*(points[1] - points[0])), last)
-    centre = np.array(arc.arcCenter().toTuple())
-    radii = np.linalg.norm(bend - centre, axis=1)
-    if np.ptp(radii) > 2 * _ON_ARC * max(1.0, float(radii[0])):
+    pieces = _pieces(points)
+    if pieces is None:
+        bend = points[1:-1]
+        chosen = np.linspace(0, len(bend) - 1, -(-(len(bend) - 1) // 4) + 1).round().astype(int)
         tangents = [cq.Vector(*(points[1] - points[0])), cq.Vector(*(points[-1] - points[-2]))]
-        arc = cq.Edge.makeSpline([cq.Vector(*point) for point in bend[::4]], tangents=tangents)
-    # Without a kink: the path's own numbers are rounded.
-    end = last + arc.tangentAt(1).normalized() * (end - last).Length
-    return cq.Wire.assembleEdges([cq.Edge.makeLine(cq.Vector(*points[0]), first), arc, cq.Edge.makeLine(last, end)])
+        spline = cq.Edge.makeSpline([cq.Vector(*point) for point in bend[chosen]], tangents=tangents)
+        ends = [cq.Edge.makeLine(cq.Vector(*one), cq.Vector(*other)) for one, other in (points[:2], points[-2:])]
+        return cq.Wire.assembleEdges([ends[0], spline, ends[1]])
+    edges, place, along = [], cq.Vector(*points[0]), cq.Vector(*(points[1] - points[0])).normalized()
+    for first, last, is_line in pieces:
+        # Without a kink: the path's own numbers are rounded.
+        length = float(np.linalg.norm(points[last] - points[first]))
+        if is_line:
+            edges.append(cq.Edge.makeLine(place, place + along * length))
+        else:
+            edges.append(cq.Edge.makeTangentArc(place, along, cq.Vector(*points[last])))
+        place, along = edges[-1].endPoint(), edges[-1].tangentAt(1).normalized()
+    return cq.Wire.assembleEdges(edges)
+
+
+def _pieces(points: Array) -> list[tuple[int, int, bool]] | None:
+    """First and last index of each line and arc of a polyline, and whether it is a line; None of other curves."""
+    pieces, first, end = [], 0, len(points) - 1
+    while first < end:
+        last = next(each for each in range(end, first, -1) if _is_straight(points[first : each + 1]))
+        # One step alone is a line at an end, elsewhere the beginning of an arc.
+        if first == 0 or last == end or last > first + 1:
+            pieces.append((first, last, True))
+        else:
+            last = next((each for each in range(end, first + 3, -1) if _is_arc(points[first : each + 1])), first)
+            if last == first:
+                return None
+            pieces.append((first, last, False))
+        first = last
+    return pieces
+
+
+def _is_straight(points: Array) -> bool:
+    along = _normalised(points[-1] - points[0])
+    off = np.cross(points - points[0], along)
+    return float(np.abs(off).max()) <= 2 * _ON_ARC
+
+
+def _is_arc(points: Array) -> bool:
+    """True where points lie on the circle through the first, the middle and the last of them."""
+    a, b, c = points[0], points[len(points) // 2], points[-1]
+    normal = np.cross(b - a, c - a)
+    square = float(normal @ normal)
+    if square < 1e-18:
+        return False
+    across = np.cross(normal, b - a) * float((c - a) @ (c - a)) - np.cross(normal, c - a) * float((b - a) @ (b - a))
+    centre = a + across / (2 * square)
+    radii = np.linalg.norm(points - centre, axis=1)
+    flat = np.abs((points - a) @ normal) / np.sqrt(square)
+    return bool(np.ptp(radii) <= 2 * _ON_ARC * max(1.0, float(radii[0])) and flat.max() <= 2 * _ON_ARC)
 
 
 def _normalised(vector: Array) -> Array:
