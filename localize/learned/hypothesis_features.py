@@ -33,6 +33,12 @@ UNEXPLAINED = 1e-4
 array-2x6 were wrong, by the strokes that it is trained on; 1e-3 does as well."""
 LEAST_PRIOR = -20.0
 """Least logarithm of a prior."""
+SOURCES = 40
+"""Largest number of combinations of a source's parts whose changes are followed: the others make less than a thousandth
+of all changes on any prototype."""
+MOVED = 80
+"""Largest number of directions in which shapes are taken to move a frame. With two microphones there are fewer; with
+four, where a touch leaves 137 directions empty, the others hold 1 % of all changes."""
 TOGETHER = 2**23
 """Size of the largest intermediate result, numbers: frames are taken in parts."""
 
@@ -57,10 +63,12 @@ class HypothesisFeatures(nn.Module):
     """Directions in which a touch moves a frame; (n_table, size, rank) float32, a table for each hypothesis of each
     point."""
     beside: Tensor
-    """The other directions; (n_table, size, size - rank) float32."""
-    change: Tensor
-    """Change in the other directions by the parts of a frame in the first; (n_table, rank, n_shape (size - rank))
+    """Those of the other directions in which shapes move a frame most; (n_table, size, n_moved) float32."""
+    source: Tensor
+    """From the parts of a frame in the first to those combinations that move a frame most; (n_table, rank, n_source)
     float32."""
+    change: Tensor
+    """Change in the other directions by each of these combinations; (n_table, n_source, n_shape n_moved) float32."""
     likely: Tensor
     """Inverse of the power that a touch has in each direction, and a share of the frame; (n_table, rank, n_share)
     float32."""
@@ -71,13 +79,15 @@ class HypothesisFeatures(nn.Module):
 
     def __init__(self, points: int, hypotheses: int, samples: int, size: int, rank: int, shapes: int) -> None:
         super().__init__()
-        tables, left = points * hypotheses, size - rank
+        tables = points * hypotheses
+        sources, moved = (min(rank, SOURCES), min(size - rank, MOVED)) if shapes else (0, 0)
         self.points, self.hypotheses, self.shapes = points, hypotheses, shapes
-        self._frames_together = max(1, TOGETHER // (tables * max(size, left * max(1, shapes))))
+        self._frames_together = max(1, TOGETHER // (tables * max(size, moved * shapes)))
         self.register_buffer("reduce", torch.zeros(samples, size, dtype=torch.float64))
         self.register_buffer("explained", torch.zeros(tables, size, rank))
-        self.register_buffer("beside", torch.zeros(tables, size, left if shapes else 0))
-        self.register_buffer("change", torch.zeros(tables, rank, shapes * left))
+        self.register_buffer("beside", torch.zeros(tables, size, moved))
+        self.register_buffer("source", torch.zeros(tables, rank, sources))
+        self.register_buffer("change", torch.zeros(tables, sources, shapes * moved))
         self.register_buffer("likely", torch.zeros(tables, rank, len(SHARES)))
         self.register_buffer("volume", torch.zeros(tables, len(SHARES)))
         self.register_buffer("prior", torch.zeros(points, hypotheses))
@@ -105,12 +115,15 @@ class HypothesisFeatures(nn.Module):
         self.volume.copy_(torch.from_numpy(np.log(together).sum(1)))
         if deviating is None or not self.shapes:
             return
-        self.beside.copy_(torch.from_numpy(deviating.beside))
         size, rank = tables.vectors.shape[1:]
         for table, of_table in enumerate(power):
-            source = 1 / (UNEXPLAINED / size * of_table.sum() + of_table)
-            shapes = deviating.changes[table].reshape(-1, size, rank)[: self.shapes, rank:]
-            self.change[table].copy_(torch.from_numpy((shapes * source).transpose(2, 0, 1).reshape(rank, -1)))
+            usual = np.sqrt(UNEXPLAINED / size * of_table.sum() + of_table)
+            # Changes by the parts of a touch of a flat spectrum, each as large as it is expected.
+            shapes = deviating.changes[table].reshape(-1, size, rank)[: self.shapes, rank:] / usual
+            into, of = _leading(shapes.swapaxes(0, 1), MOVED), _leading(shapes.transpose(2, 0, 1), SOURCES)
+            self.beside[table] = torch.from_numpy(deviating.beside[table] @ into)
+            self.source[table] = torch.from_numpy(of / usual[:, None])
+            self.change[table] = torch.from_numpy((into.T @ shapes @ of).transpose(2, 0, 1).reshape(of.shape[1], -1))
 
     def forward(self, frames: Tensor) -> Tensor:
         """Features of a batch of frames.
@@ -139,7 +152,7 @@ class HypothesisFeatures(nn.Module):
         columns = [torch.log1p(left / shares), surprise, self.volume[:, None].expand_as(surprise)]
         if self.shapes:
             inside = rest @ self.beside
-            change = (along @ self.change).unflatten(-1, (self.shapes, -1))
+            change = (along @ self.source @ self.change).unflatten(-1, (self.shapes, -1))
             explained, determinant = _ridge(change @ change.mT, (change @ inside[..., None])[..., 0], shares)
             columns = [torch.log1p((left - explained).clamp_min(0.0) / shares), determinant, *columns]
         features = torch.cat(columns, -1).unflatten(0, (self.points, self.hypotheses)).movedim(2, 0)
@@ -153,6 +166,12 @@ class HypothesisFeatures(nn.Module):
 def feature_count(shapes: int) -> int:
     """Number of features of a hypothesis with so many shapes; the first of each share, then the others."""
     return (5 if shapes else 3) * len(SHARES) + 2
+
+
+def _leading(values: Array, most: int) -> Array:
+    """Directions along the first axis that hold most of (n, ...) values, at most so many; (n, k) float64."""
+    flat = values.reshape(len(values), -1)
+    return np.asarray(np.linalg.eigh(flat @ flat.T)[1][:, ::-1][:, :most])
 
 
 def _powers(tables: DecoderTables) -> Array:
