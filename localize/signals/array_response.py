@@ -10,7 +10,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -226,6 +226,16 @@ class TransferFunctionSource(Protocol):
 
     def sensors(self, first: int, count: int) -> NDArray[np.complex128]:
         """Transfer functions of consecutive sensors; (count, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
+
+
+@runtime_checkable
+class FactorSource(TransferFunctionSource, Protocol):
+    """Source that gives factors of the array's own transfer functions at any frequency, which nobody interpolates."""
+
+    def factors(self, first: int, count: int, frequency: NDArray[np.float64]) -> NDArray[np.complex64]:
+        """Transfer functions of consecutive sensors over those of the array; (count, n_point, n_microphone, n)
+        complex64.
+        """
 
 
 def interpolated(

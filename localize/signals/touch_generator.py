@@ -22,13 +22,13 @@ from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals import disturbances, stimulus
 from localize.signals.array_response import (
     ArrayResponse,
+    FactorSource,
     TransferFunctionSource,
     from_zero,
     interpolated,
     interpolated_from_zero,
     interpolation_from_zero,
 )
-from localize.signals.as_built_draws import AsBuiltDraws
 from localize.signals.disturbances import MicrophoneMismatch
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.propagation import microphone_signals, short_window_signals
@@ -118,14 +118,15 @@ class TouchGenerator:
         self._source = source
         self._sensors = range(1)
         self._factor_lines = lines
-        if source is None or isinstance(source, AsBuiltDraws):
+        self._factors = source.factors if isinstance(source, FactorSource) else None
+        if source is None or self._factors is not None:
             self._on_lines = self._on_lines_of(
                 interpolated_from_zero(response.transfer_function, grid, lines, response.sealed)
             )
         if source is not None:
             self._sensors = range(source.sensor_count) if sensors is None else sensors
             _check_source(source, response, self._sensors)
-            if not isinstance(source, AsBuiltDraws):  # which interpolates its own factors
+            if self._factors is None:
                 self._splines = interpolation_from_zero(grid, lines, response.sealed)
         self._membrane_on_lines = self._strokes_on_lines()
         if ambient is not None:
@@ -183,8 +184,8 @@ class TouchGenerator:
         runs = np.split(np.unique(turn), np.flatnonzero(np.diff(np.unique(turn)) > 1) + 1)
         first = self._sensors.start
         place, point = np.searchsorted(np.unique(turn), turn), np.arange(start, start + count) % points
-        if isinstance(self._source, AsBuiltDraws):
-            drawn = [self._source.factors(first + int(run[0]), len(run), self._factor_lines) for run in runs]
+        if self._factors is not None:
+            drawn = [self._factors(first + int(run[0]), len(run), self._factor_lines) for run in runs]
             factors = np.concatenate(drawn)[place, point]
             return self._on_lines[point] * torch.from_numpy(factors).to(self.device)
         read = np.concatenate([self._source.sensors(first + int(run[0]), len(run)) for run in runs])

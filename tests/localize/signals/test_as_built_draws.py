@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import geometry
+import localize
 from acoustic_fem import solve
 from acoustic_fem.scatter.air_and_rubber import UNKNOWN_AIR_AND_RUBBER
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
@@ -42,3 +43,19 @@ def test_a_sensor_is_the_same_whatever_was_asked_for_before(library):
     one, other = draws(library), draws(library)
     other.sensors(0, 3)
     assert np.array_equal(one.sensors(77, 2), other.sensors(76, 3)[1:])
+
+
+class Stored:
+    """The same sensors, as a store has them: without factors."""
+
+    def __init__(self, drawn):
+        self.frequency, self.sensor_count, self.sensors = drawn.frequency, drawn.sensor_count, drawn.sensors
+
+
+def test_touches_by_factors_are_those_by_transfer_functions(library):
+    drawn = draws(library, share=1 / 6)
+    by_factors, by_transfer_functions = (
+        localize.TouchGenerator(response_of(library), 3, "evaluation", source=source).samples(0, 48).signals
+        for source in (drawn, Stored(drawn))
+    )
+    assert (by_factors - by_transfer_functions).abs().max() < 1e-3 * by_factors.abs().max()
