@@ -47,15 +47,16 @@ _ORIGINS: dict[PartKind, Origin] = {
 class PartSet(dict[str, "cq.Workplane"]):
     """Parts by name, each in its own coordinates (mm), with what they were generated from.
 
-    ``parameters`` has for each part the numbers and words written into its 3MF file: what matters most of it, and
-    under ``design_toml`` the text of the whole design, from which :func:`build_parts` draws the part of that name
-    again. ``counts`` has how many of it one array needs, 0 for single shells beside a carrier. ``kinds`` has what each
-    part is, for parts of an array: where it comes from, and what is put into it, follow from that. ``placed`` has where
-    every copy lies, as :func:`place_parts` gives it.
+    ``parameters`` has for each part the numbers and words written into its 3MF file: what matters most of it.
+    ``design_toml`` is the text of the whole design, written into each 3MF file too, from which :func:`build_parts`
+    draws the parts again; empty for parts of no array. ``counts`` has how many of it one array needs, 0 for single
+    shells beside a carrier. ``kinds`` has what each part is, for parts of an array: where it comes from, and what
+    is put into it, follow from that. ``placed`` has where every copy lies, as :func:`place_parts` gives it.
     """
 
     def __init__(self) -> None:
         super().__init__()
+        self.design_toml = ""
         self.parameters: dict[str, dict[str, float | int | str]] = {}
         self.counts: dict[str, int] = {}
         self.kinds: dict[str, PartKind] = {}
@@ -74,6 +75,7 @@ class PartSet(dict[str, "cq.Workplane"]):
         """
         chosen = PartSet()
         chosen.update({name: self[name] for name in names})
+        chosen.design_toml = self.design_toml
         chosen.parameters = {name: self.parameters[name] for name in names if name in self.parameters}
         chosen.counts = {name: self.counts[name] for name in names if name in self.counts}
         chosen.kinds = {name: self.kinds[name] for name in names if name in self.kinds}
@@ -177,10 +179,10 @@ def draw_parts(design: ArrayDesign, layout: ArrayLayout) -> PartSet:
         parts.parameters["carrier"] = {**_shell_parameters(design.resonator), **about["joints"], **joined}
     parts.counts, parts.kinds = _counts(design, plan), _kinds(design, plan)
     parts.placed = _placed(design, layout, plan, parts.kinds)
-    text = write_design(design.completed())
+    parts.design_toml = write_design(design.completed())
     for name in parts:
         head: dict[str, float | int | str] = {"design": design.name, "count": parts.counts[name]}
-        parts.parameters[name] = {**head, **parts.parameters[name], "design_toml": text}
+        parts.parameters[name] = {**head, **parts.parameters[name]}
     return parts
 
 

@@ -119,7 +119,7 @@ def export(
         check_range("tolerance", tolerance, 0, math.inf, "mm", excluded="both")
     folder = made_folder(folder)
     shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
-    parameters = part_set(parts).parameters
+    known = part_set(parts)
     files = []
     for index, shared in enumerate(shapes):
         name, shape, facets = shared.names[0], _shape(parts[shared.names[0]]), shared.facets
@@ -135,7 +135,8 @@ def export(
                     _mesh(facets).export(beside, file_type="stl")
                     record = _checked_mesh(_read_stl(beside), facets, shape, name, path)
                 else:
-                    write_3mf([Body(name, facets, parameters.get(name, {}))], name, beside)
+                    body = Body(name, facets, known.parameters.get(name, {}))
+                    write_3mf([body], name, beside, design_toml=known.design_toml)
                     record = _checked_mesh(_read_only_body(beside, name), facets, shape, name, path)
             files.append(replace(record, count=shared.count, also=shared.names[1:]))
     return tuple(files)
@@ -278,10 +279,6 @@ def _read_only_body(path: Path, name: str) -> trimesh.Trimesh:
 
 
 def _write_step(shape: cq.Shape, name: str, beside: Path, path: Path) -> None:
-    import cadquery as cq
-    from cadquery.occ_impl.assembly import toCAF
+    from geometry.formats.step_document import part_document, write_document
 
-    from geometry.formats.step_document import write_document
-
-    _, document = toCAF(cq.Assembly(shape, name=name), coloredSTEP=True)
-    write_document(document, beside, named=path)
+    write_document(part_document(shape, name), beside, title=name, named=path)

@@ -39,7 +39,7 @@ def write_step(model: ArrayModel, path: str | os.PathLike[str]) -> Path:
             _rename(shape, parts[_name(copy)])
     path = Path(path)
     with whole_file(path) as beside:
-        write_document(document, beside, named=path)
+        write_document(document, beside, title=model.design.name, named=path)
     return path
 
 

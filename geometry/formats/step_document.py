@@ -1,11 +1,13 @@
-"""STEP files of assemblies, as the CAD kernel writes them, with the time that the program states."""
+"""STEP files of parts and assemblies, as the CAD kernel writes them, with the time that the program states."""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
+from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
 from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.Interface import Interface_Static
 from OCP.StepBasic import StepBasic_Product
@@ -13,11 +15,18 @@ from OCP.STEPCAFControl import STEPCAFControl_Writer
 from OCP.STEPControl import STEPControl_StepModelType
 from OCP.StepData import StepData_StepModel
 from OCP.StepRepr import StepRepr_NextAssemblyUsageOccurrence
-from OCP.TCollection import TCollection_HAsciiString
+from OCP.TCollection import TCollection_ExtendedString, TCollection_HAsciiString
+from OCP.TDataStd import TDataStd_Name
 from OCP.TDocStd import TDocStd_Document
+from OCP.TopLoc import TopLoc_Location
+from OCP.XCAFApp import XCAFApp_Application
+from OCP.XCAFDoc import XCAFDoc_DocumentTool
 
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.stated_times import stated_time
+
+if TYPE_CHECKING:
+    import cadquery as cq
 
 #: Beginning of the names that the CAD kernel gives to products without one, and the name that they get here.
 _KERNELS_NAME, _UNNAMED = "Open CASCADE STEP translator", "acoustic-fem"
@@ -28,12 +37,26 @@ _END = b"ENDSEC;\nEND-ISO-10303-21;\n"
 _NUMBER = re.compile(rb"#(\d+)")
 
 
-def write_document(document: TDocStd_Document, path: Path, *, named: Path) -> None:
+def part_document(shape: cq.Shape, name: str) -> TDocStd_Document:
+    """Document of one part, which bears its name and lies in no assembly."""
+    document = TDocStd_Document(TCollection_ExtendedString("XmlOcaf"))
+    XCAFApp_Application.GetApplication_s().InitDocument(document)
+    tool = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    solids = shape.Solids()  # a compound of one solid would be written as an assembly
+    alone = (solids[0] if len(solids) == 1 else shape).wrapped
+    # so would a shape that is moved, unless its surfaces are
+    still = BRepBuilderAPI_Transform(alone.Located(TopLoc_Location()), alone.Location().Transformation(), True).Shape()
+    TDataStd_Name.Set_s(tool.AddShape(still, False), TCollection_ExtendedString(name))
+    return document
+
+
+def write_document(document: TDocStd_Document, path: Path, *, title: str, named: Path) -> None:
     """Write shapes with their names and colours, in mm.
 
     Args:
-        document: of CadQuery's ``toCAF``.
+        document: of :func:`part_document`, or of CadQuery's ``toCAF``.
         path: of the file; its folder must exist.
+        title: name of the part or of the array.
         named: the file as its reader will call it, for messages.
 
     Raises:
@@ -51,6 +74,10 @@ def write_document(document: TDocStd_Document, path: Path, *, named: Path) -> No
     model = writer.ChangeWriter().Model()
     _number(model)
     header = APIHeaderSection_MakeHeader(model)
+    header.SetName(TCollection_HAsciiString(title))
+    header.SetAuthorValue(1, TCollection_HAsciiString(_UNNAMED))
+    header.SetOrganizationValue(1, TCollection_HAsciiString(_UNNAMED))
+    header.SetOriginatingSystem(TCollection_HAsciiString(_UNNAMED))
     header.SetTimeStamp(TCollection_HAsciiString(stated_time().strftime("%Y-%m-%dT%H:%M:%S+00:00")))
     if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
         raise Refusal("cannot be written by the CAD kernel", kind=Kind.NO_RESULT, file=named)

@@ -38,17 +38,27 @@ class Body:
     """How each copy is turned and moved, (4, 4) float64 matrices, mm."""
 
 
-def write_3mf(bodies: Sequence[Body], title: str, path: Path) -> None:
-    """Write bodies, lengths in mm."""
+def write_3mf(bodies: Sequence[Body], title: str, path: Path, *, design_toml: str = "") -> None:
+    """Write bodies, lengths in mm.
+
+    Args:
+        bodies: the bodies; no two of one name.
+        title: title of the file.
+        path: of the file; its folder must exist.
+        design_toml: text of the design that the bodies belong to. It stands once, at the head of the model: lib3mf
+            cannot read an escaped quote that lies over the end of one of its buffers of 64 kB (its issue 221).
+    """
     import lib3mf
 
-    seed = _seed(bodies, title)
+    seed = _seed(bodies, title, design_toml)
     wrapper = lib3mf.get_wrapper()
     model = wrapper.CreateModel()
     model.SetUnit(lib3mf.ModelUnit.MilliMeter)
     model.SetBuildUUID(_uuid(seed, "build"))
     model.GetMetaDataGroup().AddMetaData("", "Title", title, "xs:string", True)
     model.GetMetaDataGroup().AddMetaData("", "Application", "acoustic-fem", "xs:string", True)
+    if design_toml:
+        model.GetMetaDataGroup().AddMetaData(_NAMESPACE, "design_toml", design_toml, "xs:string", True)
     for body in bodies:
         mesh = model.AddMeshObject()
         mesh.SetUUID(_uuid(seed, f"body {body.name}"))
@@ -70,9 +80,9 @@ def write_3mf(bodies: Sequence[Body], title: str, path: Path) -> None:
     writer.WriteToFile(str(path))
 
 
-def _seed(bodies: Sequence[Body], title: str) -> str:
+def _seed(bodies: Sequence[Body], title: str, design_toml: str) -> str:
     """Hash of all that a file holds: equal files have equal identifiers, others have others."""
-    stated: list[bytes] = [title.encode()]
+    stated: list[bytes] = [title.encode(), design_toml.encode()]
     for body in bodies:
         parameters = [[key, str(value)] for key, value in body.parameters.items()]
         stated.append(json.dumps([body.name, parameters]).encode())

@@ -12,7 +12,7 @@ import numpy as np
 
 from geometry.assembly.part_list import part_set
 from geometry.formats.part_files import SharedShape, tessellate_distinct
-from geometry.formats.three_mf import Body, write_3mf
+from geometry.formats.three_mf import Body, read_3mf, write_3mf
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_file
@@ -95,7 +95,10 @@ def export_plates(
         ]
         path = Path(folder) / f"plate-{number}.3mf"
         with whole_file(path) as beside:
-            write_3mf(bodies, path.stem, beside)
+            write_3mf(bodies, path.stem, beside, design_toml=known.design_toml)
+            if (read := sorted(read_3mf(beside))) != sorted(distinct):
+                problem = f"has the parts {', '.join(read)} instead of {', '.join(sorted(distinct))}"
+                raise Refusal(problem, kind=Kind.NO_RESULT, file=path)
         plates.append(Plate(path, {body.name: len(body.places) for body in bodies}))
     return Plates(tuple(plates), tuple(too_large))
 
@@ -104,15 +107,18 @@ Placed = list[tuple[SharedShape, Array]]
 
 
 def _packed(copies: list[tuple[SharedShape, Pose]], process: PrintProcess) -> list[Placed]:
-    """Rows of copies from the deepest on, a new plate where the next row does not fit."""
+    """Rows of copies from the deepest on, a new plate where the next row does not fit; centred on each plate.
+
+    A margin of SPACING stays free for a brim and supports, except beside a part that needs it.
+    """
     width, depth, _ = process.build_volume
     plates: list[Placed] = [[]]
     x = y = row = 0.0
     for shape, pose in copies:
         size = pose.size
-        if x + size[0] > width:
+        if x > 0 and x + size[0] > width - 2 * SPACING:
             x, y, row = 0.0, y + row + SPACING, 0.0
-        if y + size[1] > depth:
+        if y > 0 and y + size[1] > depth - 2 * SPACING:
             plates.append([])
             x = y = row = 0.0
         matrix = np.eye(4)
@@ -121,4 +127,14 @@ def _packed(copies: list[tuple[SharedShape, Pose]], process: PrintProcess) -> li
         plates[-1].append((shape, matrix))
         x += size[0] + SPACING
         row = max(row, size[1])
+    for placed in plates:
+        _centre(placed, (width, depth))
     return plates
+
+
+def _centre(placed: Placed, plate: tuple[float, float]) -> None:
+    """Move all copies of a plate to its middle."""
+    corners = [shape.facets.vertices @ place[:3, :3].T + place[:3, 3] for shape, place in placed]
+    used = np.max([each.max(axis=0) for each in corners], axis=0)[:2]
+    for _, place in placed:
+        place[:2, 3] += (plate - used) / 2

@@ -262,11 +262,11 @@ def test_a_carrier_takes_the_place_of_its_shells_on_plates_and_lists(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_part_is_drawn_again_from_what_its_parameters_hold(array, parts):
+def test_a_part_is_drawn_again_from_the_design_that_the_parts_hold(array, parts):
     changed = array.with_values({"resonator.shape": "box", "shell.feet": 2, "membrane.rim_width": 1.2, "mold.rows": 2})
     drawn = build_parts(changed)
     for name in ("shell-straight", "mold-base", "mold-shim-2"):
-        again = build_parts(read_design(str(drawn.parameters[name]["design_toml"])))[name]
+        again = build_parts(read_design(drawn.design_toml))[name]
         assert again.val().Volume() == pytest.approx(drawn[name].val().Volume(), rel=1e-12)
         assert drawn[name].val().Volume() != pytest.approx(parts[name].val().Volume(), rel=1e-3) or "shim" in name
     shims = [parts.parameters[f"mold-shim-{step}"] for step in (1, 2)]
