@@ -1,5 +1,6 @@
 """Draw pictures of the pages: top view, exploded view and mold section of every prototype that was made (parts.md), and
-waveforms of kinds of touch (kinds.md), a finger's path with its signals (touches.md), and flash of decoders (embed.md).
+waveforms of kinds of touch (kinds.md), a finger's path with its signals (touches.md), flash of decoders
+(embed.md), and levels of two designs (compare.md).
 
 python docs/make_pictures.py [NAME ...]
 """
@@ -124,8 +125,22 @@ def draw_chips() -> list[Path]:
         return [save_figure(figure, IMAGES / "chips.png")]
 
 
+def draw_compared() -> list[Path]:
+    """Levels of two prototypes over each other."""
+    import studies
+
+    figure = studies.compare("array-2x6", "glove", printing=False).plot()
+    return [save_figure(figure, IMAGES / "compared.png")]
+
+
 #: Pictures that are of no prototype.
-OTHERS = {"chips": draw_chips, "kinds": draw_kinds, "letters": draw_letters, "touches": draw_touches}
+OTHERS = {
+    "chips": draw_chips,
+    "compared": draw_compared,
+    "kinds": draw_kinds,
+    "letters": draw_letters,
+    "touches": draw_touches,
+}
 
 
 def main() -> None:

@@ -21,8 +21,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 START = ("install", "first-minutes", "tutorial")
 GUIDES = (
-    *("studies/topology/README", "first-study", "studies", "cluster", "optimize", "tolerances", "parts", "assemble"),
-    *("bending", "calibration", "realtime", "live", "tracks", "kinds", "letters", "pulse", "embed", "own-cavity"),
+    *("studies/topology/README", "compare", "first-study", "studies", "cluster", "optimize", "tolerances", "parts"),
+    *("assemble", "bending", "calibration", "realtime", "live", "tracks", "kinds", "letters", "pulse", "embed"),
+    "own-cavity",
 )
 BLOCK = re.compile(r"^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
 FILE = re.compile(r"`([\w-]+\.toml)`:\n\n```toml\n(.*?)^```", re.MULTILINE | re.DOTALL)

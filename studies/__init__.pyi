@@ -1,6 +1,7 @@
 from . import (
     bending as bending,
     cli as cli,
+    comparison as comparison,
     datasets as datasets,
     evaluation as evaluation,
     findings as findings,
@@ -18,6 +19,8 @@ from . import (
 )
 from .bending.bending_rig import BendingRig as BendingRig
 from .bending.bending_run import BendingStudy as BendingStudy, bending_study as bending_study
+from .comparison.compared import Comparison as Comparison
+from .comparison.comparing import compare as compare
 from .datasets.as_built_arrays import AsBuiltArrays as AsBuiltArrays, as_built as as_built
 from .datasets.export import ExportedDataset as ExportedDataset, export_dataset as export_dataset
 from .evaluation.localizer_evaluation import evaluate_localizer as evaluate_localizer

@@ -45,6 +45,12 @@ VERBS = {
         ("fem", "train", "studies", "studio"),
     ),
     "check": Entry("designs", "Design", "Validate a design and predict how well it will work."),
+    "compare": Entry(
+        "comparisons",
+        "Design",
+        "Compare designs, runs, libraries or cases of sweeps side by side.",
+        ("fem",),
+    ),
     "wiring": Entry(
         "designs", "Design", "Compare how many points a given number of microphones can serve with different wirings."
     ),

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import base64
+import io
+import re
 from collections.abc import Iterator, Mapping
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import studies
 from geometry.ground.refusal import counted
 from studies.output.display import number
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 def rendered_page(template: str, **values: Any) -> str:
@@ -37,6 +42,19 @@ def rendered_page(template: str, **values: Any) -> str:
 def inlined_picture(path: Path) -> str:
     """Address that holds a PNG picture itself, for an image of a page."""
     return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode("ascii")
+
+
+def inlined_drawing(figure: Figure) -> str:
+    """Figure as an SVG element for a page, with the page's own colours of text and grid in each of its schemes."""
+    import matplotlib as mpl
+
+    out = io.StringIO()
+    with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "acoustic-fem", "font.family": "sans-serif"}):
+        figure.savefig(out, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
+    text = out.getvalue()
+    for colour, own in (("#000000", "currentColor"), ("#dddddd", "var(--line)"), ("black", "currentColor")):
+        text = text.replace(f": {colour}", f": {own}")
+    return re.sub(r"(?s)<metadata>.*?</metadata>", "", text[text.index("<svg") :])
 
 
 def percent(fraction: float) -> str:

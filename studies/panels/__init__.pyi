@@ -18,13 +18,12 @@ from .exploring import (
 from .export_files import EXPORTS as EXPORTS, make_export as make_export
 from .form import (
     addable_tables as addable_tables,
-    comparison as comparison,
     form_of as form_of,
     removable_tables as removable_tables,
     stated_values as stated_values,
 )
 from .live_panel import listen_live as listen_live, sound_cards as sound_cards
-from .points import as_built_figures as as_built_figures, figure_words as figure_words, point_figures as point_figures
+from .points import as_built_figures as as_built_figures, point_figures as point_figures
 from .recognizing import store_recognizer as store_recognizer, with_kinds as with_kinds, write_letter as write_letter
 from .touching import (
     TOUCHES as TOUCHES,

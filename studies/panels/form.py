@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from functools import lru_cache
+from collections.abc import Mapping
 from typing import Any
 
 from pydantic import BaseModel
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.changes import as_lists
-from geometry.schema.declared_fields import DesignField, fields_of
+from geometry.design.field_values import declared_at, field_values
 from geometry.schema.materials import MATERIALS
 
 #: Ends of the names of fields whose text is the name of a material.
@@ -39,7 +38,7 @@ def form_of(design: ArrayDesign) -> list[dict[str, Any]]:
         ``allowed`` (in words), ``lowest`` and ``highest`` (None where there is none), ``choices``, ``suggestions``,
         ``optional``, ``description`` and ``value``.
     """
-    return [_entry(name, value, design) for name, value in _values(design, "")]
+    return [_entry(name, value, design) for name, value in field_values(design).items()]
 
 
 def addable_tables(design: ArrayDesign) -> dict[str, dict[str, Any]]:
@@ -82,42 +81,8 @@ def _unused(stem: str, known: Mapping[str, Any]) -> str:
     return next(name for name in (f"{stem}_{k}" for k in range(1, len(known) + 2)) if name not in known)
 
 
-def flat_values(design: ArrayDesign) -> dict[str, Any]:
-    """The values of the fields of the form by their dotted names."""
-    return {name: as_lists(value) for name, value in _values(design, "")}
-
-
-def _values(section: BaseModel, prefix: str) -> Iterator[tuple[str, Any]]:
-    """Dotted names and plain values below a section; sections that are not given are left out."""
-    for key in type(section).model_fields:
-        value, name = getattr(section, key), prefix + key
-        if isinstance(value, BaseModel):
-            yield from _values(value, f"{name}.")
-        elif isinstance(value, Mapping):
-            for own, entry in value.items():
-                yield from _values(entry, f"{name}.{own}.")
-        elif isinstance(value, tuple) and value and isinstance(value[0], BaseModel):
-            for number, entry in enumerate(value):
-                yield from _values(entry, f"{name}.{number}.")
-        elif value is not None or _declared()[_general(name)].kind != "a table":
-            yield name, value
-
-
-@lru_cache(maxsize=1)
-def _declared() -> dict[str, DesignField]:
-    return {field.name: field for field in fields_of(ArrayDesign)}
-
-
-def _general(name: str) -> str:
-    """The name under which a field is declared: ``*`` for indices and for names of the user's own."""
-    steps = name.split(".")
-    if len(steps) > 1 and (steps[1].isdecimal() or steps[0] in ("materials", "point_kinds", "tube_kinds")):
-        steps[1] = "*"
-    return ".".join(steps)
-
-
 def _entry(name: str, value: Any, design: ArrayDesign) -> dict[str, Any]:
-    field = _declared()[_general(name)]
+    field = declared_at(name)
     group, _, last = name.rpartition(".")
     kinds = {"a number": "number", "a whole number": "count", "true or false": "flag", "a list": "list"}
     low, high = (bound if math.isfinite(bound) else None for bound in field.range)
@@ -134,30 +99,10 @@ def _entry(name: str, value: Any, design: ArrayDesign) -> dict[str, Any]:
         "suggestions": _suggestions(last, design),
         "optional": field.optional,
         "description": field.description,
-        "value": as_lists(value),
+        "value": value,
     }
 
 
 def _suggestions(last: str, design: ArrayDesign) -> list[str]:
     """Names that a text may be, where the package knows them."""
     return sorted({**MATERIALS, **design.materials}) if last.endswith(_MATERIAL) else []
-
-
-def comparison(design: ArrayDesign, other: ArrayDesign) -> list[dict[str, Any]]:
-    """Fields that two designs do not have alike, in the order of the form.
-
-    Args:
-        design: one design.
-        other: another.
-
-    Returns:
-        For each field its ``name``, ``unit``, and the value ``here`` and ``there``; None where there is none.
-    """
-    units = {entry["name"]: entry["unit"] for each in (other, design) for entry in form_of(each)}
-    here, there = flat_values(design), flat_values(other)
-    names = [*here, *(name for name in there if name not in here)]
-    return [
-        {"name": name, "unit": units[name], "here": here.get(name), "there": there.get(name)}
-        for name in names
-        if here.get(name) != there.get(name)
-    ]

@@ -13,6 +13,7 @@ from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps
 from geometry.layout.remedies import fix_for
 from localize.signals.stimulus import BAND
+from studies.comparison.own_figures import MOST_POINTS, metric_figures
 from studies.metrics.batch_responses import Responses
 from studies.metrics.covered_area import FINGER
 from studies.metrics.separation import separability
@@ -20,18 +21,7 @@ from studies.metrics.shared import SharedFigures
 from studies.output.frequencies import FREQUENCIES
 from studies.panels.curves import quick_library
 from studies.scatter.effects import quick_scattered_accuracy
-from studies.study.metric_registry import SENSORS, metrics_named
-
-#: Figures of merit of the whole design that the page shows, by the names that a study knows them by.
-FIGURES = (
-    "predicted_top1", "predicted_top1_white_noise", "confused_pair", "distance_smallest", "ild_smallest",
-    "ipd_smallest", "scatter_detection", "sensitivity_force", "noise_equivalent_force", "bandwidth", "coverage",
-    "length", "width", "height", "volume", "mass", "cost", "smallest_wall",
-)  # fmt: skip
-
-
-#: Points of the largest array whose figures are predicted beside a page: memory goes with the square of them, 1 GB.
-MOST_POINTS = 256
+from studies.study.metric_registry import SENSORS
 
 
 def _check_size(design: ArrayDesign) -> None:
@@ -44,7 +34,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
     """Figures of a design and of each of its points, of its quick library at the usual frequencies of figures.
 
     Returns:
-        ``figures``: the value of each of :data:`FIGURES`;
+        ``figures``: the value of each of :data:`studies.comparison.FIGURES`;
         ``points``: for each point its ``number``, ``nearest`` (the point hardest to tell from it), the ``distance``,
         ``level`` (dB) and ``phase`` (degrees) between the two, ``named`` (share of its simulated touches that name
         it) and ``force`` (smallest that stands out of the noise, N rms from 1 to 100 Hz); ``confusion``: touches of
@@ -80,9 +70,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
         )
     in_the_way = overlaps(design, lay_out(design))
     return {
-        "figures": {
-            metric.name: float(metric.of_batch(shared.responses, shared)[0]) for metric in metrics_named(FIGURES)
-        },
+        "figures": {name: each.value for name, each in metric_figures(shared, design).items()},
         "points": points,
         "confusion": np.rint(predicted.confusion[0] * predicted.touches).astype(int).tolist(),
         "touches": predicted.touches,
@@ -92,11 +80,6 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
         "finger": FINGER,
         "fidelity": fidelity.words,
     }
-
-
-def figure_words() -> dict[str, dict[str, str]]:
-    """Title, unit, definition and the better direction of each of :data:`FIGURES`."""
-    return {metric.name: metric.words for metric in metrics_named(FIGURES)}
 
 
 def as_built_figures(design: ArrayDesign) -> dict[str, Any]:

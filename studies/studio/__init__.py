@@ -1,6 +1,6 @@
 """The studio: a page on this machine that shows what a change of a design does, and the server behind it.
 
-Stands on: panels.
+Stands on: comparison, panels.
 """
 
 import lazy_loader

@@ -20,10 +20,10 @@ import studies.studio as here
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names
 from geometry.ground.refusal import Kind, Refusal
+from studies.comparison.quantities import figure_words
 from studies.panels.curves import CURVES
 from studies.panels.exploring import MOST_DESIGNS, MOST_METRICS, metric_words
 from studies.panels.export_files import EXPORTS
-from studies.panels.points import figure_words
 from studies.studio.guard import SECRET, Guard, Guarded
 from studies.studio.messages import MessageError, packed_signals, read_message, written
 from studies.studio.sessions import Sessions

@@ -12,12 +12,14 @@ from typing import Any
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import prototype, write_design
+from geometry.design.field_values import field_values
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
+from studies.comparison.compared_rows import differing_fields
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
-from studies.panels.form import addable_tables, comparison, flat_values, form_of, removable_tables, stated_values
+from studies.panels.form import addable_tables, form_of, removable_tables, stated_values
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.messages import MessageError, packed, text_of, written
 from studies.studio.stage import Job, Stage, notifier, outcome, progress
@@ -172,7 +174,7 @@ class Session:
 
     async def _post_design(self, whole: bool) -> None:
         design, state = self.state.design, self.state
-        values = flat_values(design)
+        values = field_values(design)
         message: dict[str, Any] = {
             "type": "design",
             "session": self.id,
@@ -276,12 +278,16 @@ class Session:
         if self.pinned is None:
             await self._post({"type": "comparison", "revision": self.state.revision, "pinned": None})
             return
+        differences = [
+            {"name": each.name, "unit": each.unit, "here": each.values[0], "there": each.values[1]}
+            for each in differing_fields([self.state.design, self.pinned])
+        ]
         await self._post(
             {
                 "type": "comparison",
                 "revision": self.state.revision,
                 "pinned": self.pinned.name,
-                "differences": comparison(self.state.design, self.pinned),
+                "differences": differences,
             }
         )
 

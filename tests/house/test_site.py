@@ -154,6 +154,7 @@ def test_no_group_of_the_side_bar_is_longer_than_a_glance() -> None:
 JOBS = {
     "design a sensor": "tutorial",
     "choose its wiring": "studies/topology/README",
+    "compare designs": "compare",
     "sweep": "studies",
     "sweep on many machines": "cluster",
     "print and cast": "parts",

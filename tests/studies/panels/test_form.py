@@ -8,8 +8,9 @@ import pytest
 
 from geometry import DesignError, prototype
 from geometry.design.array_design import validated
+from geometry.design.field_values import field_values
 from geometry.schema.declared_fields import field_named
-from studies.panels.form import addable_tables, comparison, flat_values, form_of, removable_tables, stated_values
+from studies.panels.form import addable_tables, form_of, removable_tables, stated_values
 
 ARRAY = prototype("array-2x6")
 
@@ -20,7 +21,7 @@ def test_every_field_can_be_set_to_what_it_is(name: str) -> None:
     form = form_of(design)
     assert json.loads(json.dumps(form)) == form
     assert len({entry["name"] for entry in form}) == len(form)
-    assert {entry["name"]: entry["value"] for entry in form} == flat_values(design)
+    assert {entry["name"]: entry["value"] for entry in form} == field_values(design)
     assert design.with_values({entry["name"]: entry["value"] for entry in form}) == design
 
 
@@ -66,15 +67,6 @@ def test_a_design_is_made_again_of_what_it_states_and_what_follows_goes_on_to_fo
     assert "microphone_tube" not in stated_values(following)
     again = validated(stated_values(following), "test").with_values({"tube.length": 20.0})
     assert again.microphone_tube.length == 20.0
-
-
-def test_fields_that_differ_stand_side_by_side() -> None:
-    other = ARRAY.with_values({"tube.length": 14.0, "name": "other"})
-    assert comparison(ARRAY, ARRAY) == []
-    assert comparison(other, ARRAY) == [
-        {"name": "name", "unit": "", "here": "other", "there": "array-2x6"},
-        {"name": "tube.length", "unit": "mm", "here": 14.0, "there": 12.5},
-    ]
 
 
 @pytest.mark.parametrize("name", ["array-2x6", "glove", "line-2"])

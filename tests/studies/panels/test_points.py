@@ -13,10 +13,12 @@ import acoustic_fem
 from acoustic_fem.library.noise_floor import detection_limits
 from geometry import ArrayDesign, prototype
 from geometry.ground.refusal import Kind
+from studies.comparison import FIGURES, figure_words
+from studies.comparison.own_figures import MOST_POINTS
 from studies.metrics.confusion import predict_confusion
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.separation import separability
-from studies.panels.points import FIGURES, MOST_POINTS, as_built_figures, figure_words, point_figures
+from studies.panels.points import as_built_figures, point_figures
 from studies.scatter.effects import scattered_accuracy
 from studies.study.metric_registry import METRICS
 

@@ -10,7 +10,7 @@ import pytest
 from browser import PAINTED, ROOT, Studio, downloaded, field, give, opened, studio, until
 
 from geometry import prototype
-from studies.panels.form import comparison
+from studies.comparison import differing_fields
 
 pytestmark = pytest.mark.slow
 #: What this page keeps of its design.
@@ -136,7 +136,7 @@ def test_a_studio_that_was_started_again_shows_all_panels_of_the_design_and_the_
         until(page, "document.querySelectorAll('#compared-figures tr').length")
         differ = [each.split("\t") for each in page.locator("#differences").inner_text().splitlines()]
         here = prototype("array-2x6").with_values({"tube.length": 15.0, "membrane.thickness": 0.6})
-        assert [each[0] for each in differ] == [each["name"] for each in comparison(here, prototype("array-2x6"))]
+        assert [each[0] for each in differ] == [each.name for each in differing_fields([here, prototype("array-2x6")])]
     context.close()
 
 

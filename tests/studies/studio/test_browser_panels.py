@@ -19,11 +19,11 @@ import acoustic_fem
 from geometry import prototype, save_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.size import array_size
+from studies.comparison import differing_fields, figure_words
 from studies.panels.cad_panel import check_figures, model_of_array
 from studies.panels.curves import CURVES, curves_of, quick_library
 from studies.panels.exploring import run_study, study_figures
-from studies.panels.form import comparison
-from studies.panels.points import as_built_figures, figure_words, point_figures
+from studies.panels.points import as_built_figures, point_figures
 from studies.panels.touching import simulate_touch
 from studies.study import METRICS, load_study
 
@@ -142,8 +142,8 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     assert numbers(page.locator("#size").inner_text()) == pytest.approx([max(x, y), min(x, y), z], rel=1e-3)
 
     compared = {row[0]: row[2:] for row in table(page, "#compare-csv", tmp_path)}
-    for each in comparison(LONGER, ARRAY):
-        assert [float(value) for value in compared.pop(each["name"])] == [each["there"], each["here"]]
+    for each in differing_fields([ARRAY, LONGER]):
+        assert [float(value) for value in compared.pop(each.name)] == list(each.values)
     assert {name: [float(value) for value in row] for name, row in compared.items()} == {
         name: pytest.approx([there["figures"][name], value], rel=1e-12) for name, value in here["figures"].items()
     }
