@@ -87,19 +87,24 @@ class _Plan:
         apart = 2 * math.degrees(math.asin(min(chord, 1.0)))
         others = self.points[np.linalg.norm(self.points - end.point, axis=1) > 1e-6]
         tubes = [ends for ends in self.tubes if not _ends_at(ends, end)]
-        best, found = math.inf, (0.0, self.shell + radius)
-        for direction in np.arange(0.0, 360.0, _DIRECTIONS).tolist():
-            turn = 180.0 if neighbour is None else abs((direction - neighbour + 180) % 360 - 180)
-            for extra in np.arange(0.0, self.shell + _STEP, _STEP).tolist():
-                run = self.shell + radius + extra
-                foot = end.point + run * unit(direction)
-                lack = _lack(others, foot, self.shell + tube + _ROOM) + 0.01 * max(apart - turn, 0.0)
-                lack += sum(_lack(each[None], foot, 2 * tube + _ROOM) for each in self.feet)
-                lack += sum(max(2 * tube + _ROOM - _off(foot, *ends), 0.0) for ends in tubes)
-                # Else the shortest, and straight on if it can be.
-                cost = _OVERLAP * lack + _BEYOND * self._beyond(foot, tube, tube) + 0.1 * extra + 1e-5 * (180 - turn)
-                if cost < best - 1e-9:
-                    best, found = cost, (direction, run)
+        directions = np.arange(0.0, 360.0, _DIRECTIONS)
+        turn = np.abs((directions - (neighbour or 0.0) + 180) % 360 - 180) if neighbour is not None else 180.0
+        extra = np.arange(0.0, self.shell + _STEP, _STEP)
+        runs = self.shell + radius + extra
+        towards = np.column_stack([np.cos(np.radians(directions)), np.sin(np.radians(directions))])
+        feet = end.point + towards[:, None] * runs[None, :, None]
+        lack = _lack(others, feet, self.shell + tube + _ROOM)
+        lack = lack + 0.01 * np.broadcast_to(np.maximum(apart - turn, 0.0), len(directions))[:, None]
+        for each in self.feet:
+            lack = lack + _lack(each[None], feet, 2 * tube + _ROOM)
+        for first, last in tubes:
+            lack = lack + np.maximum(2 * tube + _ROOM - _off(feet, first, last), 0.0)
+        # Else the shortest, and straight on if it can be.
+        straight = np.broadcast_to(1e-5 * (180.0 - turn), len(directions))
+        cost = _OVERLAP * lack + _BEYOND * self._beyond(feet, tube, tube) + 0.1 * extra + straight[:, None]
+        # The first of equal ones, whatever the rounding.
+        row, column = np.unravel_index(int(np.argmax(cost <= cost.min() + 1e-9)), cost.shape)
+        found = float(directions[row]), float(runs[column])
         self.feet.append(end.point + found[1] * unit(found[0]))
         return found
 
@@ -140,35 +145,40 @@ class _Plan:
         """Azimuth in which the tube runs to its chamber, degrees."""
         long, short = self.seat
         around = math.hypot(long, short)
-        best, found = math.inf, 0.0
-        for azimuth in np.arange(0.0, 360.0, _AZIMUTHS).tolist():
-            chamber = foot + reach * unit(azimuth)
-            upright = azimuth % 90 == 0
-            sizes = ((long, short) if azimuth % 180 == 0 else (short, long)) if upright else (around, around)
-            cost = _BEYOND * self._beyond(chamber, *sizes) + 0.5 * (not upright)
-            cost += _OVERLAP * sum(_lack(each[None], chamber, 2 * around) for each in self.housings)
-            cost += _OVERLAP * sum(_lack(each[None], chamber, around + tube) for each in self.feet)
-            cost += 0.01 * float(np.linalg.norm(chamber - (self.low + self.high) / 2))
-            if cost < best - 1e-9:
-                best, found = cost, azimuth
-        return found
+        azimuths = np.arange(0.0, 360.0, _AZIMUTHS)
+        chambers = foot + reach * np.column_stack([np.cos(np.radians(azimuths)), np.sin(np.radians(azimuths))])
+        upright, lengthwise = azimuths % 90 == 0, azimuths % 180 == 0
+        along, across = (
+            np.where(upright, np.where(lengthwise, one, other), around) for one, other in ((long, short), (short, long))
+        )
+        cost = _BEYOND * self._beyond(chambers, along, across) + 0.5 * ~upright
+        for each in self.housings:
+            cost = cost + _OVERLAP * _lack(each[None], chambers, 2 * around)
+        for each in self.feet:
+            cost = cost + _OVERLAP * _lack(each[None], chambers, around + tube)
+        cost = cost + 0.01 * np.linalg.norm(chambers - (self.low + self.high) / 2, axis=-1)
+        return float(azimuths[int(np.argmax(cost <= cost.min() + 1e-9))])
 
-    def _beyond(self, place: Array, along: float, across: float) -> float:
-        """Length by which a part of that half size reaches beyond the shells, mm."""
-        half = np.array([along, across])
-        return float(np.maximum(self.low - (place - half), 0).sum() + np.maximum(place + half - self.high, 0).sum())
-
-
-def _lack(places: Array, place: Array, least: float) -> float:
-    """Length by which the nearest of some places (n, 2) is nearer than allowed, mm."""
-    return max(least - float(np.linalg.norm(places - place, axis=1).min(initial=math.inf)), 0.0)
+    def _beyond(self, places: Array, along: float | Array, across: float | Array) -> Array:
+        """Lengths by which a part of that half size, at places (..., 2), reaches beyond the shells, mm."""
+        half = np.stack(np.broadcast_arrays(along, across), axis=-1)
+        below, above = self.low - (places - half), places + half - self.high
+        return np.asarray((np.maximum(below, 0) + np.maximum(above, 0)).sum(axis=-1))
 
 
-def _off(place: Array, start: Array, end: Array) -> float:
-    """Distance of a place from a straight tube in plan, mm."""
+def _lack(others: Array, places: Array, least: float) -> Array:
+    """Lengths by which the nearest of other places (n, 2) is nearer than allowed to places (..., 2), mm."""
+    if not len(others):
+        return np.zeros(places.shape[:-1])
+    nearest = np.linalg.norm(places[..., None, :] - others, axis=-1).min(axis=-1)
+    return np.asarray(np.maximum(least - nearest, 0.0))
+
+
+def _off(places: Array, start: Array, end: Array) -> Array:
+    """Distances of places (..., 2) from a straight tube in plan, mm."""
     along = end - start
-    fraction = min(max(float((place - start) @ along) / float(along @ along), 0.0), 1.0)
-    return float(np.linalg.norm(place - start - fraction * along))
+    fraction = np.clip((places - start) @ along / float(along @ along), 0.0, 1.0)
+    return np.asarray(np.linalg.norm(places - start - fraction[..., None] * along, axis=-1))
 
 
 def _ends_at(tube: tuple[Array, Array], end: End) -> bool:
