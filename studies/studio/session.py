@@ -15,11 +15,11 @@ from geometry.design.design_file import prototype, write_design
 from geometry.design.field_values import field_values
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
-from studies.comparison.compared_rows import differing_fields
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
 from studies.panels.form import addable_tables, form_of, removable_tables, stated_values
+from studies.panels.pinned_panel import field_rows, figure_rows
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.messages import MessageError, packed, text_of, written
 from studies.studio.stage import Job, Stage, notifier, outcome, progress
@@ -56,6 +56,8 @@ class Session:
         self._send: Send | None = None
         #: When its page went, s; before one has come, when it was made.
         self.left = monotonic()
+        #: Figures of the current design ("points") and of the pinned one ("pinned_points"), where they are known.
+        self._compared: dict[str, dict[str, float | None]] = {}
         self._undelivered: dict[str, Any] | None = None
         self._exporting: asyncio.Task[None] | None = None
         self._export_job: Job | None = None
@@ -248,6 +250,9 @@ class Session:
         if job.stage == "model":
             shown["file"] = f"/models/{design_key(job.design)}.glb"
         await self._post({"type": "figures", "stage": job.stage, "revision": job.revision, "found": shown})
+        if job.stage in ("points", "pinned_points"):
+            self._compared[job.stage] = found["figures"]
+            await self._post_compared()
 
     async def _stop(self, message: Mapping[str, Any]) -> None:
         name = text_of(message, "stage")
@@ -271,6 +276,7 @@ class Session:
                 return
         else:
             self.pinned = self.state.design if message.get("on") is True else None
+        self._compared.pop("pinned_points", None)
         await self._post_comparison()
         await self._post_pinned()
 
@@ -278,18 +284,20 @@ class Session:
         if self.pinned is None:
             await self._post({"type": "comparison", "revision": self.state.revision, "pinned": None})
             return
-        differences = [
-            {"name": each.name, "unit": each.unit, "here": each.values[0], "there": each.values[1]}
-            for each in differing_fields([self.state.design, self.pinned])
-        ]
         await self._post(
             {
                 "type": "comparison",
                 "revision": self.state.revision,
                 "pinned": self.pinned.name,
-                "differences": differences,
+                "differences": field_rows(self.state.design, self.pinned),
             }
         )
+
+    async def _post_compared(self) -> None:
+        """Figures of both designs side by side, once they are known of both."""
+        if self.pinned is not None and len(self._compared) == 2:
+            rows = figure_rows(self._compared["points"], self._compared["pinned_points"])
+            await self._post({"type": "compared", "revision": self.state.revision, "rows": rows})
 
     # -- touches ------------------------------------------------------------------------------------
     async def _touch(self, message: Mapping[str, Any]) -> None:

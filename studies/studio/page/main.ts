@@ -51,7 +51,7 @@ const check = new CheckPanel((part, place) => {
   array.light((each: Part) => each.part === part, [{ part, place }]);
   byId("space").scrollIntoView({ block: "center", behavior: "smooth" });
 });
-const compare = new ComparePanel(() => figureWords, () => table.figures);
+const compare = new ComparePanel();
 const touch = new TouchPanel(
   (message) => { document.querySelector("[data-problem='touch']")!.textContent = ""; link?.send(message); },
   (point) => array.touch(point),
@@ -114,6 +114,7 @@ function take(message: any): void {
       if (message.pinned === null) curves.unpin();
       compare.take(message);
       return;
+    case "compared": return compare.figures(message.rows);
     case "file":
       if (message.stage === "export") exported("");
       download(message.file);
@@ -162,8 +163,7 @@ async function figures(message: any): Promise<void> {
       return failed({ stage, message: "The array could not be fetched from the studio. Change the design to draw it again." });
     }
   }
-  if (stage === "points") { table.take(found); compare.figures(null); }
-  if (stage === "pinned_points") compare.figures(found.figures);
+  if (stage === "points") table.take(found);
   if (stage === "as_built") table.asBuilt(found);
   if (stage === "check") check.take(found);
   if (stage === "surface") touch.take(found, message.revision);

@@ -24,7 +24,6 @@ export class PointsPanel {
   constructor(private word: () => Record<string, Word>, private choose: (point: number | null) => void) {}
 
   take(found: Figures): void { this.now = found; this.draw(); }
-  get figures(): Record<string, number> | null { return this.now?.figures ?? null; }
 
   light(point: number | null): void {
     this.lit = point;

@@ -23,6 +23,7 @@ from studies.comparison import differing_fields, figure_words
 from studies.panels.cad_panel import check_figures, model_of_array
 from studies.panels.curves import CURVES, curves_of, quick_library
 from studies.panels.exploring import run_study, study_figures
+from studies.panels.pinned_panel import figure_rows
 from studies.panels.points import as_built_figures, point_figures
 from studies.panels.touching import simulate_touch
 from studies.study import METRICS, load_study
@@ -107,18 +108,15 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     np.testing.assert_allclose(np.array(table(page, "#points-csv", tmp_path), float), rows, rtol=1e-12)
     words = figure_words()
     for name, value in here["figures"].items():
-        row = page.locator(f"#compared-figures [data-figure='{name}'] td").all_inner_texts()
-        for shown, of in (
-            (page.locator(f"#figures [data-figure='{name}'] dd").inner_text(), value),
-            (row[0], there["figures"][name]),
-            (row[1], value),
-        ):
-            assert first_number(shown) == pytest.approx(of, rel=1e-3)
-            assert shown.split()[1:] == [SHOWN_UNITS.get(words[name]["unit"], words[name]["unit"])] * (" " in shown)
-            assert (" " in shown) == (words[name]["unit"] not in ("", "1"))
-        first, second = there["figures"][name], value
-        better = (second > first) == (words[name]["better"] == "larger")
-        assert row[2] == ("" if first == second else "better" if better else "worse")
+        shown = page.locator(f"#figures [data-figure='{name}'] dd").inner_text()
+        assert first_number(shown) == pytest.approx(value, rel=1e-3)
+        assert shown.split()[1:] == [SHOWN_UNITS.get(words[name]["unit"], words[name]["unit"])] * (" " in shown)
+        assert (" " in shown) == (words[name]["unit"] not in ("", "1"))
+    rows = figure_rows(here["figures"], there["figures"])
+    assert {row["name"] for row in rows} == here["figures"].keys()
+    for row in rows:
+        cells = page.locator(f"#compared-figures [data-figure='{row['name']}'] td").all_inner_texts()
+        assert cells == [*row["texts"], row["better"]]
     hardest = "; ".join(" and ".join(map(str, pair)) for pair in here["hardest"])
     assert page.locator("#hardest").inner_text() == f"Hardest to tell apart: {hardest}."
     for row, point in zip(page.locator("#points-table tbody tr").all(), here["points"], strict=True):

@@ -312,6 +312,14 @@ def test_a_page_that_comes_back_is_told_the_pinned_design_and_its_figures_again(
             while not any(each.get("stage") == "pinned_points" for each in page.texts):
                 await asyncio.sleep(0.005)
             assert held.pinned == ARRAY
+            if not new:  # figures of the current design are asked for as well
+                await held.take({"do": "want", "stages": ["points"], "quantity": "level"})
+                while not any(each["type"] == "compared" for each in page.texts):
+                    await asyncio.sleep(0.005)
+                rows = next(each for each in page.texts if each["type"] == "compared")["rows"]
+                longer = {row["name"]: row for row in rows}["length"]
+                assert longer["here"] > longer["there"]
+                assert longer["better"] == "worse"
             while "pinned" not in [unpacked(each)[0]["stage"] for each in page.curves]:
                 await asyncio.sleep(0.005)
         await held.take({"do": "pin", "values": {"name": 3}})
