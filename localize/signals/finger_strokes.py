@@ -49,10 +49,16 @@ HEARD = 30
 
 
 def tap_strokes(
-    seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
+    seed: int,
+    purpose: Purpose,
+    start: int,
+    count: int,
+    band: tuple[float, float],
+    device: Device,
+    peak: tuple[float, float] = PEAK,
 ) -> Stimuli:
     """One tap each, one in four followed by a second one; arguments as of
-    :class:`localize.signals.stimulus.StimulusSource`, its band in Hz.
+    :class:`localize.signals.stimulus.StimulusSource`, its band in Hz, and lowest and highest peak.
     """
     drawn = uniform(random_words(seed, purpose, "tap strokes", start, count, 4), device)
     half = 0.5 * SAMPLE_RATE * log_between(*TAP_SECONDS, drawn[:, 0, 0])
@@ -63,14 +69,20 @@ def tap_strokes(
     begin = torch.where(drawn[:, 2, 1] < 0.5, begin, begin - apart * (second > 0))
     none = torch.zeros_like(half)
     shape = _pressed(begin, half, none, half) + second[:, None] * _pressed(begin + apart, half, none, half)
-    return _strokes(log_between(*PEAK, drawn[:, 3, 0]), shape, band)
+    return _strokes(log_between(*peak, drawn[:, 3, 0]), shape, band)
 
 
 def press_strokes(
-    seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
+    seed: int,
+    purpose: Purpose,
+    start: int,
+    count: int,
+    band: tuple[float, float],
+    device: Device,
+    peak: tuple[float, float] = PEAK,
 ) -> Stimuli:
     """One press each by a hand that trembles; arguments as of :class:`localize.signals.stimulus.StimulusSource`, its
-    band in Hz.
+    band in Hz, and lowest and highest peak.
     """
     tremor = 1 + TREMOR[1] - TREMOR[0]
     words = random_words(seed, purpose, "press strokes", start, count, tremor + 4)
@@ -87,7 +99,7 @@ def press_strokes(
     slow[:, TREMOR[0] : TREMOR[1] + 1] = complex_normal(words[:, :tremor], device)
     trembling = log_between(*UNSTEADINESS, drawn[:, 2, 1])[:, None] * unit_noise(slow).repeat(1, 2)
     shape = _pressed(begin, rise, hold, fall) * (1 + trembling)
-    return _strokes(log_between(*PEAK, drawn[:, 3, 0]), shape, band)
+    return _strokes(log_between(*peak, drawn[:, 3, 0]), shape, band)
 
 
 def slide_strokes(

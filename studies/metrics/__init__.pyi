@@ -1,3 +1,10 @@
+from .as_built_accuracy import (
+    AsBuiltAccuracy as AsBuiltAccuracy,
+    NominalAccuracy as NominalAccuracy,
+    TouchAccuracy as TouchAccuracy,
+    as_built_accuracies as as_built_accuracies,
+    as_built_accuracy as as_built_accuracy,
+)
 from .batch_responses import Responses as Responses
 from .confusion import (
     PredictedConfusion as PredictedConfusion,

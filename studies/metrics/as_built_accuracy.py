@@ -1,0 +1,335 @@
+"""Accuracy of as-built sensors by the default decoder, predicted in a fraction of a second: taps, presses, multi-sines.
+
+A run trains and evaluates for minutes. This prediction is of its touches, its decoder and its noise: sensors are drawn
+with a workshop's tolerances, touched, and decided by the tolerance-aware decoder, as
+:class:`studies.evaluation.headline.HeadlineTouches` does, but in frequency bins (:mod:`studies.metrics.touch_bins`,
+:mod:`studies.metrics.binned_decoder`). ``python -m benchmarks.as_built_accuracy`` compares it with full decoding.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from acoustic_fem.batch.network import batch_response
+from acoustic_fem.library.touch_pressure import membranes_in_vacuo
+from acoustic_fem.membrane.disc import DiscResponse, KnownDiscs, design_disc, design_rubber
+from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.scatter.air_and_rubber import DrawnAirAndRubber
+from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors
+from acoustic_fem.scatter.tolerances import TOLERANCES, UNCALIBRATED, ScatteredDesign, Tolerance
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import DesignLike, resolve_design
+from geometry.ground.argument_checks import check_range
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array, ComplexArray
+from localize.decoders.decoder_options import HypothesisOptions
+from localize.signals.noise_model import microphone_noise
+from localize.signals.touch_generator import SCALED_AT
+from studies.metrics.binned_decoder import (
+    BinnedHypotheses,
+    BinnedOptions,
+    binned_hypotheses,
+    plain_scores,
+    received_power,
+    scores,
+)
+from studies.metrics.touch_bins import BINS, COUNT, TOUCHES, Touch, line_frequencies, noise_in_bins, touch_frames
+
+DECODERS = {False: "tolerance-aware decoder, not calibrated", True: "Bayes decoder of each sensor's own library"}
+"""Decoder that an accuracy is of, by whether the sensor is calibrated."""
+CALIBRATION_ERROR = 0.01
+"""Error of the transfer functions of a calibrated sensor's library, one standard deviation, nepers and radians."""
+FORCES = (1e-6, 100.0)
+"""Least and largest force of a touch, N."""
+NOMINAL_TOUCHES = 480
+"""Number of touches of each kind on the sensor as designed."""
+SCATTER = {True: 0.12, False: 0.3}
+"""Scatter of the error of a prediction m, by sqrt(m (1 - m)): of the touches of a run, and of a given force."""
+_NODES = np.geomspace(2.5, 104.0, 12)
+_NOISE_SEED, _CALIBRATION_SEED = 1, 2
+
+
+@dataclass(frozen=True, eq=False)
+class TouchAccuracy:
+    """Predicted top-1 accuracy of one kind of touches, fractions from 0 to 1."""
+
+    mean: float
+    """Mean over the sensors."""
+    worst: float
+    """Fifth percentile of the sensors."""
+    low: float
+    """Lower end of the interval that held the mean of sensors decoded in full for 9 of 10 designs."""
+    high: float
+    """Upper end of this interval."""
+    per_point: Array
+    """Fraction of the touches of each point that are assigned to it, (n_point,) float64."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Figures as JSON can hold them."""
+        return {**asdict(self), "per_point": self.per_point.tolist()}
+
+
+@dataclass(frozen=True, eq=False)
+class NominalAccuracy:
+    """Predicted top-1 accuracies of the sensor as designed."""
+
+    taps: TouchAccuracy
+    presses: TouchAccuracy
+    multi_sines: TouchAccuracy
+
+
+@dataclass(frozen=True, eq=False)
+class AsBuiltAccuracy:
+    """Predicted top-1 accuracies of as-built sensors of a design."""
+
+    taps: TouchAccuracy
+    """Accuracy for taps of a finger."""
+    presses: TouchAccuracy
+    """Accuracy for presses of a finger."""
+    multi_sines: TouchAccuracy
+    """Accuracy for the publication's multi-sine touches, whose level does not depend on a force."""
+    nominal: NominalAccuracy
+    """The same accuracies for the sensor as designed."""
+    decoder: str
+    """Decoder, in words."""
+    sensors: int
+    """Number of as-built sensors that were drawn."""
+    force: float | None
+    """Peak force of taps and presses, N; None for the peaks of a run's touches."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Figures as JSON can hold them."""
+        return {
+            **{touch: getattr(self, touch).to_dict() for touch in TOUCHES},
+            "nominal": {touch: getattr(self.nominal, touch).to_dict() for touch in TOUCHES},
+            "decoder": self.decoder,
+            "sensors": self.sensors,
+            "force": self.force,
+        }
+
+
+def as_built_accuracy(
+    design: DesignLike,
+    *,
+    force: float | None = 0.1,
+    calibrated: bool = False,
+    sensors: int = 64,
+    seed: int = 0,
+    known: KnownDiscs | None = None,
+    tolerances: Sequence[Tolerance] = TOLERANCES,
+) -> AsBuiltAccuracy:
+    """Predicted top-1 accuracies of as-built sensors of a design by the default decoder.
+
+    Args:
+        design: the array.
+        force: peak force of taps and presses, N; None for peaks of 0.03 to 30 Pa in the cavity, which are the touches
+            that a run is evaluated on.
+        calibrated: True if each sensor is decoded by a library of its own that is right to 1 %; by default nobody
+            calibrates it.
+        sensors: number of as-built sensors, 4 to 1000.
+        seed: seed of their deviations.
+        known: membranes that need not be solved.
+        tolerances: of manufacturing; by default a workshop's.
+
+    Raises:
+        Refusal: a number out of range, fewer than two points or microphones, or a design whose scatter is not known.
+    """
+    if force is not None:
+        check_range("force", force, *FORCES, "N")
+    check_range("sensors", sensors, 4, 1000, whole=True)
+    return _of_design(resolve_design(design), force, calibrated, sensors, seed, known, tolerances)
+
+
+def as_built_accuracies(designs: Sequence[DesignLike], **options: Any) -> list[AsBuiltAccuracy]:
+    """Predicted top-1 accuracies of as-built sensors of several designs; options as of :func:`as_built_accuracy`."""
+    return [as_built_accuracy(each, **options) for each in designs]
+
+
+def _of_design(
+    design: ArrayDesign,
+    force: float | None,
+    calibrated: bool,
+    sensors: int,
+    seed: int,
+    known: KnownDiscs | None,
+    tolerances: Sequence[Tolerance],
+) -> AsBuiltAccuracy:
+    for count, field in ((design.point_count, "lines.points"), (len(design.microphones), "microphones")):
+        if count < 2:
+            allowed = "at least 2, because one alone tells no points apart"
+            raise Refusal(kind=Kind.UNSUITABLE, field=field, value=count, allowed=allowed)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "entrance loss", UserWarning)
+        array = _BinnedArray(design, known, tolerances)
+        built = array.built(sensors, seed)
+        tables = None if calibrated else array.hypotheses(BinnedOptions())
+        cavity = array.cavity(force)
+    noise = noise_in_bins(microphone_noise(design.microphone, design_air(design)))
+    again = max(1, NOMINAL_TOUCHES // design.point_count)
+    random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(_NOISE_SEED,)))
+    sets = [
+        _touched(frames, of_sensors, noise, random)
+        for touch in TOUCHES
+        for frames in [_frames(touch, cavity, force)]
+        for of_sensors in (built, np.repeat(array.nominal[None], again, 0))
+    ]
+    if tables is None:
+        libraries = _measured(np.concatenate([built, array.nominal[None]]), seed)
+        right = [_right_by_library(each, libraries, noise, number % 2 == 1) for number, each in enumerate(sets)]
+    else:
+        right = _right(sets, tables, noise)
+    points = design.point_count
+    scatter = SCATTER[force is None]
+    found = [_accuracy(each.reshape(-1, points), scatter) for each in right]
+    as_designed = NominalAccuracy(*found[1::2])
+    return AsBuiltAccuracy(*found[::2], as_designed, DECODERS[calibrated], sensors, force)
+
+
+class _BinnedArray:
+    """Transfer functions of a design and of sensors about it in bins."""
+
+    def __init__(self, design: ArrayDesign, known: KnownDiscs | None, tolerances: Sequence[Tolerance]) -> None:
+        self._design, self._known, self._air = design, known, design_air(design)
+        self._scattered = ScatteredDesign(design, tolerances, known)
+        self._unknown = ScatteredDesign(design, UNCALIBRATED, known)
+        both = np.sort(np.concatenate([_NODES, BINS]))
+        self._response = batch_response(self._scattered.nominal, self._scattered.topology, both, self._air)
+        self._at_nodes = np.searchsorted(both, _NODES)
+        found = np.asarray(self._response.transfer_function[0])
+        self.nominal: ComplexArray = found[..., np.searchsorted(both, BINS)]
+        """Transfer functions of the design, (n_point, n_microphone, n_bin), Pa/Pa."""
+        self._on_nodes = found[..., self._at_nodes]
+
+    def built(self, count: int, seed: int) -> ComplexArray:
+        """Transfer functions of as-built sensors, (count, n_point, n_microphone, n_bin), Pa/Pa."""
+        factors = self._factors(self._scattered, count, seed, None)
+        return np.asarray(self.nominal * np.exp(factors @ _to_bins()))
+
+    def hypotheses(self, options: BinnedOptions) -> BinnedHypotheses:
+        """Hypotheses of the decoder."""
+        assumed = HypothesisOptions()
+        drawn = None
+        if assumed.air_and_rubber is not None:
+            drawn = assumed.air_and_rubber.draws(0, options.draws, assumed.seed, self._design, self._air)
+        factors = self._factors(self._unknown, options.draws, assumed.seed, drawn)
+        return binned_hypotheses(self.nominal, factors, np.abs(self._on_nodes), _to_bins(), options)
+
+    def cavity(self, force: float | None) -> tuple[ComplexArray, ComplexArray]:
+        """What strokes go through to become pressures in cavities: on the lines, and of each point over that in bins.
+
+        (n_line,), and (n_point, n_bin); Pa/N with a force, otherwise over that at 30 Hz.
+        """
+        design = self._design
+
+        def of_kind(alike: ArrayDesign) -> DiscResponse:
+            return design_disc(alike, known=self._known).response(_NODES, design_rubber(alike))
+
+        flow = 2j * np.pi * _NODES * membranes_in_vacuo(design, of_kind).volume_per_force
+        per_force = flow * np.asarray(self._response.point_impedance[0])[:, self._at_nodes]
+        level = np.log(np.abs(per_force)) + 1j * np.unwrap(np.angle(per_force))
+        if force is None:
+            level = level - (level.real @ _at(np.array([SCALED_AT])))
+        mean = level.mean(0)
+        return np.exp(mean @ _to_lines()), np.exp((level - mean) @ _to_bins())
+
+    def _factors(
+        self, scattered: ScatteredDesign, count: int, seed: int, drawn: DrawnAirAndRubber | None
+    ) -> ComplexArray:
+        """Logarithms of the factors of sensors, (count, n_point, n_microphone, n_node) complex64."""
+        sensors = AsBuiltSensors(scattered, _NODES, self._air)
+        ratio = sensors.transfer_functions(scattered.draws(0, count, seed), drawn) / self._on_nodes
+        return np.asarray(np.log(np.abs(ratio)) + 1j * np.unwrap(np.angle(ratio)), np.complex64)
+
+
+@dataclass(frozen=True, eq=False)
+class _Touches:
+    """Touches of every point of some sensors, sensor by sensor."""
+
+    frames: ComplexArray
+    """(n, n_microphone, n_bin), Pa."""
+    power: Array
+    """Power of each, as :func:`studies.metrics.binned_decoder.received_power`; (n,)."""
+
+
+def _frames(
+    touch: Touch, cavity: tuple[ComplexArray, ComplexArray], force: float | None
+) -> tuple[ComplexArray, ComplexArray]:
+    """Pressures in a cavity by touches, (COUNT, n_bin), and how each point differs, (n_point, n_bin)."""
+    if touch == "multi_sines":
+        return touch_frames(touch, None, None), np.ones_like(cavity[1])
+    return touch_frames(touch, cavity[0], force), cavity[1]
+
+
+def _touched(
+    frames: tuple[ComplexArray, ComplexArray], sensors: ComplexArray, noise: Array, random: np.random.Generator
+) -> _Touches:
+    """A touch of each point of each of the sensors, (n_sensor, n_point, n_microphone, n_bin)."""
+    count, points = sensors.shape[:2]
+    # Every point has the same number of each touch, so that points differ by themselves.
+    order = np.stack([random.permutation(max(count, COUNT))[:count] % COUNT for _ in range(points)], 1)
+    source = frames[0][order] * frames[1]
+    heard = source[:, :, None] * sensors
+    alone = random.standard_normal((2, *heard.shape)) * np.sqrt(noise / 2)
+    flat = (heard + alone[0] + 1j * alone[1]).reshape(-1, *heard.shape[2:])
+    return _Touches(flat, received_power(flat, sensors.reshape(flat.shape), noise))
+
+
+def _right(sets: list[_Touches], tables: BinnedHypotheses, noise: Array) -> list[NDArray[np.bool_]]:
+    """Whether the decoder of a sensor that nobody calibrated assigns each touch to its point, set by set."""
+    frames, power = np.concatenate([each.frames for each in sets]), np.concatenate([each.power for each in sets])
+    named = scores(frames, power, tables, noise, BinnedOptions()).argmax(1)
+    right = named == np.arange(len(named)) % len(tables.response)
+    return np.split(right, np.cumsum([len(each.frames) for each in sets])[:-1])
+
+
+def _measured(sensors: ComplexArray, seed: int) -> ComplexArray:
+    """Libraries of calibrated sensors, right to :data:`CALIBRATION_ERROR`; errors are smooth over frequency."""
+    random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(_CALIBRATION_SEED,)))
+    error = random.standard_normal((2, *sensors.shape[:3], len(_NODES))) * CALIBRATION_ERROR / np.sqrt(2)
+    return np.asarray(sensors * np.exp((error[0] + 1j * error[1]) @ _to_bins()))
+
+
+def _right_by_library(touches: _Touches, libraries: ComplexArray, noise: Array, is_nominal: bool) -> NDArray[np.bool_]:
+    """Whether each touch is assigned to its point by the library of its own sensor, the last one the nominal."""
+    points = libraries.shape[1]
+    own = libraries[-1:] if is_nominal else libraries[:-1]
+    parts = zip(np.split(touches.frames, len(own)), np.split(touches.power, len(own)), own, strict=True)
+    named = [plain_scores(frames, power, library, noise).argmax(1) for frames, power, library in parts]
+    right = np.concatenate(named) == np.arange(len(touches.frames)) % points
+    return np.asarray(right)
+
+
+def _accuracy(right: NDArray[np.bool_], scatter: float) -> TouchAccuracy:
+    """Accuracy from touches that were assigned correctly, (n_sensor, n_point), with the scatter of its error."""
+    of_sensors = right.mean(1)
+    mean = float(right.mean())
+    # Few touches of a sensor spread its accuracy by chance, which is taken out of the percentile.
+    spread, by_chance = of_sensors.var(), (right.var(1) / max(1, right.shape[1] - 1)).mean()
+    own = np.sqrt(max(0.0, 1 - by_chance / spread)) if spread > 0 else 0.0
+    worst = mean + own * (float(np.percentile(of_sensors, 5)) - mean)
+    half = 0.01 + scatter * float(np.sqrt(mean * (1 - mean)))
+    return TouchAccuracy(mean, worst, max(0.0, mean - half), min(1.0, mean + half), right.mean(0))
+
+
+@lru_cache(maxsize=1)
+def _to_bins() -> Array:
+    """Matrix from values at the nodes to those in bins, (n_node, n_bin)."""
+    return _at(BINS)
+
+
+@lru_cache(maxsize=1)
+def _to_lines() -> Array:
+    """Matrix from values at the nodes to those on the lines of touches, (n_node, n_line); constant outside."""
+    return _at(np.clip(line_frequencies(), _NODES[0], _NODES[-1]))
+
+
+def _at(frequency: Array) -> Array:
+    return np.asarray(CubicSpline(np.log(_NODES), np.eye(len(_NODES)))(np.log(frequency)).T)

@@ -1,0 +1,303 @@
+"""The tolerance-aware decoder in frequency bins: a few thousand frames of a design decided in a fraction of a second.
+
+:class:`localize.TolerantDecoder` decides from the samples of a frame. Here a frame is a vector x_k of the microphones
+in each of 25 bins, taken as independent of each other (Whittle's approximation). All else follows the decoder:
+hypotheses of each point from drawn sensors, likelihoods of a source of flat spectrum and unknown power, the best
+hypotheses fitted with shapes in which the logarithms of their transfer functions deviate, and the same assumed noise,
+hum and temperature (:class:`localize.decoders.decoder_options.TolerantOptions`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.ground.typed import Array, ComplexArray
+from localize.decoders.decoder_options import DecoderOptions, TolerantOptions
+from studies.metrics.touch_bins import hum_in_bins
+
+_LEVEL = 4.0
+"""Step of the powers of a touch that are told apart, dB, as of the decoder."""
+UNEXPLAINED = TolerantOptions().unexplained_fraction
+_LOWEST = -20.0
+"""Lowest power of a touch over the assumed noise, dB."""
+
+
+@dataclass(frozen=True)
+class BinnedOptions:
+    """Numbers that set how finely the decoder is followed."""
+
+    draws: int = 192
+    """Number of sensors that hypotheses are made of; the decoder has 1200."""
+    splits: int = 3
+    """Number of times that the draws of a point are halved: 8 groups, where the decoder has up to 12."""
+    shapes: int = 6
+    """Number of shapes in which a hypothesis deviates."""
+    candidates: int = 10
+    """Number of hypotheses that are fitted to a frame."""
+
+
+@dataclass(frozen=True, eq=False)
+class BinnedHypotheses:
+    """Transfer functions that the points of a sensor may have, in bins."""
+
+    response: ComplexArray
+    """(n_point, n_hypothesis, n_microphone, n_bin), Pa/Pa."""
+    shapes: ComplexArray
+    """Deviations of their logarithms by a standard normal amplitude; (n_point, n_hypothesis, n_shape, n_microphone,
+    n_bin)."""
+    log_prior: Array
+    """Logarithm of the prior of each hypothesis of a point; (n_hypothesis,)."""
+
+
+def binned_hypotheses(
+    nominal: ComplexArray, factors: ComplexArray, loudness: Array, to_bins: Array, options: BinnedOptions
+) -> BinnedHypotheses:
+    """Hypotheses from drawn sensors, the sensor as designed the last one.
+
+    Args:
+        nominal: transfer functions of the design, (n_point, n_microphone, n_bin).
+        factors: logarithms of the factors of drawn sensors, (n_draw, n_point, n_microphone, n_node), n_draw a multiple
+            of 2 ** splits.
+        loudness: absolute transfer functions of the design at the nodes, (n_point, n_microphone, n_node).
+        to_bins: matrix from nodes to bins, (n_node, n_bin).
+        options: how finely.
+    """
+    tolerant = TolerantOptions().hypotheses
+    draws, points = len(factors), len(nominal)
+    rows = np.arange(points)
+    loudest = loudness.sum(2).argmax(1)
+    weight = (1 / np.hypot(1, tolerant.quiet_ratio / loudness)).astype(np.float32)
+    factors = factors.swapaxes(0, 1)  # (point, draw, microphone, node)
+    ratio = factors - factors[rows, :, loudest][:, :, None]
+    weighed = (ratio * weight[:, None]).reshape(points, draws, -1)
+    features = np.concatenate([weighed.real, weighed.imag], axis=2)
+    groups = _halved(features, options.splits)  # (point, group, draw)
+    flat, alike = ratio.reshape(points, draws, -1), factors.reshape(points, draws, -1)
+    at = rows[:, None, None], groups
+    changes = alike[at].mean(2)
+    shapes = _shapes(features[at], flat[at], options.shapes)
+    whole = _shapes(features[:, None], flat[:, None], options.shapes)
+    size = nominal.shape[1:2] + factors.shape[3:]
+    changes = np.concatenate([changes, np.zeros_like(changes[:, :1])], 1).reshape(points, -1, *size)
+    shapes = np.concatenate([shapes, whole], 1).reshape(points, changes.shape[1], options.shapes, *size)
+    prior = np.full(changes.shape[1], (1 - tolerant.prior_as_designed) / groups.shape[1])
+    prior[-1] = tolerant.prior_as_designed
+    matrix = to_bins
+    return BinnedHypotheses(nominal[:, None] * np.exp(changes @ matrix), shapes @ matrix, np.log(prior))
+
+
+def scores(
+    frames: ComplexArray, power: Array, hypotheses: BinnedHypotheses, noise: Array, options: BinnedOptions
+) -> Array:
+    """Log-likelihoods of the points.
+
+    Args:
+        frames: (n, n_microphone, n_bin), Pa.
+        power: of each over that of a source of flat spectrum, as :func:`received_power` has it; (n,).
+        hypotheses: of the points.
+        noise: mean square of the noise in each bin, (n_bin,), Pa^2.
+        options: how finely.
+
+    Returns:
+        (n, n_point) float64, nats, up to a constant per frame.
+    """
+    tolerant = TolerantOptions()
+    points, each = hypotheses.response.shape[:2]
+    assumed = assumed_noise(noise, tolerant)
+    white = frames / np.sqrt(assumed)
+    response = (hypotheses.response / np.sqrt(assumed)).reshape(-1, *frames.shape[1:])
+    temperature = tolerant.temperature * tolerant.relative_temperature
+    score, level = _plain(white, response, power, temperature)
+    order = np.argpartition(-score, min(options.candidates, score.shape[1] - 1), axis=1)[:, : options.candidates]
+    shapes = hypotheses.shapes.reshape(len(response), options.shapes, *frames.shape[1:])
+    gain = _fitted(white, response, shapes, order, level, temperature)
+    fitted = np.take_along_axis(score, order, 1) + gain
+    # The others can be no better than the worst of these.
+    score = np.minimum(score, fitted.min(1, keepdims=True))
+    np.put_along_axis(score, order, fitted, axis=1)
+    joint = score.reshape(-1, points, each) + hypotheses.log_prior
+    top = joint.max(2, keepdims=True)
+    return np.asarray(top[..., 0] + np.log(np.exp(joint - top).sum(2)))
+
+
+def plain_scores(frames: ComplexArray, power: Array, response: ComplexArray, noise: Array) -> Array:
+    """Log-likelihoods of the points of a calibrated sensor, arguments as of :func:`scores`.
+
+    The response is (n_point, n_microphone, n_bin), Pa/Pa.
+
+    Returns:
+        (n, n_point) float64, nats.
+    """
+    options = DecoderOptions()
+    root = np.sqrt(assumed_noise(noise, options))
+    white, known = frames / root, response / root
+    return _plain(white, known, power, options.temperature)[0]
+
+
+def received_power(frames: ComplexArray, response: ComplexArray, noise: Array) -> Array:
+    """Power of frames over the assumed noise, for a source of flat spectrum through the point that was touched.
+
+    Args:
+        frames: (n, n_microphone, n_bin), Pa.
+        response: transfer functions of the point of each, (n, n_microphone, n_bin).
+        noise: mean square of the noise in each bin, (n_bin,), Pa^2.
+
+    Returns:
+        (n,) float64: mean over the bins of the ratio of signal and assumed noise of a hypothesis of average level.
+    """
+    assumed = assumed_noise(noise, TolerantOptions())
+    energy = (np.abs(frames) ** 2).sum(1) / assumed
+    shape = (np.abs(response) ** 2).sum(1) / assumed
+    return np.asarray((energy / (shape / shape.mean(1, keepdims=True))).mean(1))
+
+
+def assumed_noise(noise: Array, options: DecoderOptions) -> Array:
+    """Noise and hum in each bin that a decoder assumes, (n_bin,), Pa^2, from the noise that there is."""
+    return np.asarray(noise * options.noise_fraction**2 + hum_in_bins())
+
+
+def _halved(features: Array, splits: int) -> NDArray[np.int64]:
+    """Groups of equally many draws, (n_point, 2 ** splits, n): each is halved along its own largest deviation."""
+    points, draws, _ = features.shape
+    groups = np.broadcast_to(np.arange(draws), (points, 1, draws))
+    rows = np.arange(points)[:, None, None]
+    for _ in range(splits):
+        own = features[rows, groups]
+        own = own - own.mean(2, keepdims=True)
+        along = own[..., :1, :] - own[..., -1:, :] + 1e-12
+        for _ in range(6):
+            along = (own @ along.swapaxes(2, 3)).swapaxes(2, 3) @ own
+            along /= np.linalg.norm(along, axis=3, keepdims=True) + 1e-30
+        order = np.argsort((own @ along.swapaxes(2, 3))[..., 0], axis=2)
+        groups = np.take_along_axis(groups, order, 2).reshape(points, -1, groups.shape[2] // 2)
+    return np.asarray(groups)
+
+
+def _shapes(features: Array, ratio: ComplexArray, count: int) -> ComplexArray:
+    """Principal components of how the draws of groups deviate from their mean.
+
+    Args:
+        features: weighed, (n_point, n_group, n_draw, n_feature) float32.
+        ratio: logarithms of the ratios to the loudest microphone, (n_point, n_group, n_draw, n_value).
+        count: how many.
+
+    Returns:
+        (n_point, n_group, count, n_value) complex64, those beyond the number of draws zero.
+    """
+    features = features - features.mean(2, keepdims=True)
+    ratio = ratio - ratio.mean(2, keepdims=True)
+    draws = features.shape[2]
+    is_few = draws < features.shape[3]
+    turned = features.swapaxes(2, 3)
+    power, vectors = np.linalg.eigh((features @ turned if is_few else turned @ features).astype(np.float64))
+    kept = min(count, power.shape[2] - 1)
+    power, vectors = power[..., -kept:], vectors[..., -kept:]
+    found = power > 1e-9 * power[..., -1:]
+    if not is_few:
+        vectors = features @ (vectors / np.sqrt(np.where(found, power, 1.0))[..., None, :])
+    amplitude = (vectors * found[..., None, :]).swapaxes(2, 3).astype(np.float32)
+    shapes = np.zeros((*ratio.shape[:2], count, ratio.shape[3]), np.complex64)
+    shapes[:, :, :kept] = amplitude @ ratio / np.sqrt(draws)
+    return shapes
+
+
+def _plain(
+    white: ComplexArray, response: ComplexArray, power: Array, temperature: float
+) -> tuple[Array, NDArray[np.int64]]:
+    """Scores of hypotheses without deviations, (n, n_hypothesis) nats, and the level of each frame, an integer."""
+    size = (response.real**2 + response.imag**2).sum(1)
+    shape = size / size.mean(1, keepdims=True)
+    unit = response / np.sqrt(size)[:, None]
+    level = np.round((10 * np.log10(power) - _LOWEST) / _LEVEL).clip(0).astype(int)
+    products = _products(white)
+    pairs = _weights(unit)
+    score = np.empty((len(white), len(response)))
+    for step in np.unique(level):
+        own = level == step
+        gain = shape * _power_of(step)
+        weights = (pairs * (gain / (1 + gain))[:, None]).reshape(len(response), -1)
+        score[own] = (products[own] @ weights.T - np.log1p(gain).sum(1)) / temperature
+    return score, level
+
+
+def _power_of(level: NDArray[np.int64] | int) -> Array:
+    return np.asarray(10 ** ((_LOWEST + _LEVEL * np.asarray(level)) / 10))
+
+
+def _products(white: ComplexArray) -> Array:
+    """Products of the microphones of each bin: squares, then parts of pairs; (n, n_product n_bin) float32."""
+    first, second = np.triu_indices(white.shape[1], 1)
+    pairs = white[:, first] * white[:, second].conj()
+    return np.concatenate([white.real**2 + white.imag**2, pairs.real, pairs.imag], 1).reshape(len(white), -1)
+
+
+def _weights(unit: ComplexArray) -> Array:
+    """Weights of these products in the energy along unit vectors, (n_hypothesis, n_product, n_bin) float32."""
+    first, second = np.triu_indices(unit.shape[1], 1)
+    pairs = 2 * unit[:, first].conj() * unit[:, second]
+    return np.concatenate([unit.real**2 + unit.imag**2, pairs.real, -pairs.imag], 1)
+
+
+def _fitted(
+    white: ComplexArray,
+    response: ComplexArray,
+    shapes: ComplexArray,
+    order: NDArray[np.int64],
+    level: NDArray[np.int64],
+    temperature: float,
+) -> Array:
+    """Gains of scores by the deviations of hypotheses.
+
+    Args:
+        white: frames, (n, n_microphone, n_bin) complex64.
+        response: of the hypotheses where noise is white, (n_hypothesis, n_microphone, n_bin) complex64.
+        shapes: (n_hypothesis, n_shape, n_microphone, n_bin) complex64.
+        order: numbers of the hypotheses that are fitted to each frame, (n, n_candidate).
+        level: of each frame.
+        temperature: divisor of log-likelihoods.
+
+    Returns:
+        (n, n_candidate) float64, nats.
+    """
+    count, _, bins = shapes.shape[1:]
+    size = (response.real**2 + response.imag**2).sum(1)
+    unit = response / np.sqrt(size)[:, None]
+    mean = size.mean(1, keepdims=True)
+    unexplained = 1 + UNEXPLAINED * (white.real**2 + white.imag**2).mean((1, 2))[:, None]
+    flat = order.ravel()
+    sorted_pairs = np.argsort(flat, kind="stable")
+    numbers, starts = np.unique(flat[sorted_pairs], return_index=True)
+    frame_of = sorted_pairs // order.shape[1]
+    slope = np.empty((len(flat), count))
+    bend = np.empty((len(flat), count * count))
+    for number, start, end in zip(numbers, starts, [*starts[1:], len(flat)], strict=True):
+        own = frame_of[start:end]
+        x, h = white[own], unit[number]
+        gain = size[number] / mean[number] * _power_of(level[own])[:, None]
+        source = (x * h.conj()).sum(1) * (gain / (unexplained[own] + gain) / np.sqrt(size[number]))
+        change = response[number] * shapes[number]
+        change = change - h * (h.conj() * change).sum(1, keepdims=True)
+        both = np.ascontiguousarray(change.reshape(count, -1)).view(np.float64)
+        seen = (x * source.conj()[:, None]).reshape(len(own), -1).view(np.float64)
+        slope[start:end] = seen @ both.T
+        turned = np.ascontiguousarray(change.transpose(2, 0, 1)).view(np.float64)
+        product = (turned @ turned.swapaxes(1, 2)).reshape(bins, -1)
+        bend[start:end] = (source.real**2 + source.imag**2) @ product
+    found = np.empty(len(flat))
+    found[sorted_pairs] = _gaussian_gain(slope * (2 / temperature), bend.reshape(-1, count, count) * (2 / temperature))
+    return found.reshape(order.shape)
+
+
+def _gaussian_gain(slope: Array, bend: Array) -> Array:
+    """b^T (1 + F)^-1 b / 2 - log det(1 + F) / 2 of many b, (n, k), and F, (n, k, k): one Cholesky factor of both."""
+    count = slope.shape[1]
+    whole = np.empty((len(slope), count + 1, count + 1))
+    whole[:, :count, :count] = bend + np.eye(count)
+    whole[:, count, :count] = whole[:, :count, count] = slope
+    whole[:, count, count] = (slope.astype(np.float64) ** 2).sum(1) + 1.0
+    factor = np.linalg.cholesky(whole)
+    diagonal = np.diagonal(factor, axis1=1, axis2=2)[:, :count]
+    return np.asarray(0.5 * (factor[:, count, :count] ** 2).sum(1) - np.log(diagonal).sum(1))

@@ -1,0 +1,120 @@
+"""Frames of touches in a few frequency bins, from which :mod:`studies.metrics.as_built_accuracy` predicts decisions.
+
+The touches are those that a run is evaluated on (:mod:`localize.evaluation.held_out`), from fixed seeds: taps and
+presses behind the high-pass of a stream, multi-sines unfiltered. A bin is the last frame of a touch times a sine
+window and a wave. The pressure in a cavity is a sum of spectral lines, so that its bins are one matrix product.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+import scipy.signal
+
+from geometry.ground.typed import Array, ComplexArray
+from localize.decoders.frame_covariance import HUM, HUM_LINES, SOURCE_RMS
+from localize.live.front_end import high_pass_sections
+from localize.live.stream_options import HIGH_PASS
+from localize.signals.disturbances import MAINS
+from localize.signals.frames import FRAME
+from localize.signals.noise_model import NoiseSpectrum
+from localize.signals.stimulus import BAND, LINE_SPACING, SAMPLE_LENGTH, SAMPLE_RATE
+
+Touch = Literal["taps", "presses", "multi_sines"]
+TOUCHES: tuple[Touch, ...] = ("taps", "presses", "multi_sines")
+"""Kinds of touches."""
+BINS = np.arange(2.0, BAND[1], SAMPLE_RATE / FRAME)
+"""Frequencies of the bins, one frame's line apart, Hz."""
+COUNT = 512
+"""Number of different touches of each kind."""
+_SEED = 20161
+_LINES = np.arange(1, 521) * LINE_SPACING
+"""Spectral lines that reach the bins, Hz."""
+
+
+def source_density() -> float:
+    """Mean square of a bin of the touch that decoders assume at power 1, Pa^2: flat from 1 to 100 Hz."""
+    return SOURCE_RMS**2 / (BAND[1] - BAND[0]) * SAMPLE_RATE / 2
+
+
+def touch_frames(touch: Touch, cavity: ComplexArray | None, force: float | None) -> ComplexArray:
+    """Pressures in a cavity by touches, bin by bin.
+
+    Args:
+        touch: their kind.
+        cavity: what a stroke goes through, at :func:`line_frequencies`, (n_line,): Pa/Pa by that at 30 Hz, or Pa/N with
+            a force; None for multi-sines, which are pressures.
+        force: peak of every stroke, N; None for strokes of the peaks that a run has, in Pa.
+
+    Returns:
+        (COUNT, n_bin) complex128, Pa.
+    """
+    forth, back = _analysis(touch != "multi_sines")
+    spectrum = _spectra(touch, force)
+    if cavity is not None:
+        spectrum = spectrum * cavity.astype(np.complex64)
+    return np.asarray(spectrum @ forth + spectrum.conj() @ back, np.complex128)
+
+
+def line_frequencies() -> Array:
+    """Frequencies of the spectral lines that reach the bins, (n_line,) float64, Hz."""
+    return _LINES
+
+
+def noise_in_bins(noise: NoiseSpectrum) -> Array:
+    """Mean square of a microphone's noise in each bin, (n_bin,) float64, Pa^2."""
+    return np.asarray(noise.power @ _passed_noise(), np.float64)
+
+
+@lru_cache(maxsize=1)
+def _passed_noise() -> Array:
+    """Noise of each hertz that reaches a bin, (n_hertz, n_bin)."""
+    time, hertz = np.arange(FRAME) / SAMPLE_RATE, np.arange(int(SAMPLE_RATE) // 2)
+    seen = _window()[:, None] * np.exp(-2j * np.pi * time[:, None] * BINS)
+    forth, back = (np.exp(sign * 2j * np.pi * hertz[:, None] * time) @ seen for sign in (1, -1))
+    return np.asarray(0.5 * (np.abs(forth) ** 2 + np.abs(back) ** 2))
+
+
+@lru_cache(maxsize=1)
+def hum_in_bins() -> Array:
+    """Mean square of the mains hum that decoders expect in each bin, (n_bin,) float64, Pa^2."""
+    lines = np.outer(np.arange(1, HUM_LINES + 1), MAINS).ravel()
+    waves = np.exp(2j * np.pi * np.arange(FRAME) / SAMPLE_RATE * (lines[:, None, None] - BINS[:, None]))
+    return np.asarray(0.5 * HUM**2 * (np.abs((waves * _window()).sum(-1)) ** 2).sum(0))
+
+
+def _window() -> Array:
+    """The first sine window, of energy 1; (FRAME,)."""
+    window = np.sin(np.pi * (np.arange(FRAME) + 0.5) / FRAME)
+    return np.asarray(window / np.linalg.norm(window))
+
+
+@lru_cache(maxsize=2)
+def _analysis(is_filtered: bool) -> tuple[ComplexArray, ComplexArray]:
+    """Matrices from the lines of a spectrum, and from their conjugates, to the bins of the last frame of a second."""
+    time = np.arange(SAMPLE_LENGTH - FRAME, SAMPLE_LENGTH) / SAMPLE_RATE
+    seen = _window()[:, None] * np.exp(-2j * np.pi * np.arange(FRAME)[:, None] / SAMPLE_RATE * BINS)
+    waves = np.exp(2j * np.pi * _LINES[:, None] * time)
+    passed = np.ones(len(_LINES), complex)
+    if is_filtered:
+        _, passed = scipy.signal.sosfreqz(high_pass_sections(HIGH_PASS), _LINES, fs=SAMPLE_RATE)
+    forth, back = passed[:, None] * (waves @ seen), passed.conj()[:, None] * (waves.conj() @ seen)
+    return forth.astype(np.complex64), back.astype(np.complex64)
+
+
+@lru_cache(maxsize=8)
+def _spectra(touch: Touch, force: float | None) -> ComplexArray:
+    """Spectra of touches on the lines that reach the bins, (COUNT, n_line) complex64."""
+    from localize.signals.finger_strokes import press_strokes, tap_strokes
+    from localize.signals.stimulus import multi_sines
+
+    band = (LINE_SPACING, SAMPLE_RATE / 2)
+    if touch == "multi_sines":
+        made = multi_sines(_SEED, "evaluation", 0, COUNT, band)
+    else:
+        strokes = {"taps": tap_strokes, "presses": press_strokes}[touch]
+        peak = {} if force is None else {"peak": (force, force)}
+        made = strokes(_SEED, "evaluation", 0, COUNT, band, "cpu", **peak)
+    return np.ascontiguousarray(made.spectrum[:, 1 : 1 + len(_LINES)].numpy())
