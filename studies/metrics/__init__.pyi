@@ -1,10 +1,3 @@
-from .as_built_accuracy import (
-    AsBuiltAccuracy as AsBuiltAccuracy,
-    NominalAccuracy as NominalAccuracy,
-    TouchAccuracy as TouchAccuracy,
-    as_built_accuracies as as_built_accuracies,
-    as_built_accuracy as as_built_accuracy,
-)
 from .batch_responses import Responses as Responses
 from .confusion import (
     PredictedConfusion as PredictedConfusion,
@@ -23,6 +16,13 @@ from .pairs import (
     sensitivity as sensitivity,
     trapezoidal_weights as trapezoidal_weights,
     worst_heard as worst_heard,
+)
+from .predicted_accuracy import (
+    AsBuiltAccuracy as AsBuiltAccuracy,
+    NominalAccuracy as NominalAccuracy,
+    TouchAccuracy as TouchAccuracy,
+    as_built_accuracies as as_built_accuracies,
+    as_built_accuracy as as_built_accuracy,
 )
 from .separation import (
     PairDistances as PairDistances,

@@ -19,7 +19,7 @@ from localize.decoders.decoder_options import DecoderOptions, TolerantOptions
 from studies.metrics.touch_bins import hum_in_bins
 
 _LEVEL = 4.0
-"""Step of the powers of a touch that are told apart, dB, as of the decoder."""
+"""Step of the powers of a touch, dB, as of the decoder."""
 UNEXPLAINED = TolerantOptions().unexplained_fraction
 _LOWEST = -20.0
 """Lowest power of a touch over the assumed noise, dB."""

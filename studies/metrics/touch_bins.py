@@ -1,4 +1,4 @@
-"""Frames of touches in a few frequency bins, from which :mod:`studies.metrics.as_built_accuracy` predicts decisions.
+"""Frames of touches in a few frequency bins, from which :mod:`studies.metrics.predicted_accuracy` predicts decisions.
 
 The touches are those that a run is evaluated on (:mod:`localize.evaluation.held_out`), from fixed seeds: taps and
 presses behind the high-pass of a stream, multi-sines unfiltered. A bin is the last frame of a touch times a sine

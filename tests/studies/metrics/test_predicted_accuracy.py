@@ -13,7 +13,7 @@ from localize.evaluation.held_out import MULTI_SINES, TAPS, TouchedSensors, deci
 from localize.signals.array_response import response_of
 from studies.evaluation.evaluated_sensors import scattered_sensors
 from studies.metrics import as_built_accuracies, as_built_accuracy
-from studies.metrics.as_built_accuracy import DECODERS
+from studies.metrics.predicted_accuracy import DECODERS
 from studies.metrics.touch_bins import TOUCHES, touch_frames
 
 ARRAY = prototype("array-2x6")

@@ -223,9 +223,9 @@ class _BinnedArray:
         return binned_hypotheses(self.nominal, factors, np.abs(self._on_nodes), _to_bins(), options)
 
     def cavity(self, force: float | None) -> tuple[ComplexArray, ComplexArray]:
-        """What strokes go through to become pressures in cavities: on the lines, and of each point over that in bins.
+        """Pressures in the cavities per stroke: on the lines, and of each point over that in bins.
 
-        (n_line,), and (n_point, n_bin); Pa/N with a force, otherwise over that at 30 Hz.
+        (n_line,), and (n_point, n_bin); Pa/N with a force, otherwise over the value at 30 Hz.
         """
         design = self._design
 
@@ -283,7 +283,7 @@ def _touched(
 
 
 def _right(sets: list[_Touches], tables: BinnedHypotheses, noise: Array) -> list[NDArray[np.bool_]]:
-    """Whether the decoder of a sensor that nobody calibrated assigns each touch to its point, set by set."""
+    """True for each touch that the decoder of a sensor that nobody calibrated assigns to its point, set by set."""
     frames, power = np.concatenate([each.frames for each in sets]), np.concatenate([each.power for each in sets])
     named = scores(frames, power, tables, noise, BinnedOptions()).argmax(1)
     right = named == np.arange(len(named)) % len(tables.response)
@@ -298,7 +298,7 @@ def _measured(sensors: ComplexArray, seed: int) -> ComplexArray:
 
 
 def _right_by_library(touches: _Touches, libraries: ComplexArray, noise: Array, is_nominal: bool) -> NDArray[np.bool_]:
-    """Whether each touch is assigned to its point by the library of its own sensor, the last one the nominal."""
+    """True for each touch that the library of its own sensor, the last one the nominal, assigns to its point."""
     points = libraries.shape[1]
     own = libraries[-1:] if is_nominal else libraries[:-1]
     parts = zip(np.split(touches.frames, len(own)), np.split(touches.power, len(own)), own, strict=True)
