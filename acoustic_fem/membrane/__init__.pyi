@@ -17,6 +17,20 @@ from .disc_table import (
 )
 from .elasticity import ElasticDisc as ElasticDisc, solve_dimensionless as solve_dimensionless
 from .half_section import DiscShape as DiscShape
+from .large_deflection import (
+    BulgeResponse as BulgeResponse,
+    FlatPunch as FlatPunch,
+    Indenter as Indenter,
+    MountedMembrane as MountedMembrane,
+    PressCurve as PressCurve,
+    PressResponse as PressResponse,
+    SoftPatch as SoftPatch,
+    Sphere as Sphere,
+    bulge as bulge,
+    design_membrane as design_membrane,
+    press as press,
+    press_curve as press_curve,
+)
 from .rubber import (
     ELASTIC as ELASTIC,
     Rubber as Rubber,

@@ -312,19 +312,19 @@ def half_section(shape: DiscShape, refinement: int) -> HalfSection:
     first = min(edges)
     parts = [first - _graded(first, edges[first], radial)[::-1]]
     for inner, outer in pairwise(sorted(edges)):
-        parts.append(inner + _graded_from_both(outer - inner, edges[inner], edges[outer], radial)[1:])
+        parts.append(inner + graded_from_both(outer - inner, edges[inner], edges[outer], radial)[1:])
     if rim and shape.glue < rim:
-        parts.append(1 + _graded_from_both(shape.glue, finest, finest, radial)[1:])
+        parts.append(1 + graded_from_both(shape.glue, finest, finest, radial)[1:])
         parts.append(1 + shape.glue + _graded(rim - shape.glue, finest, radial)[1:])
     elif rim:
         parts.append(1 + _graded(rim, finest, radial)[1:])
     radii = np.concatenate(parts)
     at_top = finest if height else at_patch if rim else finest
-    heights = _graded_from_both(thickness, finest, at_top, thickness / refinement)
+    heights = graded_from_both(thickness, finest, at_top, thickness / refinement)
     blocks = [(slice(0, len(radii) - 1), slice(0, len(heights) - 1))]
     if height:
         at_patch = min(at_patch, height) if boss < 1 else finest
-        above = _graded_from_both(height, finest, at_patch, max(thickness, height) / refinement)
+        above = graded_from_both(height, finest, at_patch, max(thickness, height) / refinement)
         middles = (radii[1:] + radii[:-1]) / 2
         inside = np.flatnonzero((middles > start) & (middles < end))
         along_r = slice(int(inside[0]), int(inside[-1]) + 1)
@@ -341,8 +341,8 @@ def _graded(length: float, first: float, largest: float) -> Array:
     return _stretched(steps, length)
 
 
-def _graded_from_both(length: float, first: float, last: float, largest: float) -> Array:
-    """Nodes from 0 to length: steps double from both ends up to ``largest``."""
+def graded_from_both(length: float, first: float, last: float, largest: float) -> Array:
+    """Nodes from 0 to length, (n,) float64: steps double from both ends up to ``largest``."""
     front, back = [first], [last]
     while sum(front) + sum(back) < length:
         shorter = front if front[-1] <= back[-1] else back
