@@ -47,7 +47,7 @@ class Punching:
 
 @dataclass(frozen=True)
 class Setup:
-    """What a disc is loaded by."""
+    """Load, punch and floor of a disc."""
 
     load: LoadKind
     """Quantity that is raised: depth of a punch below the relaxed upper face, in a; force on the soft patch, constant
