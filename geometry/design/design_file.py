@@ -28,6 +28,8 @@ from geometry.schema.declared_fields import fields_of
 from geometry.schema.field_errors import DesignError, UnknownField, nearest
 from geometry.schema.materials import MATERIALS
 
+#: Tables and fields of a study file that no design has.
+_OF_A_STUDY = ("vary", "metrics", "optimize")
 DesignLike: TypeAlias = ArrayDesign | str | os.PathLike[str]
 """A design, the path of its file, or the name of a prototype."""
 
@@ -50,9 +52,14 @@ def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
         source: name of the file, for messages.
 
     Raises:
-        DesignError: not TOML, or not a valid design.
+        DesignError: not TOML, a study file, or not a valid design.
     """
-    return validated(parse_toml(text, source, DesignError), source)
+    data = parse_toml(text, source, DesignError)
+    if "base" in data and not data.keys().isdisjoint(_OF_A_STUDY):
+        base = f"its base, {data['base']}," if isinstance(data["base"], str) else "its base"
+        remedy = f"give {base} or pass the study to sweep or optimize"
+        raise DesignError("is a study file, not a design", kind=Kind.WRONG_TYPE, file=source, remedy=remedy)
+    return validated(data, source)
 
 
 def read_completed(text: str, source: str) -> ArrayDesign:

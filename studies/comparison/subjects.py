@@ -16,7 +16,7 @@ from geometry.design.design_file import prototype_names, resolve_design
 from geometry.ground.argument_checks import check_type, whole_number
 from geometry.ground.file_checks import check_local, read_bytes
 from geometry.ground.refusal import Kind, Refusal, counted
-from geometry.ground.text_files import LARGEST_TEXT, parse_json, read_toml
+from geometry.ground.text_files import LARGEST_TEXT, parse_json
 from studies.findings.page import design_of
 from studies.findings.result_table import ResultTable, table_of_search, table_of_sweep
 from studies.findings.search_files import read_search
@@ -114,10 +114,6 @@ def _of_file(path: Path) -> Subject:
 
 
 def _of_design_file(text: str) -> Subject:
-    is_file = text.endswith(".toml") and os.path.isfile(text)
-    if is_file and (base := read_toml(text, "a design file", Refusal).get("base")):
-        remedy = f"compare its base, {base}, or cases of its results, such as results.zarr#12"
-        raise Refusal("is a study file, not a design", kind=Kind.WRONG_TYPE, file=text, remedy=remedy)
     design = resolve_design(text, "subjects")
     return Subject(design.name, "design", text, design)
 

@@ -12,12 +12,13 @@ from pydantic import Field
 
 from geometry import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
-from geometry.ground.text_files import parse_toml, read_text
+from geometry.ground.text_files import parse_toml
 from geometry.schema.field_errors import model_of
 from studies.optimization.printable import Demand, PrintDemand
 from studies.study.cases import check_base
 from studies.study.fields import FileSection
 from studies.study.metric_registry import METRICS, Metric, metrics_named
+from studies.study.mistaken_files import check_no_design, study_text
 from studies.study.parameter import Parameter, StudyError
 from studies.study.study import Study, study_of
 
@@ -138,8 +139,7 @@ def load_optimization(path: str | os.PathLike[str]) -> Optimization:
         StudyError: no such file, not TOML, or not valid.
         DesignError: the base design is not valid.
     """
-    path = Path(path)
-    return read_optimization(read_text(path, "a study file", StudyError), str(path), path.parent)
+    return read_optimization(study_text(path), os.fspath(path), Path(path).parent)
 
 
 def read_optimization(
@@ -147,6 +147,7 @@ def read_optimization(
 ) -> Optimization:
     """Problem read from the text of such a file; arguments and errors as :func:`studies.study.study.read_study`."""
     given = parse_toml(text, source, StudyError)
+    check_no_design(given, source)
     wanted = given.pop("optimize", None)
     if wanted is None:
         allowed = 'a table that says what is wanted, such as [[optimize.objectives]] with metric = "distance_smallest"'

@@ -23,7 +23,7 @@ from geometry.design.design_file import prototype, prototype_names, write_design
 from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
-from geometry.ground.text_files import parse_toml, read_text
+from geometry.ground.text_files import parse_toml
 from geometry.ground.typed import Array, PathLike
 from geometry.ground.whole_files import check_own_kind, write_text
 from geometry.schema.field_errors import model_of, nearest
@@ -31,10 +31,9 @@ from studies.study.axes import axes_of, case_count
 from studies.study.constraints import Constraint, parse_constraint
 from studies.study.fields import Keep, Membranes, Outside, Precision, StudyFields
 from studies.study.metric_registry import metrics_named
+from studies.study.mistaken_files import check_no_design, study_text
 from studies.study.parameter import Parameter, Sampling, StudyError, parameter_content
 
-#: Sections that every design file has and no study file.
-_OF_A_DESIGN = ("resonator", "membrane", "tube")
 #: Words of older study files, and what is written in their place.
 _RENAMED = {
     "transfer_functions": 'keep = "responses" to keep transfer functions, or leave it out',
@@ -187,7 +186,7 @@ class Study(Shown):
             DesignError: the base design is not valid.
         """
         path = Path(path)
-        return read_study(read_text(path, "a study file", StudyError), str(path), path.parent)
+        return read_study(study_text(path), str(path), path.parent)
 
     def save(self, path: PathLike) -> None:
         """Write the study file. A base that is not a prototype is written into it, so the file stands alone.
@@ -347,7 +346,7 @@ def study_of(
         StudyError: not a valid study.
         DesignError: the base design is not valid.
     """
-    _check_no_design(given, source)
+    check_no_design(given, source)
     for old, new in _RENAMED.items():
         if old in given:
             problem = "is a word of older study files"
@@ -355,22 +354,6 @@ def study_of(
     study = Study.__new__(Study)
     study._fill(dict(given), text, source, folder or Path(), base)
     return study
-
-
-def _check_no_design(given: Mapping[str, Any], source: str) -> None:
-    """Reject a design file by its sections, with a study file that sweeps it.
-
-    Raises:
-        StudyError: it is a design file.
-    """
-    if "base" not in given and all(isinstance(given.get(section), Mapping) for section in _OF_A_DESIGN):
-        example = f'''base = "{source}" / metrics = ["predicted_top1"] / [vary] / "tube.length" = [10.0, 15.0]'''
-        raise StudyError(
-            "is a design file",
-            kind=Kind.WRONG_TYPE,
-            file=source,
-            remedy=f"a study file names it and what varies, such as (a line for each part): {example}",
-        )
 
 
 def _base(stated: Any, folder: Path, source: str) -> ArrayDesign:
