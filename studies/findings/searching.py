@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.shown import Shown
 from geometry.ground.typed import PathLike
 from geometry.ground.whole_files import writing
 from studies.findings.search_files import save_search, unprintable_designs
@@ -17,8 +19,8 @@ from studies.output.display import Display
 from studies.output.folders import check_folder, claimed_folder
 
 
-@dataclass(frozen=True, eq=False)
-class Search:
+@dataclass(frozen=True, eq=False, repr=False)
+class Search(Shown):
     """Results of a search, and their files."""
 
     problem: Optimization
@@ -27,6 +29,18 @@ class Search:
     """Designs computed, and those on the front, whose parts are drawn and pass the print rules."""
     files: tuple[Path, ...]
     """Files that were written, most wanted first."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        best = self.result.front[0] if self.result.front else None
+        wanted = ", ".join(f"{each.metric.name} {each.better}" for each in self.problem.objectives)
+        return f"Search {self.problem.study.name}", {
+            "wanted": wanted,
+            "designs": f"{len(self.result.candidates)} computed, {len(self.result.front)} on the front",
+            "best": "" if best is None else ", ".join(f"{name} {value:.4g}" for name, value in best.metrics.items()),
+            "with": "" if best is None else ", ".join(f"{name} {value}" for name, value in best.values.items()),
+            "files": ", ".join(str(path) for path in self.files),
+        }
 
 
 def optimize(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from geometry.design.design_file import DesignLike, resolve_design
 from geometry.formats.part_files import FORMATS, ExportedFile, tessellate_distinct
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Field
+from geometry.ground.shown import Shown
 from geometry.ground.stated_times import stopped_time
 from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
@@ -34,8 +35,8 @@ from studies.output.folders import FILES, check_folder, claimed_folder, replaced
 ALL_THE_SAME = (Field("allow_overlaps"), " draws it all the same")
 
 
-@dataclass(frozen=True)
-class MadeParts:
+@dataclass(frozen=True, repr=False)
+class MadeParts(Shown):
     """Part files of an array in a folder, and the findings on them."""
 
     design: ArrayDesign
@@ -54,6 +55,18 @@ class MadeParts:
     """Notes on what is drawn but could not be built as drawn."""
     misfits: tuple[str, ...]
     """Lines on what keeps the parts, as drawn, from being put together."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        return f"Parts of {self.design.name}", {
+            "folder": self.report.parent,
+            "files": len(self.files),
+            "printing": f"{self.printing.process.title}: {self.printing.verdict}",
+            "materials": f"{self.bill.cost:.2f} {self.bill.prices.currency}",
+            "molds": f"{self.bill.tooling_cost:.2f} {self.bill.prices.currency}",
+            "on no plate": ", ".join(self.too_large),
+            "misfits": "; ".join(self.misfits),
+        }
 
 
 def export_parts(

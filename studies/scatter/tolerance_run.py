@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.shown import Shown
 from geometry.ground.typed import PathLike
 from localize.signals.noise_model import NoiseChoice
 from studies.output.call_defaults import BASE_SAMPLES, SEED, SENSORS, STORED_SENSORS
@@ -28,8 +29,8 @@ from studies.scatter.tolerance_files import SUMMARY, save_tolerance
 _LIBRARY = "library.zarr"
 
 
-@dataclass(frozen=True, eq=False)
-class ToleranceStudy:
+@dataclass(frozen=True, eq=False, repr=False)
+class ToleranceStudy(Shown):
     """Results of a tolerance study, and their files."""
 
     design: ArrayDesign
@@ -38,6 +39,27 @@ class ToleranceStudy:
     """Spread of transfer functions and accuracies, and Sobol indices."""
     files: tuple[Path, ...]
     """Files that were written: JSON, picture and, where it was asked for, the library of sensors with scatter."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        found = self.result
+        accuracies = {
+            f"predicted top-1 accuracy, {name}": f"mean {values.mean():.1%}, worst {values.min():.1%}"
+            for name, values in found.accuracy.items()
+        }
+        most = {
+            f"largest effect on {name}": f"{indices[0].quantity} (total {indices[0].total:.2g})"
+            for name, indices in found.sobol.items()
+            if indices
+        }
+        return f"Tolerances of {self.design.name}", {
+            "sensors": len(found.deviation),
+            "nominal sensor": f"{found.nominal_accuracy:.1%}",
+            **accuracies,
+            **most,
+            "fidelity": found.fidelity.words,
+            "files": ", ".join(str(path) for path in self.files),
+        }
 
 
 def tolerance_study(

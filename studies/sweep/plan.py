@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from acoustic_fem.cell.design_cells import cached_count
+from geometry.ground.refusal import counted
+from geometry.ground.shown import Shown
 from geometry.ground.typed import PathLike
-from studies.output.display import Display
+from studies.output.display import Display, duration
 from studies.study.cases import Cases, by_kind, repeated_note, sobol_note
 from studies.study.study import Study, resolve_study
 from studies.sweep.cost import elapsed, seconds_of, team_size
@@ -26,8 +28,8 @@ _CELL_MEMORY = 1.0e9
 _ARRAYS = 12
 
 
-@dataclass(frozen=True)
-class Plan:
+@dataclass(frozen=True, repr=False)
+class Plan(Shown):
     """Cost of a study, before it is run."""
 
     cases: int
@@ -54,6 +56,20 @@ class Plan:
     """Note on the sample; empty where there is nothing to know."""
     sampled: int = 0
     """Number of cases that were looked at where that is not all of them: numbers are then estimates. 0 if all were."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        return "Plan of a sweep", {
+            "cases": self.cases,
+            "break a constraint": self.left_out or "",
+            "not valid": sum(self.refused.values()) or "",
+            "outside the atlas": sum(self.outside.values()) or "",
+            "cells": f"{self.cells}, {self.cells_cached} in the cache" if self.cells else "closed forms",
+            "time": f"{duration(self.seconds)} with {counted(self.workers, 'worker')}",
+            "memory": f"{self.memory / 1e6:.3g} MB",
+            "store": f"at most {self.storage / 1e6:.3g} MB",
+            "note": self.note,
+        }
 
 
 def plan_sweep(study: Study | PathLike, workers: int | None = None, *, display: Display | None = None) -> Plan:

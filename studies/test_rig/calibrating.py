@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -22,6 +22,7 @@ from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.ground.shown import Shown
 from geometry.ground.typed import PathLike
 from localize.signals import BAND
 from studies.output.call_defaults import MANIFEST
@@ -32,8 +33,8 @@ from studies.test_rig.calibration_figures import draw_calibration
 from studies.test_rig.priors import fit_priors, model_deviation
 
 
-@dataclass(frozen=True, eq=False)
-class SensorCalibration:
+@dataclass(frozen=True, eq=False, repr=False)
+class SensorCalibration(Shown):
     """Calibration of a sensor, and the library that was written."""
 
     out: Path
@@ -52,6 +53,18 @@ class SensorCalibration:
     that is used, or if the frequencies do not cover the band of the stimuli."""
     measure_next: int | None
     """Number of the point to measure next; None where no other is needed, or nothing is known of it."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        expected, fit = self.expected, self.fit
+        return f"Calibration of {self.library.design.name}", {
+            "library": self.out,
+            "picture": self.figure,
+            "fitted from points": "" if fit is None else ", ".join(map(str, fit.points)),
+            "objection": "" if fit is None else fit.objection,
+            "expected top-1 accuracy": "" if expected is None else f"{expected.mean():.1%}, worst {expected[0]:.1%}",
+            "measure next": "" if self.measure_next is None else f"point {self.measure_next}",
+        }
 
 
 def calibrate_sensor(

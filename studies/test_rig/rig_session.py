@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from acoustic_fem.library.transfer_functions import described, measured_library
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.design_file import DesignLike, write_design
+from geometry.ground.shown import Shown
 from geometry.ground.typed import PathLike
 from studies.output.call_defaults import MANIFEST, SEED
 from studies.output.display import Display
@@ -30,8 +32,8 @@ SECONDS, TAKES, TAKE_SECONDS = 30.0, 2, 6.0
 TRUE_FREQUENCIES = "1:150:150"
 
 
-@dataclass(frozen=True, eq=False)
-class RigSession:
+@dataclass(frozen=True, eq=False, repr=False)
+class RigSession(Shown):
     """Files of a session with a virtual rig."""
 
     folder: Path
@@ -49,6 +51,16 @@ class RigSession:
     """Library of the sensor as it is, which a perfect calibration would find."""
     full_scale: float
     """Pressure at full scale of the touches' files, Pa."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        return f"Session of a virtual rig of {self.rig.design.name}", {
+            "calibration": self.calibration,
+            "touches": self.touches,
+            "full scale of the touches": f"{self.full_scale:.4g} Pa",
+            "hidden truth": self.truth,
+            "library": self.library,
+        }
 
 
 def record_rig(
