@@ -18,6 +18,7 @@ SEARCH = """
 base = "array-2x6"
 fidelity = "lumped"
 frequency = "1:100:12"
+metrics = ["volume"]
 [vary]
 "tube.length" = { from = 12.0, to = 14.0 }
 [optimize]
