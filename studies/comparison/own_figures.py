@@ -17,18 +17,18 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.extras import is_installed
 from geometry.ground.refusal import Kind, Refusal, said_by
 from localize.signals.stimulus import BAND
-from studies.comparison.quantities import FIGURES, Value
+from studies.comparison.quantities import FIGURES, TOUCH_WORDS, Value
 from studies.comparison.subjects import Subject
 from studies.metrics.batch_responses import Responses
 from studies.metrics.pairs import worst_heard
+from studies.metrics.predicted_accuracy import as_built_accuracy
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import Display
 from studies.output.frequencies import FREQUENCIES
 from studies.output.report_texts import percent
 from studies.run.check import check_design
-from studies.scatter.effects import quick_scattered_accuracy
-from studies.study.metric_registry import METRICS, SENSORS
+from studies.study.metric_registry import METRICS
 
 #: Points of the largest array whose confusions are predicted: memory goes with the square of them, 1 GB.
 MOST_POINTS = 256
@@ -131,7 +131,7 @@ def solved(subject: Subject) -> tuple[Library, str]:
 
 
 def subject_figures(
-    subject: Subject, library: Library, fidelity: str, *, printing: bool, display: Display
+    subject: Subject, library: Library, fidelity: str, *, force: float, printing: bool, display: Display
 ) -> dict[str, OwnFigure]:
     """All figures of a subject by name of quantity.
 
@@ -139,17 +139,19 @@ def subject_figures(
         subject: the subject.
         library: its library, as :func:`solved` gives it.
         fidelity: that of the library, in words.
+        force: peak force of the taps and presses of predicted accuracies, N.
         printing: whether to draw the parts of a design and to compare them with the print rules.
         display: shows progress.
     """
     found = dict(library_figures(library))
     found |= _signals(library)
     found |= _counts(subject.design)
-    found |= {"as_built_top1": _as_built(subject, library)}
+    found |= _accuracies(subject, library, force)
     found |= _of_run(subject) if subject.results else _printing(subject, printing, display)
     found |= {f"stored.{name}": OwnFigure(value) for name, value in subject.metrics.items()}
     grid, medium = library.frequency, library.medium
     found |= {
+        "force": OwnFigure(force),
         "given": OwnFigure(subject.kind, subject.source),
         "fidelity": OwnFigure(fidelity),
         "frequencies": OwnFigure(f"{len(grid)} from {grid[0]:g} to {grid[-1]:g} Hz"),
@@ -187,18 +189,24 @@ def _counts(design: ArrayDesign) -> dict[str, OwnFigure]:
     return {name: OwnFigure(float(count)) for name, count in counts.items()}
 
 
-def _as_built(subject: Subject, library: Library) -> OwnFigure:
+def _accuracies(subject: Subject, library: Library, force: float) -> dict[str, OwnFigure]:
+    """Predicted accuracies of as-built sensors and of the nominal one, for three kinds of touches."""
+    names = [f"{whose}_{touch}" for whose in ("as_built", "nominal") for touch in TOUCH_WORDS]
     if library.fidelity == MEASURED:
-        return unknown("the library is of one sensor that was measured")
-    if why := _no_pairs("scatter", subject.design):
-        return unknown(why)
-    if not is_installed("train"):
-        return unknown("needs pip install 'acoustic-fem[train]'")
+        return dict.fromkeys(names, unknown("the library is of one sensor that was measured"))
+    if why := _no_pairs("predicted", subject.design):
+        return dict.fromkeys(names, unknown(why))
     try:
-        made, _ = quick_scattered_accuracy(subject.design, FREQUENCIES, sensors=SENSORS)
+        found = as_built_accuracy(subject.design, force=force)
     except Refusal as error:
-        return unknown(str(error))
-    return OwnFigure(float(made.mean()), f"worst {percent(float(made.min()))}")
+        return dict.fromkeys(names, unknown(str(error)))
+    sides = {"as_built": found, "nominal": found.nominal}
+    return {
+        f"{whose}_{touch}": OwnFigure(accuracy.mean, f"{percent(accuracy.low)} to {percent(accuracy.high)}")
+        for whose, side in sides.items()
+        for touch in TOUCH_WORDS
+        for accuracy in [getattr(side, touch)]
+    }
 
 
 def _printing(subject: Subject, wanted: bool, display: Display) -> dict[str, OwnFigure]:
