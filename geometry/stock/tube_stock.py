@@ -111,24 +111,19 @@ class TubeStock:
         """
         outer = inner + 2 * wire
         wished = {"inner_diameter": inner, "spring_outer_diameter": outer, "wire_diameter": wire}
-        if set(held) == {"inner_diameter", "wire_diameter"}:
-            return sorted(
-                self.enclosed,
-                key=lambda each: (
-                    round(_apart(each.bore, inner) + _WIRE * _apart(each.wire_diameter, wire), 9),
-                    each.price,
-                ),
-            )
 
-        def rank(each: Spring) -> tuple[float, ...]:
+        def rank(each: Spring) -> tuple[float, float, float]:
             own = {
                 "inner_diameter": each.bore,
                 "spring_outer_diameter": each.outer_diameter,
                 "wire_diameter": each.wire_diameter,
             }
+            near = _apart(each.bore, inner) + _WIRE * _apart(each.wire_diameter, wire)
+            thin = _apart(each.wire_diameter, wire)
+            if set(held) == {"inner_diameter", "wire_diameter"}:
+                return round(near, 9), 0.0, each.price
             first = sum(_apart(own[name], wished[name]) for name in held if name in own)
-            then = _apart(each.bore, inner) + _WIRE * _apart(each.wire_diameter, wire)
-            return round(first, 9), round(then, 9), each.price
+            return round(first, 9), round(thin if "spring_outer_diameter" in held else near, 9), each.price
 
         return sorted(self.enclosed, key=rank)
 
@@ -158,6 +153,18 @@ class TubeStock:
             key=lambda pair: (round(abs((pair[0] - diameter) / 2 - wall), 4), pair[1].price),
         )
         return [part(outside, sheath) for outside, sheath in by_wall]
+
+    def over(self, tube: Tube) -> list[TubePart]:
+        """Sheaths that go over the spring of a tube as it is, those of a wall nearest to its own first."""
+        spring = tube.spring_outer_diameter
+        near = self.nearest_springs(tube.inner_diameter, tube.wire_diameter)[:1]
+        same = [each for each in near if abs(each.outer_diameter - spring) <= SAME]
+        if same:
+            return self.around(same[0], tube.sheath_wall)
+        found = [(each.outside_over(spring), each) for each in self.sheaths]
+        known = [(outside, each) for outside, each in found if outside is not None]
+        known.sort(key=lambda pair: (round(abs((pair[0] - spring) / 2 - tube.sheath_wall), 4), pair[1].price))
+        return [TubePart(None, sheath, tube.inner_diameter, tube.wire_diameter, outside) for outside, sheath in known]
 
     def smooth(self, tube: Tube) -> list[TubePart]:
         """Tubings that are a tube of smooth bore, those nearest to it first."""

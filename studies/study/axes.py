@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 from pydantic import BaseModel
 
@@ -14,16 +14,21 @@ from geometry.design.design_file import value_of
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.declared_fields import field_named
 from geometry.schema.field_errors import check_value, model_of
+from geometry.stock import Catalogue, catalogue
 from studies.study.fields import LARGEST, RangeFields, StudyFields
 from studies.study.parameter import Parameter, StudyError
+from studies.study.stock_axes import stocked
 
 
 def axes_of(file: StudyFields, base: ArrayDesign) -> tuple[tuple[Parameter, ...], ...]:
     """Parameters that vary on their own: one parameter, or several that go together.
 
+    Unless the study says ``stock = "off"``, sizes of bought parts are those of the catalogue.
+
     Raises:
         Refusal: nothing varies, a name that the design does not have, or values that are not allowed.
     """
+    stock = catalogue() if file.stock == "on" else None
     groups = [("vary", {name: value}) for name, value in _flat(file.vary).items()]
     groups += [(f"together.{number}", _flat(each)) for number, each in enumerate(file.together)]
     if not any(group for _, group in groups):
@@ -32,7 +37,8 @@ def axes_of(file: StudyFields, base: ArrayDesign) -> tuple[tuple[Parameter, ...]
     axes: list[tuple[Parameter, ...]] = []
     for table, group in groups:
         axis = tuple(
-            _parameter(name, given, f"{table}.{name}", file.sampling == "grid", base) for name, given in group.items()
+            _parameter(name, given, f"{table}.{name}", file.sampling == "grid", base, table == "vary" and stock)
+            for name, given in group.items()
         )
         sizes = {parameter.name: parameter.size for parameter in axis}
         if len(set(sizes.values())) > 1:
@@ -44,9 +50,12 @@ def axes_of(file: StudyFields, base: ArrayDesign) -> tuple[tuple[Parameter, ...]
                 raise Refusal("is given twice", kind=Kind.CONFLICT, field=f"{table}.{name}", remedy=remedy)
         axes.append(axis)
     tables = [table for table, _ in groups]
+    if stock is not None:
+        ready = stocked(list(zip(tables, axes, strict=True)), base, stock, file.sampling == "grid")
+        tables, axes = [table for table, _ in ready], [axis for _, axis in ready]
     _check_size(file, axes)
     for table, axis in zip(tables, axes, strict=True):
-        if file.sampling == "grid" or all(parameter.values for parameter in axis):
+        if file.sampling == "grid" or all(parameter.values and not parameter.ends for parameter in axis):
             _check_distinct(table, axis)
     return tuple(axis for axis in axes if axis)
 
@@ -86,8 +95,13 @@ def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     return flat
 
 
-def _parameter(name: str, given: Any, place: str, in_grid: bool, base: ArrayDesign) -> Parameter:
-    """The parameter of a field of the design, by what the study file gives for it at a dotted place."""
+def _parameter(
+    name: str, given: Any, place: str, in_grid: bool, base: ArrayDesign, stock: Catalogue | Literal[False] | None
+) -> Parameter:
+    """The parameter of a field of the design, by what the study file gives for it at a dotted place.
+
+    A range in a grid needs a number of values, unless all sizes of a catalogue that lie in it are meant.
+    """
     try:
         check_name(as_lists(base.model_dump()), name, base.name)
         now = value_of(base, name)
@@ -131,7 +145,7 @@ def _parameter(name: str, given: Any, place: str, in_grid: bool, base: ArrayDesi
         raise refusal("step", step, f"at most {limits.last - limits.first:g}, its range")
     steps = (limits.last - limits.first) / (1.0 if whole else step or math.inf)
     count = limits.count or (math.floor(steps + 1e-9) + 1 if whole or step else 0)
-    if in_grid and not count:
+    if in_grid and not count and not (stock and stock.has_sizes(name)):
         raise refusal("count", Refusal.NOT_GIVEN, "the number of values in a grid", Kind.MISSING)
     if whole:
         count = min(count, round(limits.last - limits.first) + 1)

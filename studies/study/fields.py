@@ -91,6 +91,11 @@ class StudyFields(FileSection):
         "dozen solutions, or each is `solved`, which takes about a twentieth of a second per membrane; by default "
         "`solved` if libraries are kept, otherwise `interpolated`",
     )
+    stock: Literal["on", "off"] = Field(
+        default="on",
+        description="sizes of bought parts: only those of the catalogue (`on`), or any (`off`); a range with a step "
+        "states its own",
+    )
     vary: dict[str, Any] = Field(
         default_factory=dict,
         description="fields that vary independently: their dotted names, each with a list of values or a range",

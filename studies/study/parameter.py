@@ -41,6 +41,8 @@ class Parameter:
     """True if the values are whole numbers, to which those of a range are rounded."""
     step: float = 0.0
     """Distance of the sizes that can be had, counted from the beginning of a range; 0 where any can."""
+    ends: tuple[float, ...] = ()
+    """Places from 0 to 1 at which the share of each value of a list ends; empty where all shares are equal."""
 
     @property
     def size(self) -> int:
@@ -48,7 +50,7 @@ class Parameter:
         return len(self.values) or self.count
 
     def at(self, place: NDArray[np.float64]) -> NDArray[Any]:
-        """Values at places from 0 to 1: for a list each value takes an equal share of them.
+        """Values at places from 0 to 1: for a list each value takes its share of them.
 
         Args:
             place: (n,) float64, 0 to 1.
@@ -59,7 +61,10 @@ class Parameter:
         if self.values:
             kind = np.float64 if all(isinstance(value, (int, float)) for value in self.values) else object
             kind = np.int64 if self.whole else kind
-            index = np.minimum((place * len(self.values)).astype(np.int64), len(self.values) - 1)
+            index = (
+                np.searchsorted(self.ends, place, "right") if self.ends else (place * len(self.values)).astype(np.int64)
+            )
+            index = np.minimum(index, len(self.values) - 1)
             return np.array(self.values, dtype=kind)[index]
         if self.whole:  # each whole number takes an equal share
             low, high = round(self.low), round(self.high)
@@ -100,6 +105,6 @@ def _decimals(value: float) -> int:
 
 
 def parameter_content(parameter: Parameter) -> dict[str, Any]:
-    """A parameter as plain values; a step that is not stated does not count, so that older results stay known."""
-    content = vars(parameter) | {"values": list(parameter.values)}
-    return {name: value for name, value in content.items() if name != "step" or value}
+    """A parameter as plain values; what is not stated of the later fields does not count: older results stay known."""
+    content = vars(parameter) | {"values": list(parameter.values), "ends": list(parameter.ends)}
+    return {name: value for name, value in content.items() if name not in ("step", "ends") or value}

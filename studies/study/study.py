@@ -98,6 +98,7 @@ class Study(Shown):
         precision: str = "double",
         membranes: str | None = None,
         outside: str = "fail",
+        stock: str = "on",
         name: str = "study",
         description: str = "",
     ) -> None:
@@ -122,6 +123,8 @@ class Study(Shown):
             membranes: "interpolated" if 50 or more of different proportions may be interpolated between solutions, or
                 "solved"; by default "solved" if libraries are kept, otherwise "interpolated".
             outside: what becomes of a case outside the atlas: "fail", or it is solved in 3-D, "navier-stokes".
+            stock: "on" if sizes of bought parts are those of the catalogue, with the parts that go with them; "off" if
+                any size will do.
             name: of the study, for people.
             description: what it asks, for people.
 
@@ -141,6 +144,7 @@ class Study(Shown):
             "keep": keep,
             "precision": precision,
             "outside": outside,
+            "stock": stock,
             "vary": {each: _values(value) for each, value in (vary or {}).items()},
             "together": [{each: _values(value) for each, value in group.items()} for group in together],
         }

@@ -11,7 +11,7 @@ from studies.study.cases import Cases, cases_of
 from studies.study.parameter import StudyError
 from studies.study.study import read_study
 
-HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest"]\nfidelity = "lumped"\n'
+HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest"]\nfidelity = "lumped"\nstock = "off"\n'
 
 
 def cases(head: str, parameters: str) -> Cases:

@@ -16,7 +16,7 @@ from studies.study.cases import cases_of
 from studies.study.parameter import StudyError
 from studies.study.study import load_study, read_study, resolve_study
 
-HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest"]\nfidelity = "lumped"\n'
+HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest"]\nfidelity = "lumped"\nstock = "off"\n'
 PARAMETERS = '[vary]\n"tube.length" = [12.5, 14]\n'
 
 
@@ -191,6 +191,7 @@ SHEETS = """
 base = "array-2x6"
 metrics = ["distance_smallest"]
 fidelity = "lumped"
+stock = "off"
 {more}
 [vary]
 "membrane.thickness" = {{from = 0.3, to = 0.75, step = {step}}}
