@@ -58,14 +58,15 @@ class Descent:
     def __init__(self, problem: Optimization) -> None:
         self.problem = problem
         (self.objective,) = problem.objectives
-        self.parameters = [parameter for (parameter,) in problem.study.axes]
+        self.study = problem.free or problem.study
+        self.parameters = [parameter for (parameter,) in self.study.axes]
         ends = np.log([searched_range(parameter, problem.rules) for parameter in self.parameters])
         self._low, self._width = ends[:, 0], ends[:, 1] - ends[:, 0]
         self.discs = self._known_discs()
 
     def first(self) -> Step:
         """Step at the base design, or as near to it as the ranges are."""
-        base = np.array([float(value_of(self.problem.study.base, each.name)) for each in self.parameters])
+        base = np.array([float(value_of(self.study.base, each.name)) for each in self.parameters])
         share = np.clip((np.log(np.maximum(base, 1e-9)) - self._low) / self._width, *_BEGIN)
         none = (0.0,) * len(share)
         return Step(0, tuple(np.log(share / (1 - share)).tolist()), none, none)
@@ -100,7 +101,7 @@ class Descent:
         return steps
 
     def values(self, step: Step) -> dict[str, float]:
-        """Values of the parameters at a step by dotted name, as they are proposed to the search."""
+        """Values of the free parameters at a step by dotted name, as they are proposed to the search."""
         ends = np.exp(self._low), np.exp(self._low + self._width)
         found = np.exp(self._low + self._width / (1 + np.exp(-np.array(step.place))))
         return dict(zip((each.name for each in self.parameters), np.clip(found, *ends).tolist(), strict=True))
@@ -108,7 +109,7 @@ class Descent:
     def _slopes(self, values: Mapping[str, float]) -> Array:
         slopes = self.objective.metric.slopes
         assert slopes is not None  # the problem was checked
-        found = slopes(self.problem.study.base.with_values(values), list(values), self.discs)[1]
+        found = slopes(self.study.base.with_values(values), list(values), self.discs)[1]
         return found if self.objective.better == "smaller" else -found
 
     def _known_discs(self) -> SolvedDiscs:
@@ -120,7 +121,7 @@ class Descent:
             values = np.exp(self._low + share * self._width).tolist()
             names = [each.name for each in self.parameters]
             try:
-                design = self.problem.study.base.with_values(dict(zip(names, values, strict=True)))
+                design = self.study.base.with_values(dict(zip(names, values, strict=True)))
                 shapes += [acoustic_fem.membrane.design_shape(design.of_kind(kind)) for kind in design.kinds]
             except Refusal:
                 continue

@@ -22,6 +22,8 @@ from studies.study.mistaken_files import check_no_design, study_text
 from studies.study.parameter import Parameter, StudyError
 from studies.study.study import Study, study_of
 
+#: Difference of a size from a limit that is rounding, mm.
+_ROUNDING = 1e-6
 Method = Literal["nsga2", "tpe", "random", "gradient"]
 
 
@@ -85,6 +87,9 @@ class Optimization:
     along the slopes of one objective that has them."""
     rules: PrintDemand
     """Demand that a design must meet to be printed and laid out."""
+    free: Study | None = None
+    """Study with ranges of free sizes, along whose slopes a search goes: each step is then made of the nearest sizes of
+    the study that can be bought. None for other methods, whose steps are such sizes from the start."""
 
     @property
     def metrics(self) -> tuple[Metric, ...]:
@@ -156,15 +161,17 @@ def read_optimization(
     if given.get("outside", "fail") != "fail":
         allowed = "left out in a search: a design outside the atlas fails"
         raise StudyError(kind=Kind.CONFLICT, file=source, field="outside", value=given["outside"], allowed=allowed)
-    study = study_of({**given, "sampling": "random", "cases": 1}, text, source, folder, base)
+    given = {**given, "sampling": "random", "cases": 1}
+    study = study_of(given, text, source, folder, base)
     file = model_of(OptimizeFields, wanted, source, "study", StudyError, table="optimize")
+    free = study_of({**given, "stock": "off"}, text, source, folder, base) if file.method == "gradient" else None
     try:
-        return _checked(file, study, text)
+        return _checked(file, study, text, free)
     except Refusal as error:
         raise StudyError.of(error, file=source) from None
 
 
-def _checked(file: OptimizeFields, study: Study, text: str) -> Optimization:
+def _checked(file: OptimizeFields, study: Study, text: str, free: Study | None) -> Optimization:
     objectives: list[Objective] = []
     for number, wanted in enumerate(file.objectives):
         metric = _metric(wanted.metric, f"optimize.objectives.{number}.metric")
@@ -191,10 +198,15 @@ def _checked(file: OptimizeFields, study: Study, text: str) -> Optimization:
     for axis in study.axes:
         for parameter in axis:
             searched_range(parameter, rules)
+        if all(each.values for each in axis) and not printable_rows(axis, rules):
+            names = ", ".join(each.name for each in axis)
+            problem = f"has no values of {names} that can be printed together"
+            raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="vary")
     method = file.method or ("nsga2" if len(objectives) > 1 else "tpe")
-    if method == "gradient":
-        _check_slopes(objectives, study)
-    return Optimization(study, text, tuple(objectives), tuple(limits), file.trials, file.batch, method, rules)
+    if free is not None:
+        _check_slopes(objectives, free)
+    wanted = tuple(objectives), tuple(limits)
+    return Optimization(study, text, *wanted, file.trials, file.batch, method, rules, free)
 
 
 def _metric(name: str, field: str) -> Metric:
@@ -205,15 +217,16 @@ def _metric(name: str, field: str) -> Metric:
 
 
 def searched_range(parameter: Parameter, rules: PrintDemand) -> tuple[float, float]:
-    """Ends of the range in which a parameter is searched, mm: not below what the process can print. Not for lists.
+    """Ends of the range or list in which a parameter is searched, mm: not below what the process can print.
 
     Raises:
-        Refusal: nothing of the range can be printed.
+        Refusal: nothing of the range or list can be printed.
     """
-    low, high = sorted((parameter.low, parameter.high))
     least = rules.least_value(parameter.name)
-    if parameter.values or least is None:
-        return low, high
+    if least is None:
+        return (0.0, 0.0) if parameter.values else (parameter.low, parameter.high)
+    ends = [float(each) for each in parameter.values] or [parameter.low, parameter.high]
+    low, high = min(ends), max(ends)
     if high < least:
         raise Refusal(
             f"ends at {high:g} mm; it must reach {least:g} mm, the smallest that the process and optimize.printable = "
@@ -222,6 +235,14 @@ def searched_range(parameter: Parameter, rules: PrintDemand) -> tuple[float, flo
             field=f"vary.{parameter.name}",
         )
     return max(low, least), high
+
+
+def printable_rows(axis: Sequence[Parameter], rules: PrintDemand) -> list[int]:
+    """Indices of the values of lists that go together which the process can print; see :func:`searched_range`."""
+    least = {each.name: rules.least_value(each.name) for each in axis}
+    limits = [(each.values, limit) for each in axis if (limit := least[each.name]) is not None]
+    rows = range(len(axis[0].values))
+    return [row for row in rows if all(float(values[row]) >= limit - _ROUNDING for values, limit in limits)]
 
 
 def _check_slopes(objectives: Sequence[Objective], study: Study) -> None:

@@ -7,7 +7,7 @@ that cannot be built, printed or laid out is refused before anything is computed
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
@@ -21,9 +21,10 @@ from geometry.design.design_file import value_of
 from geometry.ground.refusal import Kind, counted
 from studies.optimization.descent import Descent
 from studies.optimization.journal import opened, read_only, read_seal, seal
-from studies.optimization.problem import Optimization, searched_range
+from studies.optimization.problem import Optimization, printable_rows, searched_range
 from studies.study.cases import by_kind
 from studies.study.parameter import Parameter, StudyError
+from studies.study.stock_axes import nearest_values
 from studies.sweep.one_design import design_metrics
 from studies.sweep.workers import Workers, open_workers
 
@@ -256,12 +257,20 @@ def _run_batch(search: optuna.Study, problem: Optimization, count: int, team: Wo
 
 
 def _proposed(trial: optuna.Trial, problem: Optimization) -> dict[str, Any]:
+    """Values of a trial; steps along slopes become the nearest sizes that can be bought."""
+    if problem.free is not None:
+        return nearest_values(problem.study.axes, _suggested(trial, problem, problem.free.axes))
+    return _suggested(trial, problem, problem.study.axes)
+
+
+def _suggested(trial: optuna.Trial, problem: Optimization, axes: Iterable[tuple[Parameter, ...]]) -> dict[str, Any]:
     values: dict[str, Any] = {}
-    for axis in problem.study.axes:
+    for axis in axes:
         label = " & ".join(parameter.name for parameter in axis)
         first = axis[0]
-        if first.values:
-            index = trial.suggest_int(label, 0, len(first.values) - 1)
+        if all(parameter.values and not parameter.ends for parameter in axis):
+            rows = printable_rows(axis, problem.rules)
+            index = rows[trial.suggest_int(label, 0, len(rows) - 1)]
             values |= {parameter.name: parameter.values[index] for parameter in axis}
         elif len(axis) == 1:
             low, high = searched_range(first, problem.rules)
@@ -276,8 +285,10 @@ def _proposed(trial: optuna.Trial, problem: Optimization) -> dict[str, Any]:
     return values
 
 
-def _at(parameter: Parameter, place: NDArray[np.float64]) -> float | int:
+def _at(parameter: Parameter, place: NDArray[np.float64]) -> float | int | str:
     value = parameter.at(place)[0]
+    if isinstance(value, str):
+        return value
     return int(value) if parameter.whole else float(value)
 
 

@@ -7,7 +7,7 @@ becomes several that go together. A range with a step of its own states what can
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -343,15 +343,21 @@ def _wished_tube(tube: Tube, fields: Mapping[str, float]) -> Tube:
     return tube.model_copy(update={"inner_diameter": inner, "wire_diameter": wire, "outer_diameter": outer})
 
 
-Snap = Callable[[Mapping[str, Any]], dict[str, Any]]
+def nearest_values(axes: Iterable[tuple[Parameter, ...]], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values by dotted name as the nearest ones of lists, with what follows from them.
 
-
-def snapper(base: ArrayDesign, stock: Catalogue, names: Sequence[str]) -> Snap:
-    """Function that gives values by dotted name as those of the nearest parts, with what follows from them."""
-    together = _Together(base, stock, "vary")
-    sized = [name for name in names if stock.has_sizes(name)]
-
-    def snap(values: Mapping[str, Any]) -> dict[str, Any]:
-        return {**values, **together._row({name: float(values[name]) for name in sized}, set())}
-
-    return snap
+    Args:
+        axes: groups of parameters that go together; a list of bought sizes has its followers at the end.
+        values: free values of parameters that are numbers above 0; those whose parameter has no list stay.
+    """
+    found: dict[str, Any] = {}
+    for axis in axes:
+        free = {each.name: values[each.name] for each in axis if each.name in values}
+        if not axis[0].values:
+            found |= free
+            continue
+        rows = np.log(np.array([each.values for each in axis if each.name in free], dtype=np.float64))
+        wished = np.log(np.array([list(free.values())], dtype=np.float64)).T
+        index = int(np.argmin(np.abs(rows - wished).sum(axis=0)))
+        found |= {each.name: each.values[index] for each in axis}
+    return found
