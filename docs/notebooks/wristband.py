@@ -71,5 +71,5 @@ assert tried[best].as_built > quality.as_built
 
 # %%
 bill = geometry.bill_of_materials(design)
-print(f"about {bill.cost:.2f} {bill.prices.currency} an array, {bill.tube_m:.2f} m of tube")
+print(f"about {bill.cost:.2f} {bill.currency} an array, {bill.tube_m:.2f} m of tube")
 folder.cleanup()

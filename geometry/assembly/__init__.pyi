@@ -1,4 +1,10 @@
-from .bill import Bill as Bill, Prices as Prices, bill_of_materials as bill_of_materials, write_bill as write_bill
+from .bill import (
+    Bill as Bill,
+    BillItem as BillItem,
+    Waste as Waste,
+    bill_of_materials as bill_of_materials,
+    write_bill as write_bill,
+)
 from .fit import misfits as misfits
 from .model import (
     LOOKS as LOOKS,

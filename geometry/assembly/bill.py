@@ -1,6 +1,6 @@
-"""The bill of materials: what one array takes of everything, and what that costs.
+"""The bill of materials: what one array takes of everything, which part that is, and what it costs.
 
-Volumes are those of the solids, lengths those of the cutting list. Prices are data: replace them with your own.
+Volumes are those of the solids, lengths those of the cutting list. Parts and prices are those of the catalogue.
 """
 
 from __future__ import annotations
@@ -10,10 +10,10 @@ import io
 import json
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from geometry.assembly.part_list import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
@@ -24,6 +24,7 @@ from geometry.layout.cutting import Cut, cutting_list
 from geometry.layout.placement import ArrayLayout
 from geometry.molds.mold import MoldKind
 from geometry.schema.part_fields import BOARD_SEAL
+from geometry.stock import Found, StockPart, StockParts, catalogue
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -32,46 +33,25 @@ Use = Literal["printed", "cast", "bought", "tooling"]
 
 
 @dataclass(frozen=True)
-class Prices:
-    """Prices of materials and fractions of them that are lost; every value is an assumption to be replaced."""
+class Waste:
+    """Fractions of materials that are lost; every value is an assumption to be replaced."""
 
-    currency: str = "USD"
-    """Currency of all prices."""
-    resin: float = 0.06
-    """Price of photopolymer, in your currency, per ml."""
-    silicone: float = 0.04
-    """Price of silicone, both parts mixed, in your currency, per ml."""
-    spring: float = 3.0
-    """Price of close-wound coil spring, per metre."""
-    sheath: float = 0.5
-    """Price of heat-shrink or catheter tube, per metre."""
-    microphone: float = 1.5
-    """Price of a MEMS microphone, in your currency."""
-    board: float = 0.3
-    """Price of the board that carries a microphone, in your currency."""
-    gasket: float = 0.05
-    """Price of the gasket under a board, in your currency."""
-    glue: float = 0.01
-    """Price of the glue of one joint: of a tube, a membrane or a board."""
     resin_factor: float = field(default=1.3, metadata={"least": 1.0})
     """Resin used per resin in the parts, a ratio, for supports and what stays in the tank."""
     silicone_factor: float = field(default=2.0, metadata={"least": 1.0})
     """Silicone mixed per silicone in the membranes, a ratio, for the overflow and the cup."""
     cutting_loss: float = 0.5
     """Length of spring and sheath lost per cut, mm."""
-    source: str = "assumed: orders of magnitude of small retail quantities in 2025, no quotation"
-    """Source of the values."""
 
     def __post_init__(self) -> None:
-        """Reject prices that are not positive numbers.
+        """Reject a loss that is not a positive number.
 
         Raises:
             Refusal: a value is negative or not finite, or a factor below 1.
         """
         for each in fields(self):
-            value, least = getattr(self, each.name), each.metadata.get("least", 0.0)
-            if isinstance(value, (int, float)):
-                check_range(f"prices.{each.name}", value, least, math.inf, excluded="high")
+            least = each.metadata.get("least", 0.0)
+            check_range(f"waste.{each.name}", getattr(self, each.name), least, math.inf, excluded="high")
 
 
 @dataclass(frozen=True)
@@ -79,36 +59,65 @@ class BillItem:
     """One line of the bill."""
 
     item: str
-    """Name of the material or part."""
+    """Name of the material or part in the array."""
     use: Use
     """How it comes into the array, or that it is a tool."""
     count: int
     """Number of pieces."""
     quantity: float
     """Quantity of all pieces together, with what is lost, in ``unit``."""
-    unit: Literal["ml", "m", "pieces"]
+    unit: Literal["ml", "m", "piece"]
     """Unit of the quantity."""
-    unit_price: float
-    """Price per unit, in the currency of the bill."""
+    part: StockPart | None
+    """Part of the catalogue that it is bought as; None if the catalogue has no such kind."""
+    to_order: bool = False
+    """True if the catalogue lacks it: the part is then the nearest one, and the price is that part's."""
     note: str = ""
     """A remark for people."""
 
     @property
+    def unit_price(self) -> float:
+        """Price per unit, USD."""
+        if self.part is None:
+            return 0.0
+        return self.part.price
+
+    @property
     def cost(self) -> float:
-        """Cost of all pieces, in the currency of the bill."""
+        """Cost of all pieces, USD."""
         return self.quantity * self.unit_price
+
+    @property
+    def bought_as(self) -> str:
+        """Name of its part; of one made to order also that it is only the nearest."""
+        if self.part is None:
+            return "not in the catalogue"
+        return f"made to order; nearest: {self.part.name}" if self.to_order else self.part.name
+
+    def to_dict(self) -> dict[str, Any]:
+        """The line as JSON knows it, with maker, part number, price, its date and the sources."""
+        known = ("maker", "part_number", "price_date", "price_source", "source")
+        bought = {name: "" if self.part is None else getattr(self.part, name) for name in known}
+        own = {each.name: getattr(self, each.name) for each in fields(self) if each.name != "part"}
+        return {
+            **own,
+            "bought_as": self.bought_as,
+            **bought,
+            "unit_price": self.unit_price,
+            "cost": round(self.cost, 4),
+        }
 
 
 @dataclass(frozen=True)
 class Bill:
-    """Bill of materials of one array; costs are in ``prices.currency``."""
+    """Bill of materials of one array; costs are in USD."""
 
     design: str
     """Name of the design."""
     items: tuple[BillItem, ...]
     """Every line of the bill."""
-    prices: Prices
-    """Prices that the costs follow from."""
+    waste: Waste
+    """Losses that the quantities include."""
     resin_ml: float
     """Resin in the parts that stay in the array, without supports, ml."""
     tooling_resin_ml: float
@@ -117,6 +126,8 @@ class Bill:
     """Silicone in the membranes, ml."""
     tube_m: float
     """Length of sheath, cut to length, m; springs of bent tubes are a little shorter."""
+    currency: str = "USD"
+    """Currency of all prices."""
 
     @property
     def cost(self) -> float:
@@ -128,83 +139,92 @@ class Bill:
         """Cost of the molds."""
         return sum(item.cost for item in self.items if item.use == "tooling")
 
+    @property
+    def priced(self) -> str:
+        """Dates and sources of the prices, in words."""
+        parts = [item.part for item in self.items if item.part is not None]
+        dates = sorted({part.price_date for part in parts})
+        span = " to ".join(dict.fromkeys((dates[0], dates[-1]))) if dates else ""
+        return f"prices of {span}, {', '.join(sorted({part.price_source for part in parts}))}"
+
     def to_dict(self) -> dict[str, object]:
         """The bill as JSON knows it."""
-        rows = [{**asdict(item), "cost": round(item.cost, 4)} for item in self.items]
+        rows = [item.to_dict() for item in self.items]
         return {**asdict(replace(self, items=())), "items": rows, "cost": self.cost, "tooling_cost": self.tooling_cost}
 
     def to_csv(self) -> str:
         """The bill as CSV: one line per item, with a header."""
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
+        sold = ("maker", "part_number", "price_date", "price_source", "source")
         table.writerow(
-            ["item", "use", "count", "quantity", "unit", f"unit price ({self.prices.currency})", "cost", "note"]
+            ["item", "use", "count", "quantity", "unit", f"unit price ({self.currency})", "cost", "bought as"]
+            + [name.replace("_", " ") for name in sold]
+            + ["note"]
         )
         for item in self.items:
             row = [item.item, item.use, item.count, f"{item.quantity:.4g}", item.unit, f"{item.unit_price:g}"]
-            table.writerow([*row, f"{item.cost:.2f}", item.note])
+            plain = item.to_dict()
+            table.writerow([*row, f"{item.cost:.2f}", item.bought_as, *(plain[name] for name in sold), item.note])
         return text.getvalue()
 
     def __str__(self) -> str:
-        rows = [("item", "pieces", "quantity", "cost", "note")]
+        rows = [("item", "pieces", "quantity", "cost", "bought as", "note")]
         rows += [
-            (item.item, str(item.count), f"{item.quantity:.3g} {item.unit}", f"{item.cost:.2f}", item.note)
+            (
+                *(item.item, str(item.count), f"{item.quantity:.3g} {item.unit}", f"{item.cost:.2f}"),
+                *(item.bought_as, item.note),
+            )
             for item in self.items
         ]
-        widths = [max(len(row[k]) for row in rows) for k in range(4)]
+        widths = [max(len(row[k]) for row in rows) for k in range(5)]
         lines = []
-        for *cells, note in rows:
-            aligned = [f"{cell:>{width}}" for cell, width in zip(cells[1:], widths[1:], strict=True)]
-            lines.append("  ".join([f"{cells[0]:<{widths[0]}}", *aligned, note]).rstrip())
-        money = self.prices.currency
-        return "\n".join(
-            [
-                f"Bill of materials of one {self.design}",
-                "",
-                *lines,
-                "",
-                f"array {self.cost:.2f} {money}, molds {self.tooling_cost:.2f} {money}; prices {self.prices.source}",
-            ]
-        )
+        for name, *numbers, bought, note in rows:
+            aligned = [f"{cell:>{width}}" for cell, width in zip(numbers, widths[1:4], strict=True)]
+            lines.append("  ".join([f"{name:<{widths[0]}}", *aligned, f"{bought:<{widths[4]}}", note]).rstrip())
+        total = f"array {self.cost:.2f} {self.currency}, molds {self.tooling_cost:.2f} {self.currency}"
+        return "\n".join([f"Bill of materials of one {self.design}", "", *lines, "", f"{total}; {self.priced}"])
 
 
 def bill_of_materials(
-    design: DesignLike, parts: PartSet | None = None, prices: Prices | None = None, layout: ArrayLayout | None = None
+    design: DesignLike,
+    parts: PartSet | None = None,
+    layout: ArrayLayout | None = None,
+    *,
+    stock: StockParts | None = None,
+    waste: Waste | None = None,
 ) -> Bill:
     """Resin, silicone, springs, sheaths, microphones, gaskets and glue that one array needs, with their cost.
+
+    Each line names the part of the catalogue that it is bought as. If the catalogue lacks a part, its line says so and
+    names the nearest part with its price.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
         parts: parts from :func:`geometry.build_parts`, if you have them already.
-        prices: prices in place of the assumed ones.
         layout: layout of the array, if you have it already.
+        stock: parts that can be bought, with their prices; by default :func:`geometry.stock.catalogue`.
+        waste: losses in place of the assumed ones.
     """
     design = resolve_design(design)
     parts = build_parts(design, layout) if parts is None else parts
-    prices = prices or Prices()
+    sold, waste = stock or catalogue(), waste or Waste()
     volumes = _millilitres(parts)
     made = [name for name in parts if parts.origin(name) != "bought" and parts.counts[name]]
-    items = [_made(name, _use(parts, name), volumes[name], parts.counts[name], design, prices) for name in made]
+    items = [_made(name, _use(parts, name), volumes[name], parts.counts[name], design, sold, waste) for name in made]
     cuts = cutting_list(design, layout)
-    items += _springs(cuts, prices) + _sheaths(cuts, prices)
-    microphone, count = design.microphone, len(design.microphones)
-    items.append(BillItem(microphone.model, "bought", count, count, "pieces", prices.microphone))
-    items.append(BillItem("microphone-board", "bought", count, count, "pieces", prices.board))
-    joints, note = 2 * sum(cut.count for cut in cuts) + design.point_count, "two per tube, one per membrane"
-    if microphone.gasket_width is None:
-        joints, note = joints + count, f"{note}, one per board"
-    else:
-        inside = microphone.chamber_diameter + 2 * BOARD_SEAL
-        outside = inside + 2 * microphone.gasket_width
-        sizes = f"ring of {inside:g} x {outside:g} mm, thicker than its groove of {microphone.gasket_depth:g} mm"
-        items.append(BillItem("gasket", "bought", count, count, "pieces", prices.gasket, sizes))
-    items.append(BillItem("glue joint", "bought", joints, joints, "pieces", prices.glue, note))
+    items += _tubes(cuts, sold, waste)
+    count = len(design.microphones)
+    model = design.microphone.model
+    items.append(_piece(model, count, sold.microphone_part(design.microphone)))
+    items.append(_piece("microphone-board", count, sold.sundry("microphone-board")))
+    items += _joints(design, cuts, sold)
     used = {
         use: math.fsum(volumes[item.item] * item.count for item in items if item.use == use)
         for use in ("printed", "tooling", "cast")
     }
     length = math.fsum(cut.total_length for cut in cuts) / 1000
-    return Bill(design.name, tuple(items), prices, used["printed"], used["tooling"], used["cast"], length)
+    return Bill(design.name, tuple(items), waste, used["printed"], used["tooling"], used["cast"], length)
 
 
 def write_bill(bill: Bill, folder: str | os.PathLike[str]) -> tuple[Path, Path, Path]:
@@ -234,33 +254,57 @@ def _use(parts: PartSet, name: str) -> Use:
     return "tooling" if parts.kinds.get(name) in get_args(MoldKind) else parts.origin(name)
 
 
-def _made(name: str, use: Use, volume: float, count: int, design: ArrayDesign, prices: Prices) -> BillItem:
+def _made(
+    name: str, use: Use, volume: float, count: int, design: ArrayDesign, sold: StockParts, waste: Waste
+) -> BillItem:
     """A printed or cast part."""
     if use == "cast":
-        quantity = volume * count * prices.silicone_factor
-        return BillItem(name, "cast", count, quantity, "ml", prices.silicone, design.membrane.material)
-    quantity = volume * count * prices.resin_factor
-    return BillItem(name, use, count, quantity, "ml", prices.resin, design.printing.material)
+        found, factor, material = sold.silicone(design), waste.silicone_factor, design.membrane.material
+    else:
+        found, factor, material = sold.resin(design), waste.resin_factor, design.printing.material
+    return BillItem(name, use, count, volume * count * factor, "ml", found.part, not found.exact, material)
 
 
-def _springs(cuts: Sequence[Cut], prices: Prices) -> list[BillItem]:
-    items = []
+def _tubes(cuts: Sequence[Cut], sold: StockParts, waste: Waste) -> Iterator[BillItem]:
+    """Springs, then sheaths: pieces of a length, bought by the metre. A smooth bore is a tubing without a spring."""
+    lost = waste.cutting_loss
     for cut in cuts:
-        title = f"spring {cut.tube.spring_outer_diameter:g} mm, wire {cut.tube.wire_diameter:g} mm"
-        words = f"cut to {cut.spring_length:g} mm, {cut.turns:.0f} turns, {cut.place}"
-        items.append(_of_length(title, cut.count, cut.spring_length + prices.cutting_loss, prices.spring, words))
-    return items
-
-
-def _sheaths(cuts: Sequence[Cut], prices: Prices) -> list[BillItem]:
-    items = []
+        found = sold.spring(cut.tube)
+        if found is not None:
+            title = f"spring {cut.tube.spring_outer_diameter:g} mm, wire {cut.tube.wire_diameter:g} mm"
+            words = f"cut to {cut.spring_length:g} mm, {cut.turns:.0f} turns, {cut.place}"
+            yield _of_length(title, cut.count, cut.spring_length + lost, found, words)
     for cut in cuts:
-        title = f"sheath {cut.tube.outer_diameter:g} mm outside over the spring"
+        over = "" if cut.tube.bore == "smooth" else " over the spring"
+        title = f"sheath {cut.tube.outer_diameter:g} mm outside{over}"
         words = f"cut to {cut.cut_length:g} mm, {cut.place}"
-        items.append(_of_length(title, cut.count, cut.cut_length + prices.cutting_loss, prices.sheath, words))
-    return items
+        yield _of_length(title, cut.count, cut.cut_length + lost, sold.sheath(cut.tube), words)
 
 
-def _of_length(title: str, count: int, length: float, price: float, words: str) -> BillItem:
+def _joints(design: ArrayDesign, cuts: Sequence[Cut], sold: StockParts) -> Iterator[BillItem]:
+    """Gaskets, and the glue of each kind of joint."""
+    microphone, count = design.microphone, len(design.microphones)
+    joints = {
+        "tube": (2 * sum(cut.count for cut in cuts), "two per tube"),
+        "membrane": (design.point_count, "one each"),
+    }
+    if microphone.gasket_width is None:
+        joints["board"] = count, "one each"
+    else:
+        inside = microphone.chamber_diameter + 2 * BOARD_SEAL
+        outside = inside + 2 * microphone.gasket_width
+        sizes = f"ring of {inside:g} x {outside:g} mm, thicker than its groove of {microphone.gasket_depth:g} mm"
+        yield replace(_piece("gasket", count, sold.sundry("gasket")), note=sizes)
+    for joint, (number, note) in joints.items():
+        glue = next(iter(sold.glues(joint)), None)
+        volume = 0.0 if glue is None else number * glue.joint_volume
+        yield BillItem(f"glue of {joint} joints", "bought", number, volume, "ml", glue, note=note)
+
+
+def _piece(name: str, count: int, found: Found) -> BillItem:
+    return BillItem(name, "bought", count, count, "piece", found.part, not found.exact)
+
+
+def _of_length(title: str, count: int, length: float, found: Found, words: str) -> BillItem:
     """Pieces of a length in mm, bought by the metre."""
-    return BillItem(title, "bought", count, count * length / 1000, "m", price, words)
+    return BillItem(title, "bought", count, count * length / 1000, "m", found.part, not found.exact, words)

@@ -1,6 +1,7 @@
 from .fitting import StockChange as StockChange, StockFit as StockFit
 from .stock_catalogue import Catalogue as Catalogue, catalogue as catalogue
 from .stock_files import VARIABLE as VARIABLE, stock_places as stock_places
+from .stock_parts import Found as Found, StockParts as StockParts
 from .stock_rows import (
     KINDS as KINDS,
     Glue as Glue,

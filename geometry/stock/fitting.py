@@ -13,8 +13,8 @@ from geometry.design.design_file import value_of
 from geometry.ground.shown import Shown
 from geometry.schema.field_errors import DesignError
 from geometry.schema.part_fields import Tube
-from geometry.stock.stock_parts import StockParts
-from geometry.stock.stock_rows import Resin, Silicone, StockPart, Sundry
+from geometry.stock.stock_parts import Found, StockParts
+from geometry.stock.stock_rows import Silicone, StockPart
 from geometry.stock.tube_stock import SAME, TubePart
 
 #: Largest change of a bore or a thickness that still leaves the sensor much the same: logarithm of the ratio.
@@ -149,13 +149,9 @@ class Fitting:
 
     # -- membranes ---------------------------------------------------------------------------------------
     def _membranes(self) -> None:
-        name = self.design.membrane.material
-        cast = [each for each in self.stock.of(Silicone) if name in each.materials]
-        if cast:
-            self.parts["membrane"] = _cheapest(cast)
-        else:
-            self._lack("membrane.material", self._softest_near(name))
-        shore = next((each.shore_a for each in cast if each.shore_a is not None), None)
+        cast = self.stock.silicone(self.design)
+        self._found("membrane", "membrane.material", cast)
+        shore = cast.part.shore_a if cast.exact and isinstance(cast.part, Silicone) else None
         for field, thickness in self._thicknesses():
             sheets = self.stock.sheets_near(thickness)
             size = sheets[0].thickness if sheets else math.inf
@@ -178,45 +174,29 @@ class Fitting:
             if kind.membrane_thickness is not None:
                 yield f"point_kinds.{name}.membrane_thickness", kind.membrane_thickness
 
-    def _softest_near(self, name: str) -> StockPart | None:
-        """Silicone whose material has a modulus nearest to that of a material."""
-        wished = self.design.material(name).youngs_modulus
-        known = [
-            (abs(math.log(self.design.material(each).youngs_modulus / wished)), part.price, part)
-            for part in self.stock.of(Silicone)
-            for each in part.materials
-            if each in self.stock.materials
-        ]
-        return min(known, key=lambda found: found[:2])[2] if known else None
+    def _found(self, role: str, field: str, found: Found) -> None:
+        if found.exact and found.part is not None:
+            self.parts[role] = found.part
+        else:
+            self._lack(field, found.part)
 
     # -- the rest ----------------------------------------------------------------------------------------
     def _microphone(self) -> None:
-        model = self.design.microphone.model
-        part = self.stock.microphone(model)
-        if part is not None:
-            self.parts["microphone"] = part
-            return
-        self._lack("microphone.model", self.stock.nearest("microphone.model", self.design.microphone.noise_density))
+        self._found("microphone", "microphone.model", self.stock.microphone_part(self.design.microphone))
 
     def _resin(self) -> None:
-        printing = self.design.printing
-        fitting = [each for each in self.stock.of(Resin) if printing.process in each.processes]
-        named = [each for each in fitting if printing.material in each.materials]
-        if named:
-            self.parts["resin"] = _cheapest(named)
-        else:
-            self._lack("printing.material", _cheapest(fitting) if fitting else None)
+        self._found("resin", "printing.material", self.stock.resin(self.design))
 
     def _small_parts(self) -> None:
-        roles = ("tube", "membrane") + (("board",) if self.design.microphone.gasket_width is None else ())
-        for joint in roles:
+        sealed = self.design.microphone.gasket_width is not None
+        for joint in ("tube", "membrane") if sealed else ("tube", "membrane", "board"):
             glues = self.stock.glues(joint)
             if glues:
                 self.parts[f"glue.{joint}"] = glues[0]
-        wanted = {"microphone-board"} | (set() if "board" in roles else {"gasket"})
-        for part in sorted(self.stock.of(Sundry), key=lambda each: each.price, reverse=True):
-            if part.role in wanted:
-                self.parts[part.role] = part
+        for role in ("microphone-board", "gasket") if sealed else ("microphone-board",):
+            part = self.stock.sundry(role).part
+            if part is not None:
+                self.parts[role] = part
 
 
 def _same(old: Any, new: Any) -> bool:

@@ -5,22 +5,45 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
+from geometry.schema.array_fields import StatedArray
 from geometry.schema.materials import MATERIALS
-from geometry.schema.part_fields import Tube
-from geometry.stock.stock_rows import KINDS, Glue, Sheath, Sheet, Silicone, Spring, StockMicrophone, StockPart
-from geometry.stock.tube_stock import TUBE_FIELDS, TubeStock
+from geometry.schema.part_fields import Microphone, Tube
+from geometry.stock.stock_rows import (
+    KINDS,
+    Glue,
+    Resin,
+    Sheath,
+    Sheet,
+    Silicone,
+    Spring,
+    StockMicrophone,
+    StockPart,
+    Sundry,
+)
+from geometry.stock.tube_stock import SAME, TUBE_FIELDS, TubePart, TubeStock
 
 _Part = TypeVar("_Part", bound=StockPart)
+#: Most tubes whose parts are remembered.
+_REMEMBERED = 10_000
 #: Names of tables that hold a tube.
 _TUBES = ("tube", "microphone_tube")
 #: Fields that name a part.
 _NAMES = ("membrane.material", "microphone.model")
+
+
+class Found(NamedTuple):
+    """Part that a role of a design takes."""
+
+    part: StockPart | None
+    """The part; None if the catalogue has none of the kind."""
+    exact: bool
+    """True if it is what the design states; otherwise it is the nearest, and that is made to order."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -135,12 +158,103 @@ class StockParts(Shown):
 
     def microphone(self, model: str) -> StockMicrophone | None:
         """The microphone of a part number, whatever its letters' case; None where the catalogue lacks it."""
-        return next((each for each in self.of(StockMicrophone) if each.part_number.lower() == model.lower()), None)
+        return self._microphones.get(model.lower())
+
+    @cached_property
+    def _microphones(self) -> dict[str, StockMicrophone]:
+        return {each.part_number.lower(): each for each in reversed(self.of(StockMicrophone))}
+
+    # -- the part of each role of a design ----------------------------------------------------------------
+    def tube_part(self, tube: Tube) -> TubePart | None:
+        """Spring and sheath nearest to a tube, whatever the rest of the design; None without a sheath to buy."""
+        known: dict[Tube, TubePart | None] = self._tube_parts
+        if tube not in known:
+            if len(known) > _REMEMBERED:
+                known.clear()
+            known[tube] = next(self.tubes.nearest(tube), None)
+        return known[tube]
+
+    @cached_property
+    def _tube_parts(self) -> dict[Tube, TubePart | None]:
+        return {}
+
+    def spring(self, tube: Tube) -> Found | None:
+        """Spring of a tube; None for a smooth bore, which has none."""
+        if tube.bore == "smooth":
+            return None
+        part = self.tube_part(tube)
+        if part is None or part.spring is None:
+            return Found(None, False)
+        sizes = (part.inner_diameter - tube.inner_diameter, part.wire_diameter - tube.wire_diameter)
+        return Found(part.spring, max(map(abs, sizes)) <= SAME)
+
+    def sheath(self, tube: Tube) -> Found:
+        """Sheath of a tube, or the tubing that is one of smooth bore."""
+        part = self.tube_part(tube)
+        if part is None:
+            return Found(None, False)
+        same = abs(part.outer_diameter - tube.outer_diameter) <= SAME
+        return Found(part.sheath, same and abs(part.inner_diameter - tube.inner_diameter) <= SAME)
+
+    def silicone(self, design: StatedArray) -> Found:
+        """Casting silicone that makes the membranes, else the one of the nearest modulus."""
+        name = design.membrane.material
+        if name in self._silicones:
+            return Found(self._silicones[name], True)
+        wished = design.material(name).youngs_modulus
+        near = [(abs(math.log(design.material(each).youngs_modulus / wished)), each) for each in self.materials]
+        return Found(self._silicones[min(near)[1]] if near else None, False)
+
+    @cached_property
+    def _silicones(self) -> dict[str, Silicone]:
+        """Cheapest casting silicone of each material."""
+        ordered = sorted(self.of(Silicone), key=lambda each: each.price, reverse=True)
+        return {name: each for each in ordered for name in each.materials}
+
+    def resin(self, design: StatedArray) -> Found:
+        """Cheapest material that the design's process prints, of its material if there is one."""
+        process, material = design.printing.process, design.printing.material
+        return self._resins.get((process, material)) or Found(self._any_resin.get(process), False)
+
+    @cached_property
+    def _resins(self) -> dict[tuple[str, str], Found]:
+        ordered = sorted(self.of(Resin), key=lambda each: each.price, reverse=True)
+        return {
+            (process, name): Found(each, True)
+            for each in ordered
+            for process in each.processes
+            for name in each.materials
+        }
+
+    @cached_property
+    def _any_resin(self) -> dict[str, Resin]:
+        ordered = sorted(self.of(Resin), key=lambda each: each.price, reverse=True)
+        return {process: each for each in ordered for process in each.processes}
+
+    def microphone_part(self, microphone: Microphone) -> Found:
+        """The microphone of a design by its part number, else the one of the nearest noise."""
+        part = self.microphone(microphone.model)
+        if part is not None:
+            return Found(part, True)
+        return Found(self.nearest("microphone.model", microphone.noise_density), False)
+
+    def sundry(self, role: str) -> Found:
+        """The cheapest small part of a name in the bill."""
+        part = self._sundries.get(role)
+        return Found(part, part is not None)
+
+    @cached_property
+    def _sundries(self) -> dict[str, Sundry]:
+        ordered = sorted(self.of(Sundry), key=lambda each: each.price, reverse=True)
+        return {each.role: each for each in ordered}
 
     def glues(self, joint: str) -> tuple[Glue, ...]:
         """Glues for a joint, the cheapest of one joint first."""
-        fitting = (each for each in self.of(Glue) if joint in each.joins)
-        return tuple(sorted(fitting, key=lambda each: each.price * each.joint_volume))
+        return tuple(each for each in self._glues if joint in each.joins)
+
+    @cached_property
+    def _glues(self) -> tuple[Glue, ...]:
+        return tuple(sorted(self.of(Glue), key=lambda each: each.price * each.joint_volume))
 
 
 # -- names of fields ------------------------------------------------------------------------------------

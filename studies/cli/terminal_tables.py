@@ -268,7 +268,7 @@ def show_parts(made: MadeParts) -> None:
         )
     show(table)
     bill = made.bill
-    money = bill.prices.currency
+    money = bill.currency
     say(
         f"resin {bill.resin_ml:.3g} ml and {bill.tooling_resin_ml:.3g} ml in molds, "
         f"silicone {bill.silicone_ml:.3g} ml, tube {bill.tube_m:.3g} m: "

@@ -10,9 +10,10 @@ import math
 from collections import Counter
 from collections.abc import Iterator
 
-from geometry.assembly.bill import Prices
+from geometry.assembly.bill import Waste
 from geometry.design.array_design import ArrayDesign
 from geometry.schema.part_fields import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
+from geometry.stock import Found, catalogue
 
 #: kg/m^3
 DENSITIES = {
@@ -40,21 +41,29 @@ def mass(design: ArrayDesign, parts: Volumes | None = None) -> float:
 
 
 def cost(design: ArrayDesign, parts: Volumes | None = None) -> float:
-    """Cost of one array, as :func:`geometry.bill_of_materials` has it, molds left out, at its assumed prices, USD."""
-    volumes, prices, tubes = parts or volumes_of(design), Prices(), list(_tubes(design))
-    microphones = len(design.microphones)
-    resin = sum(volumes[name][0] for name in ("shells", "housings"))
-    # As if no spring were bent: the bends are not worth a layout.
-    length = sum(count * (tube.length - 2 * design.printing.port_lip + prices.cutting_loss) for tube, count in tubes)
+    """Cost of one array without its molds, as :func:`geometry.bill_of_materials` has it, USD."""
+    volumes, waste, sold = parts or volumes_of(design), Waste(), catalogue()
+    microphones, resin = len(design.microphones), volumes["shells"][0] + volumes["housings"][0]
     sealed = design.microphone.gasket_width is not None
-    joints = 2 * sum(count for _, count in tubes) + design.point_count + (0 if sealed else microphones)
-    return (
-        prices.resin * prices.resin_factor * resin / 1e3
-        + prices.silicone * prices.silicone_factor * volumes["membranes"][0] / 1e3
-        + (prices.spring + prices.sheath) * length / 1e3
-        + (prices.microphone + prices.board + (prices.gasket if sealed else 0.0)) * microphones
-        + prices.glue * joints
-    )
+    joints = {"tube": 0, "membrane": design.point_count, "board": 0 if sealed else microphones}
+    total = _price(sold.resin(design)) * waste.resin_factor * resin / 1e3
+    total += _price(sold.silicone(design)) * waste.silicone_factor * volumes["membranes"][0] / 1e3
+    for tube, count in _tubes(design):
+        # As if no spring were bent: the bends are not worth a layout.
+        length = count * (tube.length - 2 * design.printing.port_lip + waste.cutting_loss)
+        total += (_price(sold.spring(tube)) + _price(sold.sheath(tube))) * length / 1e3
+        joints["tube"] += 2 * count
+    pieces = [sold.microphone_part(design.microphone), sold.sundry("microphone-board")]
+    pieces += [sold.sundry("gasket")] if sealed else []
+    total += microphones * sum(map(_price, pieces))
+    for joint, number in joints.items():
+        for glue in sold.glues(joint)[:1]:
+            total += number * glue.joint_volume * glue.price
+    return total
+
+
+def _price(found: Found | None) -> float:
+    return 0.0 if found is None or found.part is None else found.part.price
 
 
 def smallest_wall(design: ArrayDesign) -> float:

@@ -8,6 +8,7 @@ TEXT = f"""
 name = "bores"
 base = "array-2x6"
 fidelity = "lumped"
+stock = "off"
 frequency = "1:100:12"
 metrics = {json.dumps(METRICS_OF_STUDY)}
 sampling = "random"

@@ -107,6 +107,7 @@ BY_DEFAULT = {
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
+stock = "off"
 frequency = "1:100:12"
 metrics = ["distance_smallest", "volume"]
 [vary]

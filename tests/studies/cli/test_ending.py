@@ -26,6 +26,7 @@ ROOT = Path(__file__).parents[3]
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
+stock = "off"
 frequency = "1:100:4"
 metrics = ["volume"]
 sampling = "random"

@@ -20,6 +20,7 @@ from studies.output.sole_writer import sole_writer_of
 SEARCH = """
 base = "array-2x6"
 fidelity = "lumped"
+stock = "off"
 frequency = "1:100:4"
 metrics = ["distance_smallest"]
 [vary]

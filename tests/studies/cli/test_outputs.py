@@ -27,6 +27,7 @@ from studies.sweep.store import sole_writer
 
 STUDY = """base = "array-2x6"
 fidelity = "lumped"
+stock = "off"
 frequency = "1:100:12"
 metrics = ["distance_smallest"]
 [vary]

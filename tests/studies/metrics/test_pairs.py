@@ -18,8 +18,9 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.noise_floor import detection_limits
 from geometry import Kind
-from geometry.assembly.bill import Prices, bill_of_materials
+from geometry.assembly.bill import Waste, bill_of_materials
 from geometry.layout.size import array_size
+from geometry.stock import catalogue
 from studies.metrics import build, shared
 from studies.metrics.batch_responses import Responses
 from studies.metrics.build import volumes_of
@@ -306,7 +307,7 @@ def test_mass_and_cost_add_up_and_the_wall_is_the_thinnest() -> None:
     heavier = design.with_values({"resonator.wall_thickness": 3.0})
     resin = build.volume(heavier) - build.volume(design)
     assert build.mass(heavier) - build.mass(design) == pytest.approx(resin * 1180e-6, rel=1e-9)
-    price = 1.3 * Prices().resin
+    price = Waste().resin_factor * catalogue().resin(design).part.price
     assert build.cost(heavier) - build.cost(design) == pytest.approx(resin * 1e-3 * price, rel=1e-9)
     assert build.smallest_wall(design.with_values({"resonator.floor_thickness": 0.35})) == pytest.approx(0.35)
 

@@ -25,6 +25,7 @@ pytestmark = pytest.mark.slow
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
+stock = "off"
 frequency = "1:100:12"
 metrics = ["distance_smallest", "volume"]
 sampling = "latin-hypercube"

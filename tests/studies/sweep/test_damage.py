@@ -29,6 +29,7 @@ TEXT = """
 name = "bores"
 base = "array-2x6"
 fidelity = "lumped"
+stock = "off"
 frequency = "1:100:4"
 metrics = ["distance_smallest", "volume"]
 sampling = "random"

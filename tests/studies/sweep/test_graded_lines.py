@@ -35,6 +35,7 @@ name = "wells"
 base = "graded.toml"
 fidelity = "lumped"
 frequency = "1:100:7"
+stock = "off"
 metrics = ["distance_smallest", "sensitivity_force", "volume", "cost", "length"]
 """
 PARAMETERS = """

@@ -30,6 +30,7 @@ STUDY: dict[str, Any] = {
     "base": "array-2x6",
     "vary": {"tube.inner_diameter": (0.3, 0.9), "lines.0.points": (11, 12)},
     "sampling": "random",
+    "stock": "off",
     "cases": 12,
     "fidelity": "atlas",
     "frequency": "1:100:8",
@@ -74,6 +75,7 @@ def test_a_library_is_what_solve_gives_where_every_case_has_a_membrane_of_its_ow
     study = studies.Study(
         base="array-2x6",
         vary={"tube.inner_diameter": (0.3, 0.6), "membrane.thickness": (0.3, 1.0)},
+        stock="off",
         sampling="sobol",
         cases=64,
         fidelity="atlas",

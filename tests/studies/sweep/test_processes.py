@@ -35,6 +35,7 @@ from studies.sweep.workers import open_workers
 STUDY = """
 base = "array-2x6"
 fidelity = "lumped"
+stock = "off"
 metrics = ["distance_smallest", "predicted_top1_white_noise"]
 sampling = "latin-hypercube"
 cases = 160
