@@ -13,7 +13,8 @@ import studies
 from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from geometry.formats.part_files import FORMATS
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
-from studies.cli.options import Altitude, Design, Frequencies, Pressure, Temperature, display_on_stderr
+from studies.cli.options import Altitude, Design, Frequencies, OwnStock, Pressure, Temperature, display_on_stderr
+from studies.cli.stock_tables import show_stock_fit
 from studies.cli.terminal_tables import (
     say,
     show,
@@ -47,6 +48,7 @@ def studio(
         ),
     ] = "127.0.0.1",
     browser: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
+    own: OwnStock = None,
 ) -> None:
     """Edit a design in the browser and see at once what each change does.
 
@@ -68,6 +70,7 @@ def check(
     picture: Annotated[
         Path | None, typer.Option(help="File to draw the predicted accuracy of each point in: .png, .pdf or .svg.")
     ] = None,
+    own: OwnStock = None,
 ) -> None:
     """Validate a design and predict how well it will work.
 
@@ -86,6 +89,7 @@ def check(
     with display_on_stderr() as display:
         found = studies.check_design(design, out, picture=picture, display=display)
     show_check(found)
+    show_stock_fit(found.stock)
     if picture is not None:
         say(as_picture(picture))
     if found.error is not None:
@@ -167,6 +171,7 @@ def parts(
         ),
     ] = None,
     allow_overlaps: AllowOverlaps = False,
+    own: OwnStock = None,
 ) -> None:
     """Write everything needed to print, cast, buy and assemble a design.
 

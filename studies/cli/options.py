@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import inspect
+import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
 from geometry.ground.argument_checks import whole_number
+from geometry.stock import VARIABLE
 from studies.output.display import Display
 
 if TYPE_CHECKING:
@@ -84,6 +87,35 @@ Channels = Annotated[
         "the design.",
     ),
 ]
+OwnStock = Annotated[
+    Path | None,
+    typer.Option(
+        "--stock",
+        metavar="PATH",
+        help="File or folder of parts that you can get, beside those of the program: docs/stock.md. Default: what "
+        "ACOUSTIC_FEM_STOCK names, else stock.toml beside the design or the study.",
+    ),
+]
+
+
+@contextmanager
+def own_stock(given: Mapping[str, Any]) -> Iterator[None]:
+    """Parts of the user's own for one verb, by its arguments; the environment is then as before."""
+    before = os.environ.get(VARIABLE)
+    places = [given[name] for name in ("design", "study") if isinstance(given.get(name), str)]
+    beside = [
+        path for place in places if (path := Path(place).parent / "stock.toml").is_file() and Path(place).is_file()
+    ]
+    chosen = given.get("own") or (beside[0] if beside and not before else None)
+    if chosen is not None:
+        os.environ[VARIABLE] = str(chosen)
+    try:
+        yield
+    finally:
+        if before is None:
+            os.environ.pop(VARIABLE, None)
+        else:
+            os.environ[VARIABLE] = before
 
 
 def channel_map(text: str | None) -> dict[str, int] | None:

@@ -13,6 +13,7 @@ from studies.cli.options import (
     Design,
     Frequencies,
     Noise,
+    OwnStock,
     Scheduler,
     Tolerances,
     WorkerCount,
@@ -129,6 +130,7 @@ def optimize(
     out: Annotated[Path, typer.Option(help="New folder, or that of the same search, which is continued.")],
     workers: WorkerCount = None,
     scheduler: Scheduler = None,
+    own: OwnStock = None,
 ) -> None:
     """Search for the best designs of a study file that can be printed and laid out.
 

@@ -10,7 +10,7 @@ import typer
 
 import studies
 from geometry.ground.refusal import Kind, counted, in_one_line
-from studies.cli.options import Scheduler, check_workers, display_on_stderr
+from studies.cli.options import OwnStock, Scheduler, check_workers, display_on_stderr
 from studies.cli.terminal_tables import say, show, table_of, tell
 from studies.output.call_defaults import BEST_DESIGNS
 from studies.output.display import duration, number
@@ -43,6 +43,7 @@ def sweep(
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Print the number of cases and cells, the time and the memory, then stop.")
     ] = False,
+    own: OwnStock = None,
 ) -> None:
     """Compute the metrics of many designs, every case of a study file.
 

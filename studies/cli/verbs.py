@@ -51,6 +51,7 @@ VERBS = {
         "Compare designs, runs, libraries or cases of sweeps side by side.",
         ("fem",),
     ),
+    "stock": Entry("stock", "Design", "List the parts that can be bought, with makers, sizes, prices and sources."),
     "wiring": Entry(
         "designs", "Design", "Compare how many points a given number of microphones can serve with different wirings."
     ),
@@ -144,7 +145,12 @@ class Verb(TyperCommand):
         """
         check_extras(f"what {ctx.info_name} needs", *VERBS[ctx.info_name].needs)
         stopped_time()
-        return super().invoke(ctx)
+        if "own" not in ctx.params:
+            return super().invoke(ctx)
+        from studies.cli.options import own_stock
+
+        with own_stock(ctx.params):
+            return super().invoke(ctx)
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Read the command line.

@@ -38,6 +38,7 @@ from geometry.printing.printability import PrintReport
 from geometry.printing.report_files import report_content
 from geometry.schema.field_errors import DesignError
 from geometry.schema.part_fields import Tube
+from geometry.stock import StockFit, catalogue
 from localize.signals.stimulus import BAND
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import worst_heard
@@ -103,6 +104,8 @@ class DesignCheck(Shown):
     needs two) and number."""
     fidelity: QuickFidelity
     """Fidelity of the attenuation: the atlas, or 3-D and why."""
+    stock: StockFit
+    """Parts that the design is bought as, and what the catalogue lacks."""
     quality: DesignQuality | None = None
     """How good it is; None where that was not asked, there is nothing to tell apart, or nothing to judge it with."""
 
@@ -114,6 +117,7 @@ class DesignCheck(Shown):
             "points": self.design.point_count,
             "coverage": f"{self.coverage:.0%}",
             "cells": f"{len(self.cells)} distinct",
+            "not in the catalogue": ", ".join((*(each.field for each in self.stock.changes), *self.stock.missing)),
             "predicted top-1 accuracy": "" if quality is None else quality.accuracy,
             "problems": f"{len(self.problems)}, the first: {self.problems[0]}" if self.problems else "none",
             "fix": self.mend,
@@ -187,6 +191,7 @@ class DesignCheck(Shown):
                 for f, level, point in self.attenuation
             ],
             "fidelity": self.fidelity.words,
+            "stock": self.stock.to_dict(),
             "quality": None if self.quality is None else self.quality.to_dict(),
         }
 
@@ -278,6 +283,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         validity=model_validity(design, library.medium, levels[-1][1]),
         attenuation=tuple(levels),
         fidelity=fidelity,
+        stock=catalogue().fit(design),
     )
 
 
