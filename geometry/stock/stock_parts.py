@@ -108,6 +108,34 @@ class StockParts(Shown):
             return ()
         return self.tubes.sizes(found[1], None if design is None else _tube_of(design, found[0]))
 
+    def bought_values(self, field: str, value: float, design: ArrayDesign) -> dict[str, float]:
+        """Values by dotted name that give a field of a design the nearest size that can be bought.
+
+        The fields that go with it are among them: the wire and the sheath that go with a bore.
+
+        Args:
+            field: dotted name of a field with sizes.
+            value: wished value, mm.
+            design: the design.
+
+        Raises:
+            Refusal: the field is not a size of bought parts, or nothing can be bought.
+        """
+        found = _tube_field(field)
+        if found is None:
+            part = self.nearest(field, value, design)
+            size = part.thickness if isinstance(part, Sheet) else None
+            values = None if size is None else {field: size}
+        else:
+            table, name = found
+            tube = _tube_of(design, table)
+            fitting = None if tube is None else self.tubes.bought(tube, {name: value})
+            values = None if fitting is None else {f"{table}.{each}": size for each, size in fitting.items()}
+        if values is None:
+            problem = "cannot be bought: the catalogue has no such part"
+            raise Refusal(problem, kind=Kind.MISSING, field=field, value=value, unit="mm")
+        return values
+
     def nearest(self, field: str, value: float, design: ArrayDesign | None = None) -> StockPart | None:
         """The part whose size is nearest to a value of a field, by ratio; None if the catalogue lacks such parts.
 

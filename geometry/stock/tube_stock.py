@@ -12,6 +12,8 @@ from geometry.stock.stock_rows import Sheath, Spring, Tubing
 
 #: Fields of a tube that its parts determine.
 TUBE_FIELDS = ("inner_diameter", "spring_outer_diameter", "wire_diameter", "outer_diameter", "sheath_wall")
+#: Those of them that the spring determines.
+SPRING_FIELDS = ("inner_diameter", "spring_outer_diameter", "wire_diameter")
 #: Difference of sizes that are the same, mm.
 SAME = 1e-3
 #: Weight of the wire beside the bore where a spring is looked for: sound hardly depends on it.
@@ -35,9 +37,15 @@ class TubePart:
 
     @property
     def values(self) -> dict[str, float]:
-        """Fields of :class:`geometry.schema.Tube`."""
-        names = ("inner_diameter", "wire_diameter", "outer_diameter")
-        return {name: getattr(self, name) for name in names}
+        """Fields of :class:`geometry.schema.Tube`, and those that a file may give in their place."""
+        outer = self.inner_diameter + 2 * self.wire_diameter if self.spring is None else self.spring.outer_diameter
+        return {
+            "inner_diameter": self.inner_diameter,
+            "spring_outer_diameter": round(outer, 9),
+            "wire_diameter": self.wire_diameter,
+            "outer_diameter": self.outer_diameter,
+            "sheath_wall": round((self.outer_diameter - outer) / 2, 6),
+        }
 
 
 @dataclass(frozen=True)
@@ -182,9 +190,51 @@ class TubeStock:
             ),
         )
 
+    def bought(self, tube: Tube, wished: Mapping[str, float]) -> dict[str, float] | None:
+        """Values of a tube of which some fields become the sizes of the nearest parts, with the fields that follow.
+
+        Wire and sheath follow a bore, and the wall of the sheath stays where its tolerance allows that.
+
+        Args:
+            tube: the tube.
+            wished: values of some of :data:`TUBE_FIELDS`, mm.
+
+        Returns:
+            The wished fields, then those that follow, in mm; None if nothing can be bought.
+        """
+        part = self.wished_part(tube, wished)
+        if part is None:
+            return None
+        held = [name for name in wished if name in SPRING_FIELDS]
+        follow = ["wire_diameter", "outer_diameter"] if held or tube.bore == "smooth" else []
+        if held == ["wire_diameter"]:
+            follow.insert(0, "inner_diameter")
+        if "sheath_wall" in wished:
+            follow = [name for name in follow if name != "outer_diameter"]
+        return {name: part.values[name] for name in dict.fromkeys((*wished, *follow))}
+
+    def wished_part(self, tube: Tube, wished: Mapping[str, float]) -> TubePart | None:
+        """Parts nearest to a tube with some of its fields changed; the spring stays if none of its fields is wished."""
+        held = [name for name in wished if name in SPRING_FIELDS]
+        changed = _changed(tube, wished)
+        near = self.nearest(changed, held) if held or tube.bore == "smooth" else iter(self.over(changed))
+        return next(near, None)
+
     def nearest(self, tube: Tube, held: Sequence[str] = ("inner_diameter", "wire_diameter")) -> Iterator[TubePart]:
         """Parts for a tube, those nearest to it first, whatever its bore."""
         return iter(self.smooth(tube)) if tube.bore == "smooth" else self.coiled(tube, held)
+
+
+def _changed(tube: Tube, fields: Mapping[str, float]) -> Tube:
+    """A tube with other sizes, unchecked; the wall of its sheath stays unless it is one of them."""
+    wire = fields.get("wire_diameter", tube.wire_diameter)
+    inner = fields.get("inner_diameter", tube.inner_diameter)
+    if "spring_outer_diameter" in fields:
+        inner = fields["spring_outer_diameter"] - 2 * wire
+    inner = max(inner, SAME)
+    outer = inner + 2 * wire + 2 * fields.get("sheath_wall", tube.sheath_wall)
+    outer = fields.get("outer_diameter", outer)
+    return tube.model_copy(update={"inner_diameter": inner, "wire_diameter": wire, "outer_diameter": outer})
 
 
 def _apart(one: float, other: float) -> float:

@@ -27,8 +27,8 @@ def stock(
 ) -> None:
     """List the parts that can be bought, with makers, sizes, prices and sources.
 
-    Studies, searches and the studio take sizes from this list unless you write stock = "off". Add parts of your own with
-    --stock, with the environment variable ACOUSTIC_FEM_STOCK, or in a file stock.toml beside the design. Guide:
+    Studies, searches and the studio take sizes from this list unless you write stock = "off". Add parts of your own
+    with --stock, with the environment variable ACOUSTIC_FEM_STOCK, or in a file stock.toml beside the design. Guide:
     docs/stock.md.
 
     Example: [bold]acoustic-fem stock spring[/bold]

@@ -12,6 +12,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.changes import as_lists
 from geometry.design.field_values import declared_at, field_values
 from geometry.schema.materials import MATERIALS
+from geometry.stock import catalogue
 
 #: Ends of the names of fields whose text is the name of a material.
 _MATERIAL = "material"
@@ -39,6 +40,14 @@ def form_of(design: ArrayDesign) -> list[dict[str, Any]]:
         ``optional``, ``description`` and ``value``.
     """
     return [_entry(name, value, design) for name, value in field_values(design).items()]
+
+
+def sizes_sold(design: ArrayDesign) -> dict[str, list[float]]:
+    """Sizes that can be bought of each field of a form that is a size of a bought part, ascending, in its unit."""
+    sold = catalogue()
+    values = field_values(design)
+    names = (name for name, value in values.items() if isinstance(value, float) and sold.has_sizes(name))
+    return {name: [float(size) for size in sold.sizes(name, design)] for name in names}
 
 
 def addable_tables(design: ArrayDesign) -> dict[str, dict[str, Any]]:

@@ -15,10 +15,11 @@ from geometry.design.design_file import prototype, write_design
 from geometry.design.field_values import field_values
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
+from geometry.stock import catalogue
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
-from studies.panels.form import addable_tables, form_of, removable_tables, stated_values
+from studies.panels.form import addable_tables, form_of, removable_tables, sizes_sold, stated_values
 from studies.panels.pinned_panel import field_rows, figure_rows
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.messages import MessageError, packed, text_of, written
@@ -130,7 +131,9 @@ class Session:
         name, value = text_of(message, "name"), message.get("value")
         before = self.state.design
         try:
-            self.state.set_values({name: value}, message.get("gesture"))
+            bought = message.get("bought") is True and isinstance(value, (int, float))
+            values = catalogue().bought_values(name, float(value), before) if bought else {name: value}
+            self.state.set_values(values, message.get("gesture"))
         except Refusal as error:
             refused = refusal_of(before, name, value, error)
             await self._post({"type": "refused", **refused.__dict__})
@@ -193,6 +196,7 @@ class Session:
         else:
             message["values"] = {name: value for name, value in values.items() if before[name] != value}
         self._last_values = values, design.followers
+        message["sizes"] = sizes_sold(design)
         await self._post(message)
         if self.pinned is not None:
             await self._post_comparison()

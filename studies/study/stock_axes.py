@@ -17,14 +17,13 @@ from geometry.design.design_file import value_of
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.part_fields import Tube
 from geometry.stock import Catalogue, TubePart
-from geometry.stock.tube_stock import SAME, TUBE_FIELDS
+from geometry.stock.tube_stock import SAME, SPRING_FIELDS, TUBE_FIELDS
 from studies.study.parameter import Parameter
 
 #: A table of the file, and the parameters that go together.
 Group = tuple[str, tuple[Parameter, ...]]
 #: Places from 0 to 1 at which a group of ranges is looked at to find where each size begins.
 _PLACES = 1024
-_OF_SPRINGS = ("inner_diameter", "spring_outer_diameter", "wire_diameter")
 _OF_SHEATHS = ("outer_diameter", "sheath_wall")
 
 
@@ -129,13 +128,13 @@ def _tube_axis(
     wanted = {
         name: _wished(parameter, tubes.sizes(name), "vary", in_grid)
         for name, parameter in fields.items()
-        if name in _OF_SPRINGS
+        if name in SPRING_FIELDS
     }
     parts: list[TubePart] = []
     if wanted:
         known: set[tuple[float, ...]] = set()
         for spring in tubes.nearest_springs(tube.inner_diameter, tube.wire_diameter, list(wanted)):
-            own = dict(zip(_OF_SPRINGS, (spring.bore, spring.outer_diameter, spring.wire_diameter), strict=True))
+            own = dict(zip(SPRING_FIELDS, (spring.bore, spring.outer_diameter, spring.wire_diameter), strict=True))
             if not all(any(abs(own[name] - each) <= SAME for each in sizes) for name, sizes in wanted.items()):
                 continue
             key = tuple(round(own[name], 6) for name in wanted)
@@ -157,7 +156,7 @@ def _tube_axis(
     if not rows:
         (sheath,) = (parameter for name, parameter in fields.items() if name in _OF_SHEATHS)
         outsides = [part.outer_diameter for part in parts]
-        sizes = outsides if sheath.name.endswith("outer_diameter") else [_wall(part) for part in parts]
+        sizes = outsides if sheath.name.endswith("outer_diameter") else [part.values["sheath_wall"] for part in parts]
         wish = list(sheath.values) if sheath.values else [sheath.low, sheath.high]
         raise _not_sold(f"vary.{sheath.name}", wish, sizes)
     return _columns(place, rows, list(fields), tube)
@@ -165,11 +164,7 @@ def _tube_axis(
 
 def _rows(part: TubePart, fields: Mapping[str, Parameter]) -> list[dict[str, float]]:
     """Values of a tube's fields for some parts, once for each wish of the sheath that they meet."""
-    spring = part.spring
-    own: dict[str, float] = {**part.values, "spring_outer_diameter": part.inner_diameter + 2 * part.wire_diameter}
-    if spring is not None:
-        own["spring_outer_diameter"] = spring.outer_diameter
-    own["sheath_wall"] = _wall(part)
+    own = part.values
     wishes = {name: parameter for name, parameter in fields.items() if name in _OF_SHEATHS}
     rows = [own]
     for name, parameter in wishes.items():
@@ -180,10 +175,6 @@ def _rows(part: TubePart, fields: Mapping[str, Parameter]) -> list[dict[str, flo
             met = [own[name]] if parameter.low - SAME <= own[name] <= parameter.high + SAME else []
         rows = [{**row, name: value} for row in rows for value in met]
     return rows
-
-
-def _wall(part: TubePart) -> float:
-    return round((part.outer_diameter - part.inner_diameter) / 2 - part.wire_diameter, 6)
 
 
 def _in_order(rows: Sequence[dict[str, float]], names: Sequence[str]) -> list[dict[str, float]]:
@@ -291,56 +282,28 @@ class _Together:
 
     def _tube_row(self, place: str, fields: Mapping[str, float], stated: set[str]) -> dict[str, float]:
         tube: Tube = value_of(self.base, place)
-        wish = _wished_tube(tube, fields)
-        held = [name for name in fields if name in _OF_SPRINGS]
-        near = (
-            self.stock.tubes.nearest(wish, held) if held or tube.bore == "smooth" else iter(self.stock.tubes.over(wish))
-        )
-        part = next(near, None)
-        if part is None:
+        values = self.stock.tubes.bought(tube, fields)
+        if values is None:
             raise _not_sold(f"{self.table}.{place}.{next(iter(fields))}", next(iter(fields.values())), [])
-        own: dict[str, float] = {
-            **part.values,
-            "spring_outer_diameter": round(part.inner_diameter + 2 * part.wire_diameter, 9),
-            "sheath_wall": _wall(part),
-        }
-        row = {f"{place}.{name}": own[name] for name in fields}
-        if any(name in stated and abs(row[name] - fields[name.rpartition(".")[2]]) > SAME for name in row):
-            parts = " in ".join(each.name for each in (part.spring, part.sheath) if each is not None)
-            sole = next(iter(row)) if len(row) == 1 else ""
+        if any(f"{place}.{name}" in stated and abs(values[name] - value) > SAME for name, value in fields.items()):
+            part = self.stock.tubes.wished_part(tube, fields)
+            parts = " in ".join(each.name for each in (part and part.spring, part and part.sheath) if each)
+            sole = next(iter(fields)) if len(fields) == 1 else ""
             raise Refusal(
                 "is not a tube that can be bought",
                 kind=Kind.CONFLICT,
-                field=f"{self.table}.{sole or place}",
-                value=fields[sole.rpartition(".")[2]] if sole else list(fields.values()),
+                field=".".join(filter(None, (self.table, place, sole))),
+                value=fields[sole] if sole else list(fields.values()),
                 unit="mm",
                 remedy=f'the nearest is {parts}; write stock = "off" for parts made to order',
             )
-        follow = ["wire_diameter", "outer_diameter"] if held or tube.bore == "smooth" else []
-        if held == ["wire_diameter"]:
-            follow.insert(0, "inner_diameter")
-        for name in follow:
-            if name not in fields and not (name == "outer_diameter" and "sheath_wall" in fields):
-                row[f"{place}.{name}"] = own[name]
-        return row
+        return {f"{place}.{name}": value for name, value in values.items()}
 
     def _checked(self, name: str, value: float, size: float, stated: set[str], sizes: Sequence[Any]) -> float:
         """The size for a value; a listed value must be one."""
         if name in stated and abs(size - value) > SAME:
             raise _not_sold(f"{self.table}.{name}", value, [float(each) for each in sizes])
         return size
-
-
-def _wished_tube(tube: Tube, fields: Mapping[str, float]) -> Tube:
-    """The tube of the base with other sizes, unchecked: the wall of its sheath stays unless it is one of them."""
-    wire = fields.get("wire_diameter", tube.wire_diameter)
-    inner = fields.get("inner_diameter", tube.inner_diameter)
-    if "spring_outer_diameter" in fields:
-        inner = fields["spring_outer_diameter"] - 2 * wire
-    inner = max(inner, 1e-3)
-    outer = inner + 2 * wire + 2 * fields.get("sheath_wall", tube.sheath_wall)
-    outer = fields.get("outer_diameter", outer)
-    return tube.model_copy(update={"inner_diameter": inner, "wire_diameter": wire, "outer_diameter": outer})
 
 
 def nearest_values(axes: Iterable[tuple[Parameter, ...]], values: Mapping[str, Any]) -> dict[str, Any]:

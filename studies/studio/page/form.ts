@@ -6,7 +6,7 @@ export interface Field {
   allowed: string; lowest: number | null; highest: number | null; choices: string[]; suggestions: string[];
   optional: boolean; description: string; value: any;
 }
-type Setter = (name: string, value: any, gesture?: string) => void;
+type Setter = (name: string, value: any, gesture?: string, bought?: boolean) => void;
 interface Row { field: Field; row: HTMLElement; show: (value: any) => void; }
 const STEPS = 1000;
 
@@ -14,6 +14,8 @@ export class Form {
   private rows = new Map<string, Row>();
   private dragged = "";
   private gestures = 0;
+  private sizes: Record<string, number[]> = {};
+  private bought = true; // sliders go from one size that can be bought to the next
   constructor(private place: HTMLElement, private set: Setter) {}
 
   build(fields: Field[], addable: Record<string, object>, removable: string[]): void {
@@ -21,7 +23,7 @@ export class Form {
     const open = new Set([...this.place.querySelectorAll("details[open]")].map((each) => (each as HTMLElement).dataset.group));
     const first = this.rows.size === 0;
     this.rows.clear();
-    this.place.replaceChildren();
+    this.place.replaceChildren(this.choice());
     const groups = new Map<string, HTMLElement>();
     for (const field of fields) {
       if (!groups.has(field.group)) {
@@ -41,6 +43,33 @@ export class Form {
     add.addEventListener("change", () => { if (add.value) this.set(add.value, addable[add.value]); add.value = ""; });
     this.place.append(make("p", {}, add));
     if (focused) document.getElementById(focused)?.focus(); // what was at hand stays at hand
+  }
+
+  private choice(): HTMLElement {
+    const only = make("input", { type: "checkbox", id: "bought-only" });
+    only.checked = this.bought;
+    only.addEventListener("change", () => {
+      this.bought = only.checked;
+      for (const row of this.rows.values()) if (this.sizes[row.field.name]) row.show(row.field.value);
+    });
+    const meaning = "sliders of tubes and membranes stop at sizes that can be bought, and wire and sheath follow the bore";
+    return make("p", { class: "choice", title: meaning }, only, make("label", { for: "bought-only" }, "Parts that can be bought"));
+  }
+
+  /** Sizes that can be bought, by field; they change with the spring and the sheath at hand. */
+  offer(sizes: Record<string, number[]>): void {
+    const before = this.sizes;
+    this.sizes = sizes;
+    for (const [name, row] of this.rows) {
+      if (name !== this.dragged && String(before[name]) !== String(sizes[name])) row.show(row.field.value);
+    }
+  }
+
+  /** Stops of a field's slider; none where every value goes. */
+  private stops(field: Field): number[] | null {
+    const known = this.bought ? this.sizes[field.name] ?? [] : [];
+    const inside = known.filter((size) => size >= (field.lowest ?? -Infinity) && size <= (field.highest ?? Infinity));
+    return inside.length > 1 ? inside : null;
   }
 
   update(values: Record<string, any>): void {
@@ -145,6 +174,8 @@ export class Form {
       type: "range", min: "0", max: String(STEPS), class: "slider", "aria-label": `${titleOf(field.group)} ${field.label}, slider`,
     });
     if (field.optional) number.placeholder = "default";
+    const ticks = make("datalist", { id: `${id}-sizes` });
+    slider.setAttribute("list", ticks.id);
     let scale = scaleOf(field, field.value);
     let gesture = "";
     number.addEventListener("change", () => {
@@ -155,10 +186,11 @@ export class Form {
     slider.addEventListener("input", () => {
       if (!gesture) gesture = `${field.name}-${++this.gestures}-${Date.now()}`;
       this.dragged = field.name;
-      const value = scale.value(Number(slider.value) / STEPS);
+      const stops = this.stops(field);
+      const value = stops ? stops[Number(slider.value)] : scale.value(Number(slider.value) / STEPS);
       number.value = String(value);
       slider.setAttribute("aria-valuetext", `${value} ${field.unit}`);
-      this.set(field.name, value, gesture);
+      this.set(field.name, value, gesture, stops !== null);
     });
     slider.addEventListener("change", () => {
       gesture = "";
@@ -169,12 +201,19 @@ export class Form {
       number.dataset.shown = number.value = value === null || value === undefined ? "" : String(value);
       slider.disabled = typeof value !== "number";
       if (typeof value !== "number") return;
+      const stops = this.stops(field);
+      slider.max = String(stops ? stops.length - 1 : STEPS);
+      slider.setAttribute("aria-valuetext", `${value} ${field.unit}`);
+      if (ticks.childElementCount !== (stops ?? []).length) ticks.replaceChildren(...(stops ?? []).map((_, k) => make("option", { value: String(k) })));
+      if (stops) {
+        slider.value = String(nearest(stops, value));
+        return;
+      }
       const share = scale.share(value);
       if (!(share > 0.02 && share < 0.98) || document.activeElement !== slider) scale = scaleOf(field, value);
       slider.value = String(Math.round(scale.share(value) * STEPS));
-      slider.setAttribute("aria-valuetext", `${value} ${field.unit}`);
     };
-    return { elements: [number, slider], show };
+    return { elements: [number, slider, ticks], show };
   }
 }
 
@@ -200,6 +239,11 @@ function scaleOf(field: Field, now: any): Scale {
     value: (share) => clamp(field.kind === "count" ? Math.round(from + share * (to - from)) : even(from + share * (to - from)), from, to),
     share: (x) => clamp((x - from) / (to - from || 1), 0, 1),
   };
+}
+
+function nearest(stops: number[], value: number): number {
+  const apart = stops.map((size) => Math.abs(Math.log(size / Math.max(value, 1e-9))));
+  return apart.indexOf(Math.min(...apart));
 }
 
 function clamp(x: number, from: number, to: number): number { return Math.min(Math.max(x, from), to); }

@@ -41,7 +41,7 @@ const ownName = crypto.getRandomValues(new Uint32Array(4)).join("-");
 let selected: number | null = null;
 let fromAddress: any = null;
 
-const form = new Form(byId("fields"), (field, value, gesture) => change({ do: "set", name: field, value, gesture }));
+const form = new Form(byId("fields"), (field, value, gesture, bought) => change({ do: "set", name: field, value, gesture, bought }));
 const curves = new CurvesPanel(byId("plots"), () => curveTitles, select);
 
 const array = new ArrayPanel(byId("space"), select);
@@ -241,6 +241,7 @@ function design(message: any): void {
     if ("name" in message.values) name = message.values.name;
     if (Object.keys(message.values).some((each) => each.endsWith(".points"))) points(null);
   }
+  form.offer(message.sizes);
   byId("name").textContent = name;
   byId("unsaved").hidden = !unsaved;
   document.title = `${unsaved ? "● " : ""}${name} – acoustic-fem studio`;

@@ -10,6 +10,8 @@ import pytest
 from browser import PAINTED, ROOT, Studio, downloaded, field, give, opened, studio, until
 
 from geometry import prototype
+from geometry.design.array_design import validated
+from geometry.stock import catalogue
 from studies.comparison import differing_fields
 
 pytestmark = pytest.mark.slow
@@ -46,6 +48,24 @@ def test_a_value_that_was_refused_does_not_stay_as_if_it_were_the_designs(page: 
     give(page, "membrane.thickness", "0.6")
     until(page, f"{ROOT}.revision === '1'")
     assert field(page, "tube.length").input_value() == "12.5"
+
+
+def test_a_slider_of_a_bought_part_goes_from_size_to_size_by_the_arrow_keys(page: Any) -> None:
+    sizes, stock = catalogue().sizes("tube.inner_diameter"), catalogue()
+    slider = page.locator("[data-name='tube.inner_diameter'] .slider")
+    assert slider.get_attribute("max") == str(len(sizes) - 1)
+    assert page.locator("[data-name='tube.inner_diameter'] datalist option").count() == len(sizes)
+    slider.focus()
+    place = sizes.index(0.44)
+    for step in (1, 2, 3):
+        page.keyboard.press("ArrowRight")
+        until(page, f"{ROOT}.revision === '{step}'")
+        assert field(page, "tube.inner_diameter").input_value() == f"{sizes[place + step]:g}"
+        until(page, f"{KEPT}.tube.inner_diameter === {sizes[place + step]}")
+        kept = validated(page.evaluate(KEPT), "page")
+        assert stock.fit(kept).bought, stock.fit(kept)
+    page.locator("#bought-only").uncheck()
+    assert slider.get_attribute("max") == "1000"
 
 
 def test_a_refusal_is_in_sight_where_there_is_little_room(page: Any) -> None:

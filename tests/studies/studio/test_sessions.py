@@ -16,6 +16,7 @@ import pytest
 
 from geometry import Kind, Refusal, prototype
 from geometry.ground.process_messages import Stopped
+from geometry.stock import catalogue
 from studies.panels.curves import curves_of, quick_library
 from studies.studio.session import MOST_FILES, Session
 from studies.studio.sessions import MOST_SESSIONS, Sessions
@@ -86,6 +87,29 @@ def test_a_change_is_told_with_what_changed_alone_and_its_curves_follow(workplac
         assert (curves["points"], curves["heard_by"], curves["unit"]) == ([*range(1, 13)], ["A", "B"], "dB")
         assert curves["fidelity"] == "atlas"
         assert len(page.curves[-1]) < 20_000
+
+    asyncio.run(play())
+
+
+def test_a_bought_size_brings_the_parts_that_go_with_it(workplace: Workplace) -> None:
+    async def play() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        sizes = (await page.until("design"))["sizes"]
+        assert sizes["tube.inner_diameter"] == list(catalogue().sizes("tube.inner_diameter"))
+        assert "tube.length" not in sizes
+        page.texts.clear()
+        await session.take({"do": "set", "name": "tube.inner_diameter", "value": 0.57, "bought": True})
+        told = await page.until("design")
+        assert told["values"]["tube.inner_diameter"] == 0.56
+        assert {"tube.wire_diameter", "tube.outer_diameter"} <= set(told["values"])
+        assert told["sizes"]["tube.outer_diameter"] != sizes["tube.outer_diameter"]
+        assert catalogue().fit(session.state.design).bought
+        await session.take({"do": "set", "name": "tube.inner_diameter", "value": 0.57})
+        assert session.state.design.tube.inner_diameter == 0.57
+        page.texts.clear()
+        await session.take({"do": "set", "name": "tube.length", "value": 14.0, "bought": True})
+        assert (await page.until("refused"))["name"] == "tube.length"
 
     asyncio.run(play())
 
