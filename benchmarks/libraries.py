@@ -44,7 +44,7 @@ def sweep_of(cases: int, keep: str, precision: str, varied: str = "tubes") -> st
     if varied == "tubes and membranes":
         vary["membrane.thickness"] = (0.3, 1.0)
     return studies.Study(
-        base="array-2x6", vary=vary, sampling="sobol", cases=cases, fidelity="atlas", frequency="1:500:500",
+        base="array-2x6", vary=vary, stock="off", sampling="sobol", cases=cases, fidelity="atlas", frequency="1:500:500",
         keep=keep, precision=precision, metrics=["predicted_top1", "noise_equivalent_force"],
     )  # fmt: skip
 
@@ -85,7 +85,7 @@ def table_seconds(cases: int = 10_000) -> float:
     """Time in which the results of a sweep are opened and become a table, s."""
     study = studies.Study(
         base="array-2x6", vary={"tube.length": (10.0, 20.0), "tube.inner_diameter": (0.3, 0.6)}, sampling="random",
-        cases=cases, fidelity="lumped", frequency="1:100:2", metrics=["volume"],
+        stock="off", cases=cases, fidelity="lumped", frequency="1:100:2", metrics=["volume"],
     )  # fmt: skip
     with tempfile.TemporaryDirectory() as folder:
         studies.run_sweep(study, f"{folder}/r.zarr", workers=1)

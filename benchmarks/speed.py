@@ -61,6 +61,7 @@ sampling = "sobol"
 cases = 64
 seed = 1
 metrics = ["sensitivity_force"]
+stock = "off"
 [vary]
 "tube.inner_diameter" = { from = 0.3, to = 0.6 }
 """

@@ -53,7 +53,7 @@ def study_of(cases: int, metrics: Sequence[str] = METRICS_OF_STUDY) -> Study:
     names = ", ".join(f'"{name}"' for name in metrics)
     return read_study(
         f'base = "array-2x6"\nfidelity = "lumped"\nsampling = "sobol"\ncases = {cases}\nmetrics = [{names}]\n'
-        '[vary]\n"tube.inner_diameter" = {from = 0.3, to = 0.5}\n"tube.length" = {from = 9, to = 30}\n'
+        'stock = "off"\n[vary]\n"tube.inner_diameter" = {from = 0.3, to = 0.5}\n"tube.length" = {from = 9, to = 30}\n'
         '"resonator.cavity_height" = {from = 1.5, to = 5}\n'
     )
 

@@ -24,6 +24,7 @@ folder = TemporaryDirectory()
 study = studies.Study(
     base="array-2x6",
     vary={"tube.inner_diameter": (0.3, 0.6), "resonator.cavity_height": (1.5, 5.0)},
+    stock="off",  # any bore, also between the sizes of springs
     sampling="sobol",
     cases=128,
     fidelity="lumped",

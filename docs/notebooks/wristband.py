@@ -45,7 +45,7 @@ plt.show()
 # a few sizes, so we try several of them.
 
 # %%
-springs = [(0.5, 0.06), (0.6, 0.08), (0.7, 0.08), (0.8, 0.1), (0.9, 0.1)]  # outer diameter, wire, mm
+springs = [(0.5, 0.08), (0.6, 0.08), (0.7, 0.08), (0.8, 0.1), (0.9, 0.1)]  # outer diameter, wire, mm
 tried = {}
 for outer, wire in springs:
     other = design.with_values(

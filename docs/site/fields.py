@@ -1,7 +1,7 @@
 """Tables of the fields of files, from the models that read them, of the metrics and of the rooms.
 
 ``{fields} SECTION``, or names of single fields, of a design file; ``{study-fields} study``, ``range`` or ``optimize``;
-``{metrics}``; ``{rooms} PACKAGE``.
+``{part-fields} KIND`` of a file of parts; ``{metrics}``; ``{rooms} PACKAGE``.
 """
 
 from __future__ import annotations
@@ -16,6 +16,18 @@ from sphinx.util.docutils import SphinxDirective
 
 from geometry.design.array_design import ArrayDesign
 from geometry.schema.declared_fields import DesignField, fields_of
+from geometry.stock import (
+    Glue,
+    Resin,
+    Sheet,
+    Silicone,
+    Sleeve,
+    Spring,
+    StockMicrophone,
+    StockPart,
+    Sundry,
+    Tubing,
+)
 from studies.optimization.problem import OptimizeFields
 from studies.study.fields import RangeFields, StudyFields
 from studies.study.metric_registry import METRICS
@@ -24,6 +36,11 @@ from studies.study.metric_registry import METRICS
 _ALIKE = ("microphone_tube.", "lines.*.tube.", "lines.*.micro", "tube_kinds.")
 #: Models of the sections of a study file.
 _STUDY: dict[str, type[BaseModel]] = {"study": StudyFields, "range": RangeFields, "optimize": OptimizeFields}
+#: Models of the parts of a file of parts.
+_PARTS: dict[str, type[StockPart]] = {
+    "part": StockPart,
+    **{model.kind: model for model in (Spring, Sleeve, Tubing, Sheet, Silicone, Resin, Glue, Sundry, StockMicrophone)},
+}
 _HEAD = "| field | allowed | default | what it is |\n|---|---|---|---|\n"
 
 
@@ -67,6 +84,18 @@ def study_table(section: str) -> str:
     model = _STUDY[section]
     named = {name: info.alias or name for name, info in model.model_fields.items()}
     return _table([replace(field, name=named.get(field.name, field.name)) for field in fields_of(model)])
+
+
+def part_table(kind: str) -> str:
+    """Markdown table of the fields of a kind of part, or of ``part`` for those that all kinds have.
+
+    Raises:
+        ValueError: no such kind.
+    """
+    if kind not in _PARTS:
+        raise ValueError(f"{kind!r} must be one of: {', '.join(_PARTS)}")
+    common = set() if kind == "part" else set(StockPart.model_fields)
+    return _table([field for field in fields_of(_PARTS[kind]) if field.name not in common])
 
 
 def metric_table() -> str:
@@ -126,6 +155,19 @@ class StudyFieldsTable(SphinxDirective):
             raise self.error(str(error)) from None
 
 
+class PartFieldsTable(SphinxDirective):
+    """The directive of files of parts."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """The table as nodes."""
+        try:
+            return self.parse_text_to_nodes(part_table(self.arguments[0]))
+        except ValueError as error:
+            raise self.error(str(error)) from None
+
+
 class Metrics(SphinxDirective):
     """The directive of metrics."""
 
@@ -150,4 +192,5 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("metrics", Metrics)
     app.add_directive("rooms", Rooms)
     app.add_directive("study-fields", StudyFieldsTable)
+    app.add_directive("part-fields", PartFieldsTable)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -172,7 +172,7 @@ def test_membranes_are_part_of_the_cost_unless_they_are_on_disk(
     """All of them if libraries are kept, and otherwise those of a table."""
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
     text = TEXT.split("[vary]")[0].replace("cases = 40", "cases = 128")
-    text += 'stock = "off"\n[vary]\n"membrane.thickness" = {from = 0.4, to = 0.8}\n'
+    text += '[vary]\n"membrane.thickness" = {from = 0.4, to = 0.8}\n'
     few = read_study(text.replace('keep = "responses"', 'keep = "metrics"'))
     every = read_study(text.replace('keep = "responses"', 'keep = "libraries"'))
     discs = survey.surveyed(every).discs
