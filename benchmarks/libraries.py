@@ -44,8 +44,8 @@ def sweep_of(cases: int, keep: str, precision: str, varied: str = "tubes") -> st
     if varied == "tubes and membranes":
         vary["membrane.thickness"] = (0.3, 1.0)
     return studies.Study(
-        base="array-2x6", vary=vary, stock="off", sampling="sobol", cases=cases, fidelity="atlas", frequency="1:500:500",
-        keep=keep, precision=precision, metrics=["predicted_top1", "noise_equivalent_force"],
+        base="array-2x6", vary=vary, stock="off", sampling="sobol", cases=cases, fidelity="atlas",
+        frequency="1:500:500", keep=keep, precision=precision, metrics=["predicted_top1", "noise_equivalent_force"],
     )  # fmt: skip
 
 
