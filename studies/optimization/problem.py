@@ -205,8 +205,8 @@ def _checked(file: OptimizeFields, study: Study, text: str, free: Study | None) 
     method = file.method or ("nsga2" if len(objectives) > 1 else "tpe")
     if free is not None:
         _check_slopes(objectives, free)
-    wanted = tuple(objectives), tuple(limits)
-    return Optimization(study, text, *wanted, file.trials, file.batch, method, rules, free)
+    aims, bounds = tuple(objectives), tuple(limits)
+    return Optimization(study, text, aims, bounds, file.trials, file.batch, method, rules, free)
 
 
 def _metric(name: str, field: str) -> Metric:

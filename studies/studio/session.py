@@ -131,8 +131,9 @@ class Session:
         name, value = text_of(message, "name"), message.get("value")
         before = self.state.design
         try:
-            bought = message.get("bought") is True and isinstance(value, (int, float))
-            values = catalogue().bought_values(name, float(value), before) if bought else {name: value}
+            values: Mapping[str, Any] = {name: value}
+            if message.get("bought") is True and isinstance(value, (int, float)):
+                values = catalogue().bought_values(name, float(value), before)
             self.state.set_values(values, message.get("gesture"))
         except Refusal as error:
             refused = refusal_of(before, name, value, error)
