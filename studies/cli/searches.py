@@ -21,6 +21,7 @@ from studies.cli.options import (
     display_on_stderr,
     noise_choice,
 )
+from studies.cli.stock_tables import tell_unsold
 from studies.cli.terminal_tables import say, show, table_of, tell
 from studies.output.call_defaults import BASE_SAMPLES, SEED, SENSORS, STORED_SENSORS
 from studies.output.display import number
@@ -148,6 +149,8 @@ def optimize(
           f"{len(result.front)} on the front")  # fmt: skip
     for file in found.files:
         say(file)
+    if result.front:
+        tell_unsold(found.problem.study.base.with_values(result.front[0].values))
 
 
 def _show_front(problem: Optimization, rows: tuple[Candidate, ...]) -> None:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from geometry.stock import StockFit, StockPart
+from geometry.design.design_file import DesignLike
+from geometry.stock import StockFit, StockPart, catalogue
 from studies.cli.terminal_tables import show, table_of, tell
 
 
@@ -36,6 +37,18 @@ def show_stock_fit(fit: StockFit) -> None:
     show(table)
     if fit.missing:
         tell("no shop is known for what is made to order: docs/stock.md says how to add a part of your own")
+
+
+def tell_unsold(design: DesignLike) -> None:
+    """One line for each part of a design that was written which cannot be bought."""
+    fit = catalogue().fit(design)
+    for change in fit.changes:
+        size = f"{change.field} = {_plain(change.old)}"
+        tell(f"note: {size} cannot be bought; the nearest is {_plain(change.new)}: {change.part.name}")
+    for field in fit.missing:
+        nearest = fit.nearest.get(field)
+        words = "" if nearest is None else f"; the nearest part is {nearest.name}"
+        tell(f"note: {field} is made to order{words}")
 
 
 def _plain(value: object) -> str:

@@ -11,6 +11,7 @@ import typer
 import studies
 from geometry.ground.refusal import Kind, counted, in_one_line
 from studies.cli.options import OwnStock, Scheduler, check_workers, display_on_stderr
+from studies.cli.stock_tables import tell_unsold
 from studies.cli.terminal_tables import say, show, table_of, tell
 from studies.output.call_defaults import BEST_DESIGNS
 from studies.output.display import duration, number
@@ -113,7 +114,7 @@ def best(
     if design is None or out is None:
         _show_best(studies.best_designs(results, by, count))
         return
-    studies.save_best_design(results, design, out)
+    tell_unsold(studies.save_best_design(results, design, out))
     say(out)
 
 
