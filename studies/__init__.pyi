@@ -60,6 +60,7 @@ from .run.pipeline import run_design as run_design
 from .run.quality import DesignQuality as DesignQuality
 from .run.run_result import RunResult as RunResult
 from .run.starting import copy_prototype as copy_prototype, new_design as new_design
+from .run.stock_listing import list_stock as list_stock
 from .run.wiring import wiring_table as wiring_table
 from .scatter.tolerance_run import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
 from .studio.serving import serve_studio as serve_studio

@@ -41,7 +41,7 @@ class Found(NamedTuple):
     """Part that a role of a design takes."""
 
     part: StockPart | None
-    """The part; None if the catalogue has none of the kind."""
+    """The part; None if the catalogue lacks the kind."""
     exact: bool
     """True if it is what the design states; otherwise it is the nearest, and that is made to order."""
 
@@ -207,7 +207,7 @@ class StockParts(Shown):
         return {}
 
     def spring(self, tube: Tube) -> Found | None:
-        """Spring of a tube; None for a smooth bore, which has none."""
+        """Spring of a tube; None for a smooth bore."""
         if tube.bore == "smooth":
             return None
         part = self.tube_part(tube)

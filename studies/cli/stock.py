@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
-from geometry.stock import KINDS, catalogue
+import studies
+from geometry.stock import KINDS
 from studies.cli.options import OwnStock
 from studies.cli.stock_tables import show_parts_sold, show_stock_fit
 from studies.cli.terminal_tables import say
-from studies.output.folders import check_new_file, write_json
 
 
 def stock(
@@ -33,18 +33,10 @@ def stock(
 
     Example: [bold]acoustic-fem stock spring[/bold]
     """
-    if kind and design is not None:
-        raise typer.BadParameter("give a KIND or --design, not both")
-    check_new_file(out, ".json")
-    sold = catalogue()
-    if design is not None:
-        fit = sold.fit(design)
-        show_stock_fit(fit)
-        content: dict[str, Any] = fit.to_dict()
+    found = studies.list_stock(kind, design=design, out=out)
+    if found.fit is None:
+        show_parts_sold(found.parts)
     else:
-        parts = sold.listed(kind)
-        show_parts_sold(parts)
-        content = {"parts": [part.to_dict() for part in parts]}
+        show_stock_fit(found.fit)
     if out is not None:
-        write_json(out, content)
         say(out)

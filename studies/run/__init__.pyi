@@ -6,4 +6,5 @@ from .part_folder import MadeParts as MadeParts, export_parts as export_parts
 from .pipeline import run_design as run_design
 from .quality import DesignQuality as DesignQuality, design_quality as design_quality, draw_quality as draw_quality
 from .starting import PLACES as PLACES, copy_prototype as copy_prototype, new_design as new_design
+from .stock_listing import StockListing as StockListing, list_stock as list_stock
 from .wiring import draw_wirings as draw_wirings, wiring_table as wiring_table, wirings as wirings

@@ -75,7 +75,7 @@ def _wished(parameter: Parameter, sizes: Iterable[Any], table: str, in_grid: boo
     """Sizes that a parameter stands for: those of its list, or of its range, in a grid as many as that has.
 
     Raises:
-        Refusal: a value of the list is no size, or no size lies in the range.
+        Refusal: a value of the list is not a size, or the range is without one.
     """
     known = np.array(sorted(float(each) for each in sizes))
     place = f"{table}.{parameter.name}"
