@@ -25,4 +25,5 @@ from .finger_gestures import (
     slide as slide,
     tap as tap,
 )
+from .large_presses import LargePresses as LargePresses
 from .simulated_recording import ContactRecorder as ContactRecorder, Take as Take, record as record

@@ -1,9 +1,10 @@
 """Microphone signals while a contact moves over an array.
 
 The force on each membrane goes through its impulse response to each microphone, and the pressures of all membranes
-add, for the array is linear. The impulse responses are those of :mod:`localize.signals.propagation`: the transfer
-functions on lines 0.25 Hz apart, times the pressure in the cavity per force, the top of the band faded as for every
-touch. Noise and sound outside are those of :class:`localize.TouchGenerator`.
+add. The array is linear in light forces; a larger one is replaced by the light force that displaces as much
+(:mod:`localize.contacts.large_presses`). The impulse responses are those of :mod:`localize.signals.propagation`: the
+transfer functions on lines 0.25 Hz apart, times the pressure in the cavity per force, the top of the band faded as for
+every touch. Noise and sound outside are those of :class:`localize.TouchGenerator`.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force, surface_of
+from localize.contacts.large_presses import LargePresses
 from localize.signals.array_response import ArrayResponse, interpolated, interpolated_from_zero, response_of
 from localize.signals.disturbances import steady_sound
 from localize.signals.finger_stimuli import top_faded
@@ -75,6 +77,7 @@ class ContactRecorder:
         ambient: level of the sound outside, dB SPL; None for silence.
         seed: of noise, sound and roughness; any non-negative integer.
         purpose: streams of different purposes never share a number.
+        linear: True: membranes are taken as linear at every force.
 
     Raises:
         Refusal: bare transfer functions, which know neither places nor forces; a rate out of range, or not 1 kHz
@@ -90,6 +93,7 @@ class ContactRecorder:
         ambient: float | None = None,
         seed: int = 0,
         purpose: Purpose = "evaluation",
+        linear: bool = False,
     ) -> None:
         check_range("sample_rate", sample_rate, *RATES, "Hz")
         self._period = round(sample_rate / LINE_SPACING)
@@ -104,6 +108,8 @@ class ContactRecorder:
         self.response = response_of(array)
         self.sample_rate, self.seed, self.purpose = float(sample_rate), seed, purpose
         self._place, _ = surface_of(self.response)
+        self._linear = linear
+        self._presses: dict[int, LargePresses] = {}
         self._background: TouchGenerator | None = None
         check_noise_choice(microphone_noise)
         if ambient is not None or microphone_noise != 0.0:
@@ -167,7 +173,7 @@ class ContactRecorder:
             sample: index of the take: each has noise, sound and roughness of its own, the same whenever it is made.
 
         Raises:
-            Refusal: a contact above 1000 s.
+            Refusal: a contact above 1000 s; a force on a membrane beyond its law of large presses.
         """
         check_range("contact: its length", contact.seconds, 0.0, LONGEST, "s")
         count = math.floor(contact.seconds * self.sample_rate + 1e-6) + 1
@@ -175,6 +181,10 @@ class ContactRecorder:
         steps = contact.time[0] + np.arange(count * fine) / (self.sample_rate * fine)
         heard = contact.at(steps).roughened(self.seed, self.purpose, sample)
         force = covered_force(heard, self.response)
+        if not self._linear:
+            if fine not in self._presses:
+                self._presses[fine] = LargePresses(self.response, self.sample_rate * fine)
+            force = self._presses[fine].light_forces(force)
         signals = self._through(force, count, fine)
         if self._background is not None:
             signals += _noise(self._background, sample, count)
@@ -214,6 +224,7 @@ def record(
     seed: int = 0,
     purpose: Purpose = "evaluation",
     sample: int = 0,
+    linear: bool = False,
 ) -> Take:
     """Microphone signals of one contact; for many, :class:`ContactRecorder` is quicker.
 
@@ -221,7 +232,13 @@ def record(
     :meth:`ContactRecorder.take`.
     """
     recorder = ContactRecorder(
-        array, sample_rate, microphone_noise=microphone_noise, ambient=ambient, seed=seed, purpose=purpose
+        array,
+        sample_rate,
+        microphone_noise=microphone_noise,
+        ambient=ambient,
+        seed=seed,
+        purpose=purpose,
+        linear=linear,
     )
     return recorder.take(contact, sample)
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from acoustic_fem.library.solving import solve
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.ground.whole_files import write_text
-from localize.contacts import Contact, covered_force
+from localize.contacts import Contact, LargePresses, covered_force
 from localize.signals.array_response import interpolated, response_of
 from studies.output.folders import check_new_file
 from studies.test_rig.rig_touches import LEAK
@@ -61,6 +61,7 @@ def record_contact(
     pressed = covered_force(heard, nominal)
     total = count + 2 * recorder.rate  # silence keeps the end from running into the beginning
     grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
+    displacing = LargePresses(nominal, recorder.rate).light_forces(pressed)
     inside = (grid >= EXCITATION_BAND[0]) & (grid <= EXCITATION_BAND[1])
     assert nominal.cavity_response is not None
     cavity = interpolated(nominal.cavity_response, nominal.frequency, grid[inside])
@@ -68,7 +69,7 @@ def record_contact(
     drives = {}
     for point in np.flatnonzero(pressed.any(axis=0)):
         drive = np.zeros(len(grid), np.complex128)
-        drive[inside] = np.fft.rfft(scipy.signal.sosfilt(leak, pressed[:, point]), total)[inside] * cavity[point]
+        drive[inside] = np.fft.rfft(scipy.signal.sosfilt(leak, displacing[:, point]), total)[inside] * cavity[point]
         drives[int(point) + 1] = drive
     random = np.random.default_rng(np.random.SeedSequence(rig.seed, spawn_key=(_PURPOSE, sample)))
     signals = rig.recorded(drives or {1: np.zeros(len(grid), np.complex128)}, total, 0, count, recorder, random)[1:]

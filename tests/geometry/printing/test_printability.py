@@ -30,7 +30,6 @@ from geometry.solids.membrane import build_membrane
 from geometry.solids.round_solids import one_solid
 from geometry.solids.shell import build_shell
 
-
 EXAMPLES = sorted((Path(__file__).parents[3] / "docs" / "examples").glob("*.toml"))
 
 
