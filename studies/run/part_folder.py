@@ -62,8 +62,8 @@ class MadeParts(Shown):
             "folder": self.report.parent,
             "files": len(self.files),
             "printing": f"{self.printing.process.title}: {self.printing.verdict}",
-            "materials": f"{self.bill.cost:.2f} {self.bill.prices.currency}",
-            "molds": f"{self.bill.tooling_cost:.2f} {self.bill.prices.currency}",
+            "materials": f"{self.bill.cost:.2f} {self.bill.currency}",
+            "molds": f"{self.bill.tooling_cost:.2f} {self.bill.currency}",
             "on no plate": ", ".join(self.too_large),
             "misfits": "; ".join(self.misfits),
         }
