@@ -15,10 +15,8 @@ from geometry.schema.field_errors import DesignError
 from geometry.schema.part_fields import Tube
 from geometry.stock.stock_parts import Found, StockParts
 from geometry.stock.stock_rows import Silicone, StockPart
-from geometry.stock.tube_stock import SAME, TubePart
+from geometry.stock.tube_stock import LARGEST_STEP, SAME, TubePart
 
-#: Largest change of a bore or a thickness that still leaves the sensor much the same: logarithm of the ratio.
-LARGEST_STEP = 0.3
 #: Difference of hardness within which a sheet replaces what is cast, Shore A; the tolerance of most makers.
 _SAME_SHORE = 5.0
 #: Sets of parts for a tube that are tried in a design.

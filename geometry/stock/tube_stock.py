@@ -14,6 +14,8 @@ from geometry.stock.stock_rows import Sheath, Spring, Tubing
 TUBE_FIELDS = ("inner_diameter", "spring_outer_diameter", "wire_diameter", "outer_diameter", "sheath_wall")
 #: Those of them that the spring determines.
 SPRING_FIELDS = ("inner_diameter", "spring_outer_diameter", "wire_diameter")
+#: Largest change of a bore or a thickness that still leaves the sensor much the same: logarithm of the ratio.
+LARGEST_STEP = 0.3
 #: Difference of sizes that are the same, mm.
 SAME = 1e-3
 #: Weight of the wire beside the bore where a spring is looked for: sound hardly depends on it.
@@ -101,11 +103,30 @@ class TubeStock:
             nearest = self.smooth(tube)[0]
             same = (each for each in self.tubings if abs(each.inner_diameter - nearest.inner_diameter) < SAME)
             return () if name == "sheath_wall" else _unique(each.outer_diameter for each in same)
-        springs = self.enclosed if tube is None else self.nearest_springs(tube.inner_diameter, tube.wire_diameter)[:1]
-        pairs = [(each.outer_diameter, outer) for each in springs for outer, _ in self._over[each.outer_diameter]]
+        if tube is None:
+            pairs = [
+                (each.outer_diameter, outer) for each in self.enclosed for outer, _ in self._over[each.outer_diameter]
+            ]
+        else:
+            near = self._near_spring(tube)
+            diameter = tube.spring_outer_diameter if near is None else near.outer_diameter
+            pairs = [(diameter, outer) for outer, _ in self._outsides(tube)]
         if name == "sheath_wall":
             return _unique((outer - spring) / 2 for spring, outer in pairs)
         return _unique(outer for _, outer in pairs)
+
+    def _outsides(self, tube: Tube) -> list[tuple[float, Sheath]]:
+        """Outside diameters over the spring of a tube, sold or not, with the sheath that gives each."""
+        spring = self._near_spring(tube)
+        if spring is not None:
+            return list(self.sheaths_over(spring.outer_diameter))
+        found = ((each.outside_over(tube.spring_outer_diameter), each) for each in self.sheaths)
+        return [(outside, each) for outside, each in found if outside is not None]
+
+    def _near_spring(self, tube: Tube) -> Spring | None:
+        """The spring that a tube takes; None if all that are sold have quite another bore."""
+        near = self.nearest_springs(tube.inner_diameter, tube.wire_diameter)[:1]
+        return next((each for each in near if _apart(each.bore, tube.inner_diameter) <= LARGEST_STEP), None)
 
     def nearest_springs(
         self, inner: float, wire: float, held: Sequence[str] = ("inner_diameter", "wire_diameter")
@@ -162,16 +183,21 @@ class TubeStock:
         )
         return [part(outside, sheath) for outside, sheath in by_wall]
 
-    def over(self, tube: Tube) -> list[TubePart]:
-        """Sheaths that go over the spring of a tube as it is, those of a wall nearest to its own first."""
-        spring = tube.spring_outer_diameter
-        near = self.nearest_springs(tube.inner_diameter, tube.wire_diameter)[:1]
-        same = [each for each in near if abs(each.outer_diameter - spring) <= SAME]
-        if same:
-            return self.around(same[0], tube.sheath_wall)
-        found = [(each.outside_over(spring), each) for each in self.sheaths]
-        known = [(outside, each) for outside, each in found if outside is not None]
-        known.sort(key=lambda pair: (round(abs((pair[0] - spring) / 2 - tube.sheath_wall), 4), pair[1].price))
+    def over(self, tube: Tube, wall: float | None = None) -> list[TubePart]:
+        """Sheaths that go over the spring of a tube, those of a wall nearest to its own first.
+
+        A spring that nobody sells is replaced by the nearest one, or stays if that has quite another bore.
+
+        Args:
+            tube: the tube.
+            wall: wall that is wished, mm; by default that which gives the outside of the tube.
+        """
+        spring = self._near_spring(tube)
+        if spring is not None:
+            return self.around(spring, (tube.outer_diameter - spring.outer_diameter) / 2 if wall is None else wall)
+        wished, outer = tube.sheath_wall if wall is None else wall, tube.spring_outer_diameter
+        known = self._outsides(tube)
+        known.sort(key=lambda pair: (round(abs((pair[0] - outer) / 2 - wished), 4), pair[1].price))
         return [TubePart(None, sheath, tube.inner_diameter, tube.wire_diameter, outside) for outside, sheath in known]
 
     def smooth(self, tube: Tube) -> list[TubePart]:
@@ -206,19 +232,18 @@ class TubeStock:
         if part is None:
             return None
         held = [name for name in wished if name in SPRING_FIELDS]
-        follow = ["wire_diameter", "outer_diameter"] if held or tube.bore == "smooth" else []
-        if held == ["wire_diameter"]:
-            follow.insert(0, "inner_diameter")
-        if "sheath_wall" in wished:
-            follow = [name for name in follow if name != "outer_diameter"]
+        follow = ["wire_diameter"] if {"inner_diameter", "spring_outer_diameter"} & set(held) else []
+        follow = follow or ["inner_diameter", "wire_diameter"]
+        follow += [] if {"outer_diameter", "sheath_wall"} & set(wished) else ["outer_diameter"]
         return {name: part.values[name] for name in dict.fromkeys((*wished, *follow))}
 
     def wished_part(self, tube: Tube, wished: Mapping[str, float]) -> TubePart | None:
-        """Parts nearest to a tube with some of its fields changed; the spring stays if none of its fields is wished."""
+        """Parts nearest to a tube with some of its fields changed; a sold spring stays if no field of it is wished."""
         held = [name for name in wished if name in SPRING_FIELDS]
         changed = _changed(tube, wished)
-        near = self.nearest(changed, held) if held or tube.bore == "smooth" else iter(self.over(changed))
-        return next(near, None)
+        if held or tube.bore == "smooth":
+            return next(self.nearest(changed, held), None)
+        return next(iter(self.over(changed, wished.get("sheath_wall"))), None)
 
     def nearest(self, tube: Tube, held: Sequence[str] = ("inner_diameter", "wire_diameter")) -> Iterator[TubePart]:
         """Parts for a tube, those nearest to it first, whatever its bore."""

@@ -247,3 +247,38 @@ def test_places_without_parts_are_refused(tmp_path):
         catalogue(tmp_path)
     with refused(Kind.MISSING, file="none.toml"):
         catalogue(tmp_path / "none.toml")
+
+
+# -- one field of a design ------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", ["array-2x6", "line-2", "glove"])
+@pytest.mark.parametrize("field", ["inner_diameter", "wire_diameter", "outer_diameter"])
+def test_each_size_of_a_tube_brings_the_parts_that_make_it(stock, name, field):
+    design = geometry.prototype(name)
+    made = 0
+    for size in stock.sizes(f"tube.{field}", design):
+        values = stock.bought_values(f"tube.{field}", size, design)
+        assert values[f"tube.{field}"] == pytest.approx(size, abs=1e-3)
+        try:
+            changed = design.with_values(values)
+        except Refusal:
+            continue  # too wide for its cavities
+        made += 1
+        fit = stock.fit(changed)
+        assert not [change for change in fit.changes if change.field.startswith("tube.")], (values, fit.changes)
+        assert not fit.missing
+    assert made > 3
+
+
+def test_a_spring_made_to_order_stays_where_its_sheath_is_chosen(stock):
+    design = geometry.prototype("fingertip-3x4")
+    size = stock.sizes("tube.outer_diameter", design)[0]
+    values = stock.bought_values("tube.outer_diameter", size, design)
+    assert values["tube.outer_diameter"] == pytest.approx(size)
+    assert values["tube.inner_diameter"] == design.tube.inner_diameter
+
+
+def test_a_thickness_is_that_of_a_sheet_and_other_fields_are_refused(stock):
+    design = geometry.prototype("array-2x6")
+    assert stock.bought_values("membrane.thickness", 0.47, design) == {"membrane.thickness": 0.5}
+    with refused(Kind.UNKNOWN, "field", "tube.length"):
+        stock.bought_values("tube.length", 12.0, design)
