@@ -20,6 +20,7 @@ from acoustic_fem.membrane import (
     design_disc,
     design_membrane,
     press_curve,
+    press_limits,
 )
 from acoustic_fem.membrane.equilibrium import LoadedDisc, Setup
 from acoustic_fem.membrane.finite_elasticity import Section
@@ -123,6 +124,20 @@ def prototypes() -> Iterator[str]:
             yield f"| {', '.join(names)} | {words} | {' | '.join(cells)} |"
 
 
+def limits() -> Iterator[str]:
+    """Limits of the prototypes' membranes."""
+    yield (
+        "| design | indenter | linear to 10 % (N) | saturates (N) | floor (N) | torn (N) | usable (N) | stretch there |"
+    )
+    yield "|---|---|---|---|---|---|---|---|"
+    for name in ("array-2x6", "fingertip-3x4", "fingertip-4x6", "line-2"):
+        for words, indenter in (("soft patch", SoftPatch()), ("sphere, 8 mm", Sphere(8e-3))):
+            found = press_limits(name, indenter)
+            forces = found.linear_force, found.saturation_force, found.force_at_floor, found.tear_force
+            cells = [f"{force:.2g}" if np.isfinite(force) else "–" for force in (*forces, found.usable_force)]
+            yield f"| `{name}` | {words} | {' | '.join(cells)} | {found.stretch:.2f} |"
+
+
 def main() -> None:
     """Write and print the tables."""
     for name, lines in {
@@ -131,6 +146,7 @@ def main() -> None:
         "bulges": bulges(),
         "meshes": meshes(),
         "prototypes": prototypes(),
+        "limits": limits(),
     }.items():
         table = ["", *lines, ""]
         print("\n".join(table), flush=True)

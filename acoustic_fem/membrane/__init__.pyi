@@ -31,6 +31,7 @@ from .large_deflection import (
     press as press,
     press_curve as press_curve,
 )
+from .pressing_limits import PressLimits as PressLimits, press_limits as press_limits
 from .rubber import (
     ELASTIC as ELASTIC,
     Rubber as Rubber,

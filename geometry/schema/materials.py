@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
@@ -164,4 +165,30 @@ MATERIALS: dict[str, Material] = {
         loss_factor=0.03,
         source="typical rigid photopolymer, assumed; used for the mass of shells only",
     ),
+}
+
+
+@dataclass(frozen=True)
+class TearLimit:
+    """Strength of a rubber in a tensile test."""
+
+    elongation_at_break: float
+    """Elongation at break, a ratio: 3 is torn at four times its length."""
+    tensile_strength: float
+    """Force at break per relaxed section, MPa."""
+    source: str
+    """Source of these values."""
+
+
+_TENSILE = "typical of data sheets of platinum-cured casting silicones of this hardness, assumed"
+
+#: Strengths of the silicones of :data:`MATERIALS`. A film that has bubbles, cuts or a sharp rim tears earlier.
+TEAR_LIMITS: dict[str, TearLimit] = {
+    "silicone-shore-a-0": TearLimit(9.0, 1.4, _TENSILE),
+    "silicone-blend-5-1-shore-a-0-5": TearLimit(9.0, 1.4, _TENSILE),
+    "silicone-shore-a-5": TearLimit(9.0, 2.4, _TENSILE),
+    "silicone-shore-a-10": TearLimit(9.0, 3.2, _TENSILE),
+    "silicone-shore-a-20": TearLimit(6.0, 3.8, _TENSILE),
+    "silicone-shore-a-30": TearLimit(3.6, 3.4, _TENSILE),
+    "silicone-shore-a-50": TearLimit(3.2, 5.0, _TENSILE),
 }
