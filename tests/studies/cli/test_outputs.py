@@ -42,6 +42,7 @@ FILES = {
     "prototypes": ("glove", ".toml"),
     "check": ("row.toml", ".json"),
     "new": ("mine", ".toml"),
+    "compare": ("library.nc glove", ".json"),
     "stock": ("", ".json"),
     "wiring": ("2 3", ".png"),
     "solve": ("row.toml", ".nc"),
