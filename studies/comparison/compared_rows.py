@@ -8,6 +8,7 @@ from typing import Any
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.field_values import declared_at, field_values, place_in_file
+from geometry.schema.materials import MATERIALS
 from studies.comparison.own_figures import OwnFigure
 from studies.comparison.quantities import Quantity, Value, in_order, quantity_named
 from studies.output.display import number
@@ -84,7 +85,7 @@ def differing_fields(designs: Sequence[ArrayDesign]) -> tuple[DifferingField, ..
     Args:
         designs: at least two.
     """
-    values = [field_values(design) for design in designs]
+    values = [field_values(_with_own_materials(design)) for design in designs]
     names = {name for own in values for name in own if name not in _NAMES}
     rows = {name: tuple(own.get(name) for own in values) for name in sorted(names, key=place_in_file)}
     return tuple(
@@ -92,6 +93,12 @@ def differing_fields(designs: Sequence[ArrayDesign]) -> tuple[DifferingField, ..
         for name, row in rows.items()
         if any(value != row[0] for value in row[1:])
     )
+
+
+def _with_own_materials(design: ArrayDesign) -> ArrayDesign:
+    """The design without the built-in materials, which the design of a result states and that of a user does not."""
+    own = {key: value for key, value in design.materials.items() if MATERIALS.get(key) != value}
+    return design.model_copy(update={"materials": own})
 
 
 def compared_figures(figures: Sequence[Mapping[str, OwnFigure]]) -> tuple[ComparedFigure, ...]:
@@ -118,6 +125,7 @@ def compared_figures(figures: Sequence[Mapping[str, OwnFigure]]) -> tuple[Compar
 
 
 def _written(value: Any, unit: str) -> str:
+    unit = unit.replace("^3", "\N{SUPERSCRIPT THREE}")
     match value:
         case None:
             return "\N{EN DASH}"

@@ -188,6 +188,8 @@ def test_cases_of_a_sweep_have_its_metrics_and_libraries(store: Path) -> None:
     assert found.subjects[1].library is not None
     assert np.array_equal(found.subjects[1].library.transfer_function, sweep.library(1).transfer_function)
     assert better(found, "stored.volume") == [found.names[0]]
+    base = studies.compare(f"{store}#0", SHORT, printing=False)  # which states no built-in material
+    assert [each.name for each in base.fields] == ["tube.length"]
 
 
 def test_curves_reach_from_the_strongest_to_the_weakest_point() -> None:
