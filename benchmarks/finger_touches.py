@@ -29,6 +29,7 @@ from acoustic_fem.scatter.as_built_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign
 from geometry.ground.typed import Array
 from localize.contacts import Contact, ContactRecorder, press, slide, tap
+from localize.contacts.contact_shapes import FINGER, Tool
 from localize.live.front_end import high_pass_sections
 from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
@@ -62,20 +63,22 @@ def frame_of(signals: Array, random: np.random.Generator) -> Array:
     return np.asarray(heard[:, start : start + FRAME])
 
 
-def contacts(place: Array, seed: int, number: int, random: np.random.Generator) -> dict[str, Contact]:
-    """A tap, a press and a slide of a finger on one membrane."""
+def contacts(
+    place: Array, seed: int, number: int, random: np.random.Generator, tool: Tool = FINGER
+) -> dict[str, Contact]:
+    """A tap, a press and a slide of a finger, or of another tool, on one membrane."""
     x, y = place + random.uniform(-OFF, OFF, 2)
     angle, speed = random.uniform(0, 2 * np.pi), float(np.exp(random.uniform(*np.log(SLIDE_SPEED))))
     along = WAY * np.array([np.cos(angle), np.sin(angle)])
     start, end = ((float(a), float(b)) for a, b in (place - along, place + along))
     return {
-        "taps": tap((x, y), seed=seed, sample=number),
-        "presses": press((x, y), seed=seed, sample=number),
+        "taps": tap((x, y), tool=tool, seed=seed, sample=number),
+        "presses": press((x, y), tool=tool, seed=seed, sample=number),
         "slides": slide(start, end, speed, seed=seed, sample=number),
     }
 
 
-def touched(response: ArrayResponse, seed: int) -> Frames:
+def touched(response: ArrayResponse, seed: int, tool: Tool = FINGER) -> Frames:
     """Frames of each kind of touch, (n, n_microphone, 250), and their points, from 0."""
     assert response.position is not None
     recorder, points = ContactRecorder(response, seed=seed), response.point_count
@@ -84,7 +87,7 @@ def touched(response: ArrayResponse, seed: int) -> Frames:
     made: dict[str, list[Array]] = {kind: [] for kind in KINDS[1:]}
     for number in range(EACH * points):
         random = np.random.default_rng((seed, number))
-        touches = contacts(response.position[number % points], seed, number, random)
+        touches = contacts(response.position[number % points], seed, number, random, tool)
         for k, (kind, contact) in enumerate(touches.items()):
             take = recorder.take(contact, 3 * number + k).signals
             silent = max(0, FRAME + 1 - take.shape[1])

@@ -16,6 +16,7 @@ from . import (
     study as study,
     sweep as sweep,
     test_rig as test_rig,
+    verdict as verdict,
 )
 from .bending.bending_rig import BendingRig as BendingRig
 from .bending.bending_run import BendingStudy as BendingStudy, bending_study as bending_study
@@ -74,3 +75,4 @@ from .test_rig.recalibrating import Recalibration as Recalibration, recalibrate 
 from .test_rig.rig_session import RigSession as RigSession, record_rig as record_rig
 from .test_rig.rig_touches import TouchSession as TouchSession
 from .test_rig.virtual_rig import HiddenScatter as HiddenScatter, Recorder as Recorder, Rig as Rig
+from .verdict.verdict import Verdict as Verdict

@@ -1,7 +1,7 @@
 """Tables of the fields of files, from the models that read them, of the metrics and of the rooms.
 
 ``{fields} SECTION``, or names of single fields, of a design file; ``{study-fields} study``, ``range`` or ``optimize``;
-``{part-fields} KIND`` of a file of parts; ``{metrics}``; ``{rooms} PACKAGE``.
+``{part-fields} KIND`` of a file of parts; ``{metrics}``; ``{rooms} PACKAGE``; ``{verdict-rules}``.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ from geometry.stock import (
 from studies.optimization.problem import OptimizeFields
 from studies.study.fields import RangeFields, StudyFields
 from studies.study.metric_registry import METRICS
+from studies.verdict import rule_rows
 
 #: What has the fields of ``[tube]`` all over again, as the page says.
 _ALIKE = ("microphone_tube.", "lines.*.tube.", "lines.*.micro", "tube_kinds.")
@@ -176,6 +177,22 @@ class Metrics(SphinxDirective):
         return self.parse_text_to_nodes(metric_table())
 
 
+def rule_table() -> str:
+    """Markdown table of the rules of the verdict: name, figure, limits, needs, reason."""
+    head = "| rule | figure | works | marginal | needs | why |\n|---|---|---|---|---|---|\n"
+    return head + "".join(
+        "| `{}` | {} | {} | {} | {} | {} |\n".format(*(text.replace("|", "\\|") for text in row)) for row in rule_rows()
+    )
+
+
+class VerdictRules(SphinxDirective):
+    """The directive of the rules of the verdict."""
+
+    def run(self) -> list[nodes.Node]:
+        """The table as nodes."""
+        return self.parse_text_to_nodes(rule_table())
+
+
 class Rooms(SphinxDirective):
     """The directive of the rooms of a package."""
 
@@ -193,4 +210,5 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("rooms", Rooms)
     app.add_directive("study-fields", StudyFieldsTable)
     app.add_directive("part-fields", PartFieldsTable)
+    app.add_directive("verdict-rules", VerdictRules)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

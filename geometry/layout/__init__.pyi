@@ -20,5 +20,5 @@ from .placement import (
     point_places as point_places,
 )
 from .plan_drawing import draw_plan as draw_plan
-from .remedies import fix_for as fix_for, refuse_unbuildable as refuse_unbuildable
+from .remedies import fix_for as fix_for, fix_values as fix_values, refuse_unbuildable as refuse_unbuildable
 from .size import array_size as array_size

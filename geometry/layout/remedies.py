@@ -47,8 +47,15 @@ def fix_for(design: DesignLike) -> str:
     walls where these are in the way; straight tubes at their own pitch; a larger cylinder, palm or spread, longer
     tubes; thinner walls.
     """
+    return fix_values(design)[0]
+
+
+def fix_values(design: DesignLike) -> tuple[str, dict[str, Any]]:
+    """The change of :func:`fix_for` in words and as values by dotted name; an empty text and no values where none of
+    those tried does it.
+    """
     design = resolve_design(design)
-    return next((words for words, values in _changes(design) if _can_be_built(design, values)), "")
+    return next(((words, values) for words, values in _changes(design) if _can_be_built(design, values)), ("", {}))
 
 
 def _changes(design: ArrayDesign) -> Iterator[tuple[str, dict[str, Any]]]:

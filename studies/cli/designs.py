@@ -23,11 +23,15 @@ from studies.cli.terminal_tables import (
     show_findings,
     show_library,
     show_parts,
+    show_verdict,
     table_of,
     tell,
 )
-from studies.output.folders import as_picture
+from studies.output.folders import as_picture, check_new_file
 from studies.output.frequencies import LIBRARY_FREQUENCIES
+
+#: Exit code of a design that is marginal.
+_MARGINAL = 3
 
 AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Continue although parts overlap.")]
 
@@ -71,29 +75,70 @@ def check(
         Path | None, typer.Option(help="File to draw the predicted accuracy of each point in: .png, .pdf or .svg.")
     ] = None,
     own: OwnStock = None,
+    fix: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="New design file to write, with the changes that help most, one after the other."
+        ),
+    ] = None,
 ) -> None:
-    """Validate a design and predict how well it will work.
+    """Say whether a design will work, why not, and which change helps most.
 
-    Problems that prevent it from being made come first. Then come the top-1 accuracy that is predicted for multi-sine
-    touches on as-built sensors and on the nominal one, the wiring, the layout, the print rules and the validity of the
-    models. The exit code is 1 if the design is invalid, if parts overlap, or if a print rule fails. Parts are drawn and
-    measured but nothing is solved in 3-D, so it takes seconds.
+    The verdict comes first: works, marginal or does not work, with the worst reasons and a computed remedy for each.
+    Four figures follow: as-built accuracy of taps, smallest force, size and cost. Then come the wiring, the layout, the
+    print rules and the validity of the models. The exit code is 0 if the design works, 3 if it is marginal, and 1 if it
+    does not work or cannot be read. With --fix the exit code is that of the fixed design. Parts are drawn and measured
+    but nothing is solved in 3-D, so it takes seconds. Guide: docs/verdict.md.
 
-    Example: [bold]acoustic-fem check mine.toml[/bold]
+    Example: [bold]acoustic-fem check mine.toml --fix fixed.toml[/bold]
     """
     if fields:
         show_fields()
         return
     if design is None:
         raise typer.BadParameter("give a DESIGN, or --fields")
+    if fix is not None:
+        check_new_file(fix, ".toml", kept="a design")
     with display_on_stderr() as display:
         found = studies.check_design(design, out, picture=picture, display=display)
     show_check(found)
     show_stock_fit(found.stock)
     if picture is not None:
         say(as_picture(picture))
-    if found.error is not None:
+    verdict = found.verdict
+    if fix is not None and verdict is not None:
+        verdict = _fixed(verdict, fix)
+    elif found.error is not None:
         raise found.error
+    if verdict is not None:
+        _end(verdict)
+
+
+def _fixed(verdict: studies.Verdict, path: Path) -> studies.Verdict:
+    """Verdict on the design with the remedies applied, which is written to a new file."""
+    for remedy in verdict.fixes:
+        tell(f"changed: {remedy.words}")
+    if not verdict.fixes:
+        tell("changed: nothing, because no change that was tried helps")
+    geometry.save_design(verdict.fixed(), path)
+    fixed = studies.Verdict(verdict.fixed())
+    say(path)
+    show_verdict(fixed)
+    return fixed
+
+
+def _end(verdict: studies.Verdict) -> None:
+    """End with exit code 3 if a design is marginal.
+
+    Raises:
+        Refusal: it does not work.
+    """
+    if verdict.outcome == "marginal":
+        raise typer.Exit(_MARGINAL)
+    if verdict.outcome == "does not work":
+        reason = verdict.reasons[0]
+        remedy = "" if reason.remedy is None else f"try {reason.remedy.words}"
+        raise Refusal(f"does not work: {reason.words}", kind=Kind.UNSUITABLE, file=verdict.design.name, remedy=remedy)
 
 
 def wiring(
@@ -209,11 +254,12 @@ def run(
     """
     with display_on_stderr() as display:
         result = studies.run_design(design, out, allow_overlaps=allow_overlaps, display=display)
-    say(studies.run.verdict(result))
+    say(studies.run.summary(result))
     table = table_of("top-1 accuracy", "trained localizer", "Bayes decoder", "tolerance-aware decoder")
     for row in studies.run.accuracy_rows(result):
         table.add_row(row.touches, row.localizer, row.bayes, row.tolerant)
     show(table)
+    show_verdict(result.verdict)
     say(f"{out / 'report.html'}")
 
 

@@ -19,6 +19,7 @@ from geometry.layout.cutting import cutting_list
 from geometry.plan.wiring_graph import WiringCounts
 from geometry.schema.declared_fields import fields_of
 from studies.output.display import number
+from studies.verdict import figure_rows, reason_lines
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from studies.run.check import DesignCheck
     from studies.run.part_folder import MadeParts
     from studies.run.quality import DesignQuality
+    from studies.verdict import Verdict
 
 #: Blanks of a table: at both its edges, and between columns.
 _EDGES, _GAP = 2, 3
@@ -151,8 +153,10 @@ def show_fields() -> None:
 
 
 def show_check(found: DesignCheck) -> None:
-    """All findings on a design, first what keeps it from being made."""
-    say(f"{found.design.name}: {found.verdict}")
+    """All findings on a design: the verdict, its reasons and remedies, four figures, then everything else."""
+    if found.verdict is not None:
+        show_verdict(found.verdict)
+    say(f"{found.design.name}: {found.buildability}")
     _show_first(found.problems, "- {}")
     if found.mend:
         tell(f"- {found.mend}")
@@ -195,6 +199,17 @@ def show_check(found: DesignCheck) -> None:
     show(table)
     if found.printing is not None:
         _show_print_problems(found.printing)
+
+
+def show_verdict(verdict: Verdict) -> None:
+    """Print a verdict: its outcome, the worst reasons with their remedies, and the four figures."""
+    say(f"{verdict.design.name}: {verdict.outcome}")
+    for line in reason_lines(verdict):
+        tell(line)
+    table = table_of("figure", "value", "remark", numbers=(1,))
+    for row in figure_rows(verdict):
+        table.add_row(*row)
+    show(table)
 
 
 def _show_unjudged(found: DesignCheck) -> None:

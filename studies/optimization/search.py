@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
-from geometry.design.design_file import value_of
 from geometry.ground.refusal import Kind, counted
 from studies.optimization.descent import Descent
 from studies.optimization.journal import opened, read_only, read_seal, seal
 from studies.optimization.problem import Optimization, printable_rows, searched_range
 from studies.study.cases import by_kind
+from studies.study.constraints import read_value
 from studies.study.parameter import Parameter, StudyError
 from studies.study.stock_axes import nearest_values
 from studies.sweep.one_design import design_metrics
@@ -128,7 +128,7 @@ def refusal_of(problem: Optimization, values: dict[str, Any]) -> tuple[ArrayDesi
     except DesignError as error:
         return None, str(error)
     for constraint in study.constraints:
-        if not constraint.holds({name: value_of(design, name) for name in constraint.names}):
+        if not constraint.holds({name: read_value(design, name) for name in constraint.names}):
             return None, f"constraint {constraint.text!r} does not hold"
     reasons = problem.rules.refusals(design)
     return (None, reasons[0]) if reasons else (design, "")

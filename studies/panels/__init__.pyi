@@ -33,3 +33,4 @@ from .touching import (
     simulate_slide as simulate_slide,
     simulate_touch as simulate_touch,
 )
+from .verdict_panel import verdict_figures as verdict_figures

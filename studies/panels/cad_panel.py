@@ -67,13 +67,13 @@ def check_figures(design: ArrayDesign, notify: Callable[[str], None] = lambda li
         notify: called with what is being done.
 
     Returns:
-        As :meth:`studies.run.check.DesignCheck.to_dict` without the quality, and its ``verdict``.
+        As :meth:`studies.run.check.DesignCheck.to_dict` without the quality; ``verdict`` is its ``buildability``.
 
     Raises:
         Refusal: as :func:`studies.check_design`.
     """
     found = check_design(design, quality=False, display=CallbackDisplay(notify))  # the points' panel has it
-    return {**found.to_dict(), "verdict": found.verdict}
+    return {**found.to_dict(), "verdict": found.buildability}
 
 
 class CallbackDisplay(Display):

@@ -46,6 +46,8 @@ from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, new_picture, write_json
 from studies.run.quality import DesignQuality, design_quality, draw_quality
 from studies.run.validity import Validity, model_validity
+from studies.verdict.measuring import Drawn
+from studies.verdict.verdict import Verdict
 
 #: Frequencies of the estimated attenuation, Hz.
 ATTENUATION_AT = (1.0, 10.0, 100.0)
@@ -108,11 +110,14 @@ class DesignCheck(Shown):
     """Parts that the design is bought as, and what the catalogue lacks."""
     quality: DesignQuality | None = None
     """How good it is; None where that was not asked, there is nothing to tell apart, or nothing to judge it with."""
+    verdict: Verdict | None = None
+    """Verdict with its reasons and remedies; None where the quality was not asked."""
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
         quality = self.quality
         return f"Check of {self.design.name}", {
+            "verdict": "" if self.verdict is None else self.verdict.outcome,
             "size": f"{self.size[0]:.4g} x {self.size[1]:.4g} x {self.size[2]:.4g} mm",
             "points": self.design.point_count,
             "coverage": f"{self.coverage:.0%}",
@@ -154,8 +159,8 @@ class DesignCheck(Shown):
         return self.overlaps or self.misfits or self.failures
 
     @property
-    def verdict(self) -> str:
-        """Verdict on the array: valid as far as it was checked, or impossible to build or to print."""
+    def buildability(self) -> str:
+        """Words on making the array: valid as far as it was checked, or impossible to build or to print."""
         if self.overlaps or self.misfits:
             return "cannot be built"
         if self.printing is None:
@@ -167,7 +172,7 @@ class DesignCheck(Shown):
         """Error with all problems of a design that cannot be made; None if it can be made."""
         if not self.problems:
             return None
-        return DesignError.of_notes(self.design.name, self.problems, self.verdict, self.mend)
+        return DesignError.of_notes(self.design.name, self.problems, self.buildability, self.mend)
 
     def to_dict(self) -> dict[str, Any]:
         """Findings as JSON can hold them."""
@@ -193,6 +198,7 @@ class DesignCheck(Shown):
             "fidelity": self.fidelity.words,
             "stock": self.stock.to_dict(),
             "quality": None if self.quality is None else self.quality.to_dict(),
+            "verdict": None if self.verdict is None else self.verdict.to_dict(),
         }
 
 
@@ -215,8 +221,8 @@ def check_design(
         out: a JSON file for all findings; an earlier one is replaced.
         picture: a file, ``.png`` by default, for a plan view of the array with each point coloured by its predicted
             accuracy.
-        quality: whether to predict the accuracy with :func:`studies.run.design_quality`. For a picture it is always
-            predicted.
+        quality: whether to give the verdict and predict the accuracy with :func:`studies.run.design_quality`. For a
+            picture the accuracy is always predicted.
         display: shows progress.
 
     Raises:
@@ -230,8 +236,11 @@ def check_design(
     if drawn is not None:
         check_extras("what judges points", "train")
     judge = drawn is not None or (quality and is_installed("train"))
-    steps = _Steps(display or Display(), 2 + 3 * is_installed("cad") + judge)
+    steps = _Steps(display or Display(), 2 + 3 * is_installed("cad") + judge + quality)
     found = _judged(design, steps)
+    if quality:
+        with steps("Verdict and remedies"):
+            found = replace(found, verdict=_verdict(found))
     if judge:
         with steps("How good it is"):
             found = replace(found, quality=design_quality(design))
@@ -243,6 +252,17 @@ def check_design(
             raise Refusal(problem, kind=Kind.UNSUITABLE, field="picture")
         draw_quality(design, found.quality, drawn)
     return found
+
+
+def _verdict(found: DesignCheck) -> Verdict:
+    """The verdict with what the drawn parts show; its remedies are computed now."""
+    drawn = None
+    if found.printing is not None:
+        failed = tuple(each for each in found.printing.findings if each.verdict == "fail")
+        drawn = Drawn(found.misfits, failed)
+    verdict = Verdict(found.design, drawn=drawn)
+    len(verdict.reasons)
+    return verdict
 
 
 @dataclass(frozen=True)

@@ -58,8 +58,8 @@ class AccuracyRow:
     """Accuracy of the decoder that models manufacturing tolerances; "not known" if the design's are not known."""
 
 
-def verdict(result: RunResult) -> str:
-    """Verdict on a run: accuracy, the hardest pair, printing; :func:`accuracy_rows` has the other accuracies."""
+def summary(result: RunResult) -> str:
+    """Summary of a run: accuracy, the hardest pair, printing; :func:`accuracy_rows` has the other accuracies."""
     design, network = result.design, result.network
     lines = len(design.lines)
     found = (
@@ -313,7 +313,8 @@ def write_results(result: RunResult, path: Path) -> None:
     content = {
         "program": "acoustic-fem run",
         "created": result.created.isoformat(timespec="seconds"),
-        "verdict": verdict(result),
+        "verdict": result.verdict.to_dict(),
+        "summary": summary(result),
         "accuracy": [asdict(row) for row in accuracy_rows(result)],
         "key_figures": [asdict(figure) for figure in key_figures(result)],
         "design": {"name": result.design.name, "toml": write_design(result.design.completed())},

@@ -52,6 +52,7 @@ from studies.run.part_folder import ALL_THE_SAME
 from studies.run.run_report import write_report
 from studies.run.run_result import RunResult
 from studies.run.validity import model_validity
+from studies.verdict import Drawn, Verdict
 
 if TYPE_CHECKING:
     from localize import Localizer
@@ -136,6 +137,7 @@ def _run(
     result = RunResult(
         design=design,
         folder=folder,
+        verdict=Verdict(design, drawn=Drawn((), tuple(each for each in printing.findings if each.verdict == "fail"))),
         created=stated_time(),
         library=library,
         lumped=lumped,

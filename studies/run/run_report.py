@@ -28,10 +28,11 @@ from studies.run.findings import (
     noise_sentence,
     point_rows,
     printing_sentence,
+    summary,
     training_sentence,
-    verdict,
 )
 from studies.run.run_result import RunResult
+from studies.verdict import figure_rows, remedy_in_words
 
 #: Frequencies at which lumped cells are compared with 3-D cells, Hz.
 CELLS_COMPARED_AT = (1.0, 10.0, 100.0)
@@ -53,7 +54,13 @@ def render(result: RunResult) -> str:
         result=result,
         design=result.design,
         band=BAND,
-        verdict=verdict(result),
+        verdict=result.verdict,
+        reasons=[
+            (reason, None if reason.remedy is None else remedy_in_words(reason.rule, reason.remedy))
+            for reason in result.verdict.reasons
+        ],
+        four=figure_rows(result.verdict),
+        summary=summary(result),
         accuracies=accuracy_rows(result),
         figures=key_figures(result),
         pictures={name: inlined_picture(path) for name, path in result.figures.items()},

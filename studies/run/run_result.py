@@ -18,6 +18,7 @@ from studies.metrics.pairs import Disagreement
 from studies.metrics.separation import Separability
 from studies.output.report_texts import with_worst
 from studies.run.validity import Validity
+from studies.verdict import Verdict
 
 if TYPE_CHECKING:
     from studies.evaluation.headline import Headline
@@ -34,6 +35,7 @@ class RunResult(Shown):
             return "" if headline is None else with_worst(headline.top1, headline.worst)
 
         return f"Run of {self.design.name}", {
+            "verdict": self.verdict.outcome,
             "folder": self.folder,
             "fidelity": self.library.fidelity,
             "top-1 accuracy on": self.network.signals,
@@ -49,6 +51,8 @@ class RunResult(Shown):
     """Design that was run."""
     folder: Path
     """Folder that the run wrote."""
+    verdict: Verdict
+    """Verdict on the design, with its reasons and remedies."""
     created: datetime
     """Time at which the run was made."""
     library: Library

@@ -30,7 +30,7 @@ from studies.studio.workplace import Workplace
 #: Sends a message to the page: text, or bytes.
 Send = Callable[[str | bytes], Awaitable[None]]
 #: Stages beside the curves, each shown by a panel, with the pause before they begin, s.
-STAGES = {"points": 0.0, "surface": 0.0, "as_built": 0.5, "model": 0.1, "check": 1.0}
+STAGES = {"points": 0.0, "surface": 0.0, "verdict": 0.3, "as_built": 0.5, "model": 0.1, "check": 1.0}
 
 #: Files that a page can still fetch: a browser may ask for one after the next one was made.
 MOST_FILES = 4
@@ -140,6 +140,17 @@ class Session:
             await self._post({"type": "refused", **refused.__dict__})
             return
         await self._changed()
+
+    async def _remedy(self, message: Mapping[str, Any]) -> None:
+        values = message.get("values")
+        if not isinstance(values, dict):
+            raise MessageError(kind=Kind.WRONG_TYPE, field="values", allowed="a table")
+        try:
+            self.state.set_values(values)
+        except Refusal as error:
+            await self._post({"type": "refused-design", "message": str(error)})
+            return
+        await self._changed(whole=True)
 
     async def _undo(self, message: Mapping[str, Any]) -> None:
         self.state.undo()
@@ -387,6 +398,7 @@ class Session:
 
 _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
     "set": Session._set,
+    "remedy": Session._remedy,
     "undo": Session._undo,
     "redo": Session._redo,
     "prototype": Session._prototype,

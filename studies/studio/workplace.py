@@ -27,6 +27,7 @@ from studies.panels.live_panel import listen_live, sound_cards
 from studies.panels.points import as_built_figures, point_figures
 from studies.panels.recognizing import store_recognizer, with_kinds, write_letter
 from studies.panels.touching import membranes, replay_recording, simulate_slide, simulate_touch
+from studies.panels.verdict_panel import verdict_figures
 from studies.studio.result_cache import ResultCache
 from studies.studio.stage import Job
 from studies.studio.task_process import TaskProcess
@@ -92,8 +93,8 @@ class Workplace:
         """Result of a job of any stage but that of the curves.
 
         Args:
-            job: of the stage "points", "pinned_points", "as_built", "surface",
-                "model" or "check".
+            job: of the stage "points", "pinned_points", "as_built", "verdict",
+                "surface", "model" or "check".
             notify: called from another thread with each line on what is being done.
         """
         stage = "points" if job.stage == "pinned_points" else job.stage
@@ -109,6 +110,10 @@ class Workplace:
             elif stage == "as_built":
                 found = await self.in_thread(
                     "as_built", lambda: self._predictor.run(as_built_figures, (job.design,), task=job)
+                )
+            elif stage == "verdict":
+                found = await self.in_thread(
+                    "as_built", lambda: self._predictor.run(verdict_figures, (job.design,), task=job)
                 )
             elif stage == "model":
                 found = await self.in_thread("cad", lambda: self.cad.run(model_of_array, (job.design,), task=job))

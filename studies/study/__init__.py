@@ -1,6 +1,6 @@
 """Parts of a study: file, cases, constraints, metrics by name.
 
-Stands on: metrics, scatter.
+Stands on: metrics, scatter, verdict.
 """
 
 import lazy_loader

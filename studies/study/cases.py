@@ -12,11 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
-from geometry.design.design_file import value_of
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.overlaps import refuse_overlaps
 from geometry.layout.remedies import refuse_unbuildable
-from studies.study.constraints import Constraint
+from studies.study.constraints import Constraint, read_value
 from studies.study.study import Study
 
 #: How the reason begins of a case that failed by a mistake of the program, not by its design.
@@ -217,7 +216,7 @@ def _read(design: ArrayDesign, name: str) -> Any:
             else:
                 place = place[step] if isinstance(place, dict) else getattr(place, step)
     except (AttributeError, LookupError):
-        return value_of(design, name)
+        return read_value(design, name)
     return place
 
 

@@ -13,6 +13,7 @@ from typing import Any, NoReturn
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
 from geometry.ground.refusal import Kind, Refusal, quoted, said_by
+from studies.verdict import OUTCOMES, Verdict
 
 #: A dotted name; a step after ``materials.`` may hold dashes, an index of a list is a number.
 _NAME = re.compile(r"""(?<![\w.'"])(?:materials\.[\w-]+(?:\.\w+)+|[A-Za-z]\w*(?:\.\w+)*)\b(?!\s*\()""")
@@ -36,6 +37,24 @@ _COMPARISONS: dict[type[ast.AST], Callable[[Any, Any], Any]] = {
     ast.NotEq: operator.ne,
 }
 _FUNCTIONS: dict[str, Callable[..., Any]] = {"min": min, "max": max, "abs": abs, "sqrt": math.sqrt}
+
+
+VERDICT = "verdict"
+"""Name of the verdict in a condition, such as ``verdict != 'does not work'``."""
+
+
+def read_value(design: ArrayDesign, name: str) -> Any:
+    """Value of a name of a condition: a field or a derived value of a design, or its verdict.
+
+    Args:
+        design: the design.
+        name: dotted name, or :data:`VERDICT`, whose value is the outcome of :class:`studies.Verdict`.
+
+    Raises:
+        DesignError: no such name.
+        Refusal: a membrane outside what can be solved.
+    """
+    return Verdict(design).outcome if name == VERDICT else value_of(design, name)
 
 
 @dataclass(frozen=True)
@@ -106,7 +125,7 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
     values = []
     for name in names:
         try:
-            value = value_of(base, name)
+            value = OUTCOMES[0] if name == VERDICT else value_of(base, name)
         except DesignError as error:
             refuse(f"names {name}, which {error.problem}", error.kind, str(error.remedy))
         if not isinstance(value, (int, float, str)) and value is not None:

@@ -272,6 +272,25 @@ def _forgiving() -> Iterable[Metric]:
     )  # fmt: skip
 
 
+def _verdict(figures: SharedFigures) -> Values:
+    from studies.verdict.measuring import measure
+    from studies.verdict.rules import OUTCOMES, RULES, worst
+
+    own = figures.responses
+    found = measure(required(own.designs), known=own.discs)
+    outcomes = [worst([values[rule.name].outcome(rule) for rule in RULES]) for values in found]
+    return np.array([1 - OUTCOMES.index(outcome) / (len(OUTCOMES) - 1) for outcome in outcomes])
+
+
+def _judged() -> Iterable[Metric]:
+    yield Metric(
+        "verdict", "1", "verdict",
+        "Worst outcome of all rules of studies.Verdict: 1 for a design that works, 0.5 for a marginal one, and 0 for "
+        "one that does not work. Takes a tenth of a second per design of 12 points.",
+        _verdict, frozenset({"designs"}), extras=("train",),
+    )  # fmt: skip
+
+
 def _touches() -> Iterable[Metric]:
     worst = "rms over 1 to 100 Hz, at the loudest microphone, for the point where this is smallest"
     yield Metric(
@@ -341,5 +360,5 @@ def _of_parts(of_design: Callable[[ArrayDesign, build.Volumes], float], figures:
 
 #: All metrics by name.
 METRICS: dict[str, Metric] = {
-    metric.name: metric for metric in (*_separation(), *_predicted(), *_forgiving(), *_touches(), *_build())
+    metric.name: metric for metric in (*_separation(), *_predicted(), *_forgiving(), *_judged(), *_touches(), *_build())
 }

@@ -162,7 +162,7 @@ def test_a_wheel_holds_all_that_the_command_needs(tmp_path: Path) -> None:
             capture_output=True,
             encoding="utf-8",
         )
-        assert done.returncode == 0, done.stderr
+        assert done.returncode in (0, 3), done.stderr  # 3: a marginal design
         return done.stdout
 
     assert "array-2x6" in run("prototypes")

@@ -195,6 +195,7 @@ def test_a_newcomer_types_every_block_and_looks_at_the_pictures(
     script = newcomer.typed(page).splitlines()
     assert script == [
         "set -eo pipefail",
+        newcomer.MARGINAL,
         *("cat > a.toml <<'END'", "yes = 1", "END"),
         "acoustic-fem check a --picture a.png",
         "python docs/newcomer.py --look a.png",

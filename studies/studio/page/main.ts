@@ -13,6 +13,7 @@ import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from
 import { handIn, handInFolder } from "./handing";
 import { PointsPanel, type Word } from "./points";
 import { TouchPanel } from "./touch";
+import { VerdictBar } from "./verdict";
 import { Link, type State } from "./link";
 import { StudyPanel } from "./study";
 
@@ -51,6 +52,7 @@ const check = new CheckPanel((part, place) => {
   array.light((each: Part) => each.part === part, [{ part, place }]);
   byId("space").scrollIntoView({ block: "center", behavior: "smooth" });
 });
+const verdict = new VerdictBar(byId("verdict-shown"), (values) => change({ do: "remedy", values }));
 const compare = new ComparePanel();
 const touch = new TouchPanel(
   (message) => { document.querySelector("[data-problem='touch']")!.textContent = ""; link?.send(message); },
@@ -165,6 +167,7 @@ async function figures(message: any): Promise<void> {
   }
   if (stage === "points") table.take(found);
   if (stage === "as_built") table.asBuilt(found);
+  if (stage === "verdict") verdict.take(found);
   if (stage === "check") check.take(found);
   if (stage === "surface") touch.take(found, message.revision);
   if (stage === "study") study.found(found);
@@ -284,7 +287,7 @@ function points(fields: any[] | null): void {
 /** What is shown of an earlier design is grey. */
 function stale(): void {
   grey(byId("plots"), curves.revision !== revision);
-  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["points", "compared-figures"], ["as_built", "as-built-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
+  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["points", "compared-figures"], ["as_built", "as-built-shown"], ["verdict", "verdict-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
     grey(byId(place), shownRevision[stage] !== revision);
   }
 }

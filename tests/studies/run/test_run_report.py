@@ -29,8 +29,8 @@ from studies.run.findings import (
     key_figures,
     noise_sentence,
     printing_sentence,
+    summary,
     training_sentence,
-    verdict,
 )
 from studies.run.run_report import render
 
@@ -143,7 +143,7 @@ ROWS = (
 
 def test_the_headline_is_of_taps_and_presses_as_built_and_a_table_has_the_other_touches(page: Page) -> None:
     result = small_run()
-    text, figures = verdict(result), {figure.name: figure for figure in key_figures(result)}
+    text, figures = summary(result), {figure.name: figure for figure in key_figures(result)}
     assert text in page.text
     assert f"{percent(result.network.top1)} of held-out {ROWS[0]}" in text
     assert text.count("%") == 1
@@ -184,7 +184,7 @@ def test_a_headline_without_as_built_sensors_is_of_the_nominal_sensor_and_says_w
         "taps on the nominal sensor", "presses on the nominal sensor", "multi-sine touches on the nominal sensor"
     ]  # fmt: skip
     assert (found.signals, found.worst, found.touches) == ("taps and presses on the nominal sensor", None, 60)
-    told = verdict(replace(result, network=found))
+    told = summary(replace(result, network=found))
     assert f"{percent(found.top1)} of held-out taps and presses on the nominal sensor" in told
     assert f"As-built sensors are left out: {found.unscattered}." in told
     assert "resonator.shape" in found.unscattered
@@ -256,9 +256,9 @@ def test_equally_hard_pairs_that_are_not_named_are_counted() -> None:
         even = np.abs(np.subtract.outer(np.arange(count + 1.0), np.arange(count + 1.0)))
         distances = Separability(tuple(range(1, count + 2)), even, np.zeros_like(even))
         assert len(distances.equally_hard) == count
-        assert words in verdict(replace(result, separability=distances))
+        assert words in summary(replace(result, separability=distances))
     five = np.abs(np.subtract.outer(np.arange(6.0), np.arange(6.0)))
-    told = verdict(replace(result, separability=Separability(tuple(range(1, 7)), five, np.zeros_like(five))))
+    told = summary(replace(result, separability=Separability(tuple(range(1, 7)), five, np.zeros_like(five))))
     assert "4 and 5 and 1 more pair)" in told
 
 
@@ -277,7 +277,7 @@ def test_a_failing_part_is_named_at_the_top() -> None:
     finding = Finding("shell-straight", "thinnest wall", 0.1, 0.2, "mm", "fail", "a rule")
     bad = replace(result, printing=PrintReport(result.printing.process, (finding,)))
     assert "cannot be printed" in printing_sentence(bad)
-    assert "shell-straight" in verdict(bad)
+    assert "shell-straight" in summary(bad)
     text = Page(render(bad)).text
     assert "thinnest wall 0.1 0.2 mm fail a rule" in text
 

@@ -1,0 +1,25 @@
+"""Verdict on a design as the studio's bar shows it: outcome, reasons, remedies that a button applies, four figures."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from geometry.design.array_design import ArrayDesign
+from studies.verdict import Verdict, figure_rows, remedy_in_words
+
+
+def verdict_figures(design: ArrayDesign) -> dict[str, Any]:
+    """Verdict on a design, without its drawn parts.
+
+    Returns:
+        As :meth:`studies.Verdict.to_dict`, where each remedy also has its ``line``; and ``rows`` of the four figures.
+
+    Raises:
+        Refusal: a membrane outside what can be solved.
+    """
+    verdict = Verdict(design)
+    found = verdict.to_dict()
+    for shown, reason in zip(found["reasons"], verdict.reasons, strict=True):
+        if reason.remedy is not None:
+            shown["remedy"]["line"] = remedy_in_words(reason.rule, reason.remedy)
+    return {**found, "rows": [list(row) for row in figure_rows(verdict)]}

@@ -1,0 +1,127 @@
+"""Levels of a tap at every microphone, against the noise there: of many designs at once, in closed forms."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+import acoustic_fem
+from acoustic_fem.batch.network import batch_response
+from acoustic_fem.batch.parameters import ArrayParameters, fits_batch
+from acoustic_fem.batch.topology import Topology
+from acoustic_fem.library.noise_floor import gas_temperature, thermal_covariance
+from acoustic_fem.membrane.disc import KnownDiscs
+from acoustic_fem.network.microphone import noise_density
+from acoustic_fem.quantities.local_air import design_air
+from geometry.design.array_design import ArrayDesign
+from geometry.ground.typed import Array
+from geometry.schema.array_fields import Air
+from localize.contacts.contact import hertz_fraction
+from localize.contacts.finger_gestures import TAP_SECONDS
+from localize.signals.stimulus import BAND
+from studies.metrics.batch_responses import Responses, required
+from studies.metrics.touch_metrics import touch_response
+
+FREQUENCIES = np.geomspace(*BAND, 40)
+"""Frequencies at which the levels are computed, Hz."""
+TAP = math.sqrt(math.prod(TAP_SECONDS))
+"""Length of the tap, s: the geometric mean of the shortest and the longest tap of a finger."""
+LOSS_AT = 10.0
+"""Frequency of the loss, Hz."""
+
+
+@dataclass(frozen=True, eq=False)
+class TapLevels:
+    """Levels of one tap on each point of a design."""
+
+    snr: Array
+    """Signal-to-noise ratio behind a matched filter; (n_point, n_microphone) float64, dB."""
+    loss: Array
+    """Loss from the touched cavity to each microphone at :data:`LOSS_AT`; (n_point, n_microphone) float64, dB."""
+
+    @property
+    def second(self) -> Array:
+        """Ratio at the second-loudest microphone; (n_point,) float64, dB."""
+        return np.asarray(np.sort(self.snr, axis=1)[:, -2])
+
+    @property
+    def loss_to_second(self) -> Array:
+        """Loss to the second-loudest microphone; (n_point,) float64, dB."""
+        order = np.argsort(self.snr, axis=1)[:, -2]
+        return np.asarray(self.loss[np.arange(len(order)), order])
+
+
+def tap_levels(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None) -> list[TapLevels]:
+    """Levels of a tap of the force and the contact of each design's target, in the middle of each point.
+
+    The tap lasts :data:`TAP` and rises and falls as sin^2, as :func:`localize.contacts.tap` does. A membrane takes the
+    part of the force that lies over it, by Hertz's pressure. The matched filter knows the signal of one microphone over
+    1 to 100 Hz, as :func:`acoustic_fem.library.noise_floor.detection_limits`; the noise is that of the air and of the
+    microphone. Sound and vibration from outside are not in it. Fidelity: lumped.
+
+    Args:
+        designs: the arrays.
+        known: membranes that need not be solved.
+    """
+    alike: dict[tuple[Topology, Air] | int, list[int]] = {}
+    for number, design in enumerate(designs):
+        alike.setdefault((Topology.of(design), design.air) if fits_batch(design) else number, []).append(number)
+    found: dict[int, TapLevels] = {}
+    with warnings.catch_warnings(), np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
+        # check lists the same limits under validity
+        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: |noise: ", UserWarning)
+        for key, numbers in alike.items():
+            own = [designs[number] for number in numbers]
+            responses = _alone(own[0]) if isinstance(key, int) else _batch(own, key[0], known)
+            found |= zip(numbers, _levels(responses), strict=True)
+    return [found[number] for number in range(len(designs))]
+
+
+def covered_forces(design: ArrayDesign) -> Array:
+    """Force on the membrane of each point if the target's contact presses its middle, (n_point,) float64, N."""
+    target = design.target
+    radii = np.array([design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds])
+    covered = np.array([hertz_fraction(np.zeros(1), target.contact_radius, float(radius))[0] for radius in radii])
+    return np.asarray(target.force * covered[list(design.kind_of_point)])
+
+
+def _batch(designs: Sequence[ArrayDesign], topology: Topology, known: KnownDiscs | None) -> Responses:
+    air = design_air(designs[0])
+    found = batch_response(ArrayParameters.from_designs(designs, air, known), topology, FREQUENCIES, air)
+    return Responses(
+        FREQUENCIES,
+        np.asarray(found.transfer_function),
+        tuple(designs),
+        (air,) * len(designs),
+        np.asarray(found.source_response),
+        np.asarray(found.point_impedance),
+        np.asarray(found.microphone_impedance),
+        known,
+    )
+
+
+def _alone(design: ArrayDesign) -> Responses:
+    return Responses.of_library(acoustic_fem.solve(design, FREQUENCIES, fidelity="lumped"))
+
+
+def _levels(responses: Responses) -> list[TapLevels]:
+    designs, grid = required(responses.designs), responses.frequency
+    force = np.stack([covered_forces(design) for design in designs])
+    temperature = np.array([gas_temperature(medium) for medium in required(responses.medium)])
+    mutual = np.moveaxis(required(responses.microphone_impedance), -1, 1)
+    thermal = np.einsum("dfmm->dmf", thermal_covariance(mutual, temperature[:, None])).real
+    own = np.stack([noise_density(design.microphone, grid) for design in designs]) ** 2
+    received = touch_response(responses, "force") * force[:, :, None, None]
+    # |spectrum| of sin^2(pi t / T) per newton: T / 2 sinc(f T) / (1 - (f T)^2)
+    cycles = grid * TAP
+    spectrum = TAP / 2 * np.sinc(cycles) / np.where(np.abs(cycles - 1) < 1e-9, np.inf, 1 - cycles**2)
+    power = np.abs(received * spectrum) ** 2 / (thermal + own[:, None])[:, None]
+    with np.errstate(divide="ignore"):
+        snr = 10 * np.log10(4 * np.trapezoid(power, grid, axis=-1))
+        loss = -20 * np.log10(np.abs(responses.transfer_function))
+    at = int(np.abs(grid - LOSS_AT).argmin())
+    return [TapLevels(*each) for each in zip(snr, loss[..., at], strict=True)]
