@@ -11,7 +11,7 @@ import typer
 import studies
 from studies.cli.options import display_on_stderr
 from studies.cli.terminal_tables import say, show, table_of, tell
-from studies.comparison.quantities import OVERVIEW
+from studies.comparison.quantities import OVERVIEW, REASONS
 
 if TYPE_CHECKING:
     from studies.comparison.compared import Comparison
@@ -35,17 +35,20 @@ def compare(
 ) -> None:
     """Compare designs, runs, libraries or cases of sweeps side by side.
 
-    Prints the fields that differ and the figures of each, with the better one named. Accuracy, smallest force, size and
-    cost come first. A run also has the accuracies of its trained localizer. The page shows the transfer functions over
-    each other as well. If something cannot be compared, such as arrays with different numbers of microphones, you see
-    why.
+    Prints the verdict on each, the fields that differ, and the figures with the better one named. Accuracy, smallest
+    force, size and cost come first. A run also has the accuracies of its trained localizer. The page shows the transfer
+    functions over each other as well. If something cannot be compared, such as arrays with different numbers of
+    microphones, you see why.
 
     Example: [bold]acoustic-fem compare array-2x6 mine.toml --out comparison.html[/bold], or
     [bold]acoustic-fem compare results.zarr#3 results.zarr#17[/bold]
     """
     with display_on_stderr() as display:
         found = studies.compare(*subjects, out=out, printing=printing, display=display)
-    groups = dict(found.groups)
+    groups = {name: rows for name, rows in found.groups.items() if name != REASONS}
+    for name, (outcome, reason) in zip(found.names, found.verdicts, strict=True):
+        if outcome:
+            tell(f"{name}: {outcome}{': ' * bool(reason)}{reason}")
     _show_group(found, OVERVIEW, groups.pop(OVERVIEW, ()))
     if found.fields:
         table = table_of("field", *found.names)

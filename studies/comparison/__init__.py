@@ -1,6 +1,6 @@
 """Designs, runs, libraries and cases of sweeps side by side: fields that differ, figures, curves, and their page.
 
-Stands on: findings, metrics, optimization, output, run, study, sweep.
+Stands on: findings, metrics, optimization, output, run, study, sweep, verdict.
 """
 
 import lazy_loader

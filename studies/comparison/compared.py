@@ -45,6 +45,14 @@ class Comparison(Shown):
         return {name: tuple(rows) for name, rows in groupby(known, lambda row: row.quantity.group)}
 
     @property
+    def verdicts(self) -> tuple[tuple[str, str], ...]:
+        """Outcome of the verdict on each subject, and the rule that it breaks worst in words; empty where not known."""
+        rows = {each.quantity.name: each.values for each in self.figures}
+        nothing = (None,) * len(self.subjects)
+        pairs = zip(rows.get("verdict", nothing), rows.get("reason", nothing), strict=True)
+        return tuple((str(outcome or ""), str(reason or "")) for outcome, reason in pairs)
+
+    @property
     def mark(self) -> str:
         """Word that marks a better value: "better" of two subjects, "best" of more."""
         return "better" if len(self.subjects) == 2 else "best"

@@ -55,11 +55,7 @@ def compare(
         with show.stage(each.name, of=len(read)):
             library, fidelity = solved(each)
             drawn = printing and each.kind in ("design", "case")
-            figures.append(
-                subject_figures(
-                    each, library, fidelity, force=read[0].design.target.force, printing=drawn, display=Display()
-                )
-            )
+            figures.append(subject_figures(each, library, fidelity, printing=drawn, display=Display()))
             libraries.append(library)
     found = Comparison(
         subjects=read,

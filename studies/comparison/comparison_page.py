@@ -11,7 +11,7 @@ from geometry.ground.stated_times import stated_time
 from geometry.ground.whole_files import write_text
 from studies.comparison.compared import Comparison
 from studies.comparison.compared_rows import ComparedFigure
-from studies.comparison.quantities import OVERVIEW
+from studies.comparison.quantities import OVERVIEW, REASONS
 from studies.output.report_texts import inlined_drawing, rendered_page
 
 
@@ -27,7 +27,7 @@ def write_comparison(found: Comparison, path: Path) -> None:
 
 def render_comparison(found: Comparison) -> str:
     """Page of a comparison as text. Without matplotlib it has no curves and says so."""
-    groups = dict(found.groups)
+    groups = {name: rows for name, rows in found.groups.items() if name != REASONS}
     return rendered_page(
         "comparison.html",
         found=found,
@@ -41,8 +41,11 @@ def render_comparison(found: Comparison) -> str:
 
 
 def strengths(found: Comparison) -> list[tuple[str, list[str]]]:
-    """Name of each subject with the titles of the figures of the overview in which it is better than others."""
-    rows = found.groups.get(OVERVIEW, ())
+    """Name of each subject with the titles of the figures of the overview in which it is better than others.
+
+    The verdict is left out, because it stands beside them.
+    """
+    rows = [each for each in found.groups.get(OVERVIEW, ()) if each.quantity.name != "verdict"]
     return [(name, [row.quantity.title for row in rows if place in row.best]) for place, name in enumerate(found.names)]
 
 

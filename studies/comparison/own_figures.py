@@ -21,7 +21,6 @@ from studies.comparison.quantities import FIGURES, TOUCH_WORDS, Value
 from studies.comparison.subjects import Subject
 from studies.metrics.batch_responses import Responses
 from studies.metrics.pairs import worst_heard
-from studies.metrics.predicted_accuracy import as_built_accuracy
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import Display
@@ -29,9 +28,14 @@ from studies.output.frequencies import FREQUENCIES
 from studies.output.report_texts import percent
 from studies.run.check import check_design
 from studies.study.metric_registry import METRICS
+from studies.verdict.accuracies import accuracies
+from studies.verdict.measuring import Drawn
+from studies.verdict.verdict import Verdict
 
 #: Points of the largest array whose confusions are predicted: memory goes with the square of them, 1 GB.
 MOST_POINTS = 256
+#: Figures of the verdict.
+_JUDGED = ("verdict", "smallest_force")
 #: Beginnings of the names of metrics that compare two points, or two microphones.
 _OF_PAIRS = ("predicted", "confused", "distance", "ild", "ipd", "scatter")
 #: Beginnings of the names of metrics whose memory goes with the square of the points.
@@ -131,7 +135,7 @@ def solved(subject: Subject) -> tuple[Library, str]:
 
 
 def subject_figures(
-    subject: Subject, library: Library, fidelity: str, *, force: float, printing: bool, display: Display
+    subject: Subject, library: Library, fidelity: str, *, printing: bool, display: Display
 ) -> dict[str, OwnFigure]:
     """All figures of a subject by name of quantity.
 
@@ -139,19 +143,17 @@ def subject_figures(
         subject: the subject.
         library: its library, as :func:`solved` gives it.
         fidelity: that of the library, in words.
-        force: peak force of the taps and presses of predicted accuracies, N.
         printing: whether to draw the parts of a design and to compare them with the print rules.
         display: shows progress.
     """
     found = dict(library_figures(library))
     found |= _signals(library)
     found |= _counts(subject.design)
-    found |= _accuracies(subject, library, force)
-    found |= _of_run(subject) if subject.results else _printing(subject, printing, display)
+    found |= _of_design(subject, library, printing, display)
     found |= {f"stored.{name}": OwnFigure(value) for name, value in subject.metrics.items()}
     grid, medium = library.frequency, library.medium
     found |= {
-        "force": OwnFigure(force),
+        "target": OwnFigure(_target_in_words(subject.design)),
         "given": OwnFigure(subject.kind, subject.source),
         "fidelity": OwnFigure(fidelity),
         "frequencies": OwnFigure(f"{len(grid)} from {grid[0]:g} to {grid[-1]:g} Hz"),
@@ -189,43 +191,72 @@ def _counts(design: ArrayDesign) -> dict[str, OwnFigure]:
     return {name: OwnFigure(float(count)) for name, count in counts.items()}
 
 
-def _accuracies(subject: Subject, library: Library, force: float) -> dict[str, OwnFigure]:
+def _of_design(subject: Subject, library: Library, printing: bool, display: Display) -> dict[str, OwnFigure]:
+    """Verdict, predicted accuracies and print verdict; of a run those that it stored."""
+    if library.fidelity == MEASURED:
+        names = ("verdict", *(f"{whose}_{touch}" for whose in ("as_built", "nominal") for touch in TOUCH_WORDS))
+        return dict.fromkeys(names, unknown("the library is of one sensor that was measured"))
+    design = subject.design
+    found, drawn = (_of_run(subject), None) if subject.results else _drawn(design, printing, display)
+    return {**_judged(design, drawn), **_accuracies(design), **found}
+
+
+def _target_in_words(design: ArrayDesign) -> str:
+    """Force and radius of the contact that verdict and accuracies are for."""
+    target = design.target
+    return f"{target.force:g} N, contact of {target.contact_radius:g} mm radius"
+
+
+def _accuracies(design: ArrayDesign) -> dict[str, OwnFigure]:
     """Predicted accuracies of as-built sensors and of the nominal one, for three kinds of touches."""
     names = [f"{whose}_{touch}" for whose in ("as_built", "nominal") for touch in TOUCH_WORDS]
-    if library.fidelity == MEASURED:
-        return dict.fromkeys(names, unknown("the library is of one sensor that was measured"))
-    if why := _no_pairs("predicted", subject.design):
+    if why := _no_pairs("predicted", design):
         return dict.fromkeys(names, unknown(why))
-    try:
-        found = as_built_accuracy(subject.design, force=force)
-    except Refusal as error:
-        return dict.fromkeys(names, unknown(str(error)))
-    sides = {"as_built": found, "nominal": found.nominal}
+    (found,) = accuracies([design])
+    if isinstance(found, str):
+        return dict.fromkeys(names, unknown(found))
+    sides = {"as_built": found.as_built, "nominal": found.designed}
     return {
         f"{whose}_{touch}": OwnFigure(accuracy.mean, f"{percent(accuracy.low)} to {percent(accuracy.high)}")
         for whose, side in sides.items()
         for touch in TOUCH_WORDS
-        for accuracy in [getattr(side, touch)]
+        for accuracy in [side[touch.replace("_", "-")]]
     }
 
 
-def _printing(subject: Subject, wanted: bool, display: Display) -> dict[str, OwnFigure]:
-    """Print verdict, and the number of problems of building it."""
+def _judged(design: ArrayDesign, drawn: Drawn | None) -> dict[str, OwnFigure]:
+    """Verdict with the rule that is broken worst, and the smallest force that every point can locate."""
+    try:
+        verdict = Verdict(design, drawn=drawn)
+        broken = verdict.broken
+    except Refusal as error:
+        return dict.fromkeys(_JUDGED, unknown(str(error)))
+    force = verdict.figures.smallest_force
+    return {
+        "verdict": OwnFigure(verdict.outcome),
+        "reason": OwnFigure(verdict.values[broken[0].name].words) if broken else OwnFigure(None),
+        "smallest_force": OwnFigure(force) if np.isfinite(force) else unknown("it needs two microphones"),
+    }
+
+
+def _drawn(design: ArrayDesign, wanted: bool, display: Display) -> tuple[dict[str, OwnFigure], Drawn | None]:
+    """Print verdict and number of problems of building a design, and what the verdict needs of the drawn parts."""
     names = ("printing", "problems")
     if not wanted:
-        return dict.fromkeys(names, unknown("parts were not drawn"))
+        return dict.fromkeys(names, unknown("parts were not drawn")), None
     if not is_installed("cad"):
-        return dict.fromkeys(names, unknown("needs pip install 'acoustic-fem[cad]'"))
+        return dict.fromkeys(names, unknown("needs pip install 'acoustic-fem[cad]'")), None
     try:
-        checked = check_design(subject.design, quality=False, display=display)
+        checked = check_design(design, quality=False, display=display)
     except Refusal as error:
-        return dict.fromkeys(names, unknown(str(error)))
+        return dict.fromkeys(names, unknown(str(error))), None
     assert checked.printing is not None
     first = f"the first: {checked.problems[0]}" if checked.problems else ""
-    return {
+    found = {
         "printing": OwnFigure(checked.printing.verdict, checked.printing.process.name),
         "problems": OwnFigure(float(len(checked.problems)), first),
     }
+    return found, checked.drawn
 
 
 def _of_run(subject: Subject) -> dict[str, OwnFigure]:
@@ -243,7 +274,10 @@ def _of_run(subject: Subject) -> dict[str, OwnFigure]:
             "printing": OwnFigure(str(printing["verdict"]), str(printing["process"])),
             "problems": OwnFigure(float(failed)),
         }
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        if isinstance(stored := results.get("verdict"), Mapping):  # runs of older versions have a text
+            words = stored["reasons"][0]["words"] if stored["reasons"] else None
+            found |= {"verdict": OwnFigure(str(stored["outcome"])), "reason": OwnFigure(words)}
+    except (KeyError, IndexError, TypeError, ValueError, AttributeError) as error:
         problem = f"does not hold the results of a run of this version: {said_by(error)}"
         raise Refusal(problem, kind=Kind.UNREADABLE, file=subject.source, remedy="run the design again") from None
     return found

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from studies.output.display import number
 from studies.output.report_texts import percent
 from studies.study.metric_registry import METRICS, metrics_named
+from studies.verdict.rules import OUTCOMES
 
 #: Metrics of a design that tables and the studio list, by the names by which a study asks for them.
 FIGURES = (
@@ -24,8 +25,9 @@ _ALIKE = 5e-3
 _PREFIXES = ((1.0, ""), (1e-3, "m"), (1e-6, "\N{MICRO SIGN}"), (1e-9, "n"), (1e-12, "p"))
 
 #: Groups of a table in their order: what a designer asks first, then the rest.
-OVERVIEW, ACCURACY, APART, SIGNALS, BUILD, TRAINED, STORED, ORIGIN = (
+OVERVIEW, REASONS, ACCURACY, APART, SIGNALS, BUILD, TRAINED, STORED, ORIGIN = (
     "Overview",
+    "Reasons",
     "Accuracy",
     "Separability",
     "Signals",
@@ -34,7 +36,7 @@ OVERVIEW, ACCURACY, APART, SIGNALS, BUILD, TRAINED, STORED, ORIGIN = (
     "As the sweep computed",
     "Origin",
 )
-GROUPS = (OVERVIEW, ACCURACY, APART, SIGNALS, BUILD, TRAINED, STORED, ORIGIN)
+GROUPS = (OVERVIEW, REASONS, ACCURACY, APART, SIGNALS, BUILD, TRAINED, STORED, ORIGIN)
 
 Value = float | str
 """Value of a quantity: a number in its unit, or a text."""
@@ -139,10 +141,10 @@ def figure_words() -> dict[str, dict[str, str]]:
 
 #: Group of each metric of :data:`FIGURES` that is not in the group of the parts.
 _GROUP_OF = {
-    **dict.fromkeys(("noise_equivalent_force", "length", "width", "height", "cost"), OVERVIEW),
+    **dict.fromkeys(("length", "width", "height", "cost"), OVERVIEW),
     **dict.fromkeys(("predicted_top1", "predicted_top1_white_noise", "confused_pair"), ACCURACY),
     **dict.fromkeys(("distance_smallest", "ild_smallest", "ipd_smallest", "scatter_detection"), APART),
-    **dict.fromkeys(("sensitivity_force", "bandwidth"), SIGNALS),
+    **dict.fromkeys(("noise_equivalent_force", "sensitivity_force", "bandwidth"), SIGNALS),
 }
 PRINT_VERDICTS = ("ok", "warn", "fail")
 """Verdicts of the print rules, the best first."""
@@ -150,12 +152,17 @@ PRINT_VERDICTS = ("ok", "warn", "fail")
 TOUCH_WORDS = {"taps": "taps", "presses": "presses", "multi_sines": "multi-sine touches"}
 _METRICS = {name: of_metric(name, _GROUP_OF.get(name, BUILD)) for name in FIGURES}
 _OWN = (
-    *(Quantity(f"as_built_{touch}", f"as-built accuracy, {words}", OVERVIEW if touch == "taps" else ACCURACY,
+    Quantity("verdict", "verdict", OVERVIEW, order=OUTCOMES,
+             definition="Verdict of acoustic-fem check."),
+    Quantity("reason", "worst reason", REASONS, definition="Rule of the verdict that is broken worst."),
+    Quantity("smallest_force", "smallest force", OVERVIEW, "N", "smaller",
+             "Smallest force of a tap that every point can locate: it must stand out of the noise at two microphones."),
+    *(Quantity(f"as_built_{touch}", f"as-built accuracy of {words}", OVERVIEW if touch == "taps" else ACCURACY,
                better="larger", fraction=True, step=ACCURACY_STEP,
                definition=f"Predicted top-1 accuracy for {words}: mean over 64 as-built sensors that nobody "
                "calibrated, with the tolerance-aware decoder. The range in brackets held the accuracy of sensors "
                "decoded in full for 9 of 10 designs.") for touch, words in TOUCH_WORDS.items()),
-    *(Quantity(f"nominal_{touch}", f"nominal accuracy, {words}", ACCURACY, better="larger", fraction=True,
+    *(Quantity(f"nominal_{touch}", f"nominal accuracy of {words}", ACCURACY, better="larger", fraction=True,
                step=ACCURACY_STEP, definition=f"The as-built accuracy for {words}, but of the sensor as designed.")
       for touch, words in TOUCH_WORDS.items()),
     Quantity("hardest_pair", "hardest pair of points", APART,
@@ -172,14 +179,13 @@ _OWN = (
     Quantity("fidelity", "fidelity", ORIGIN, definition="Model of the cells behind the figures and curves."),
     Quantity("frequencies", "frequencies", ORIGIN),
     Quantity("air", "air", ORIGIN),
-    Quantity("force", "force of taps and presses", ORIGIN, "N",
-             definition="Peak force of the taps and presses of the predicted accuracies: that of the target of the "
-             "first design."),
+    Quantity("target", "force and contact", ORIGIN,
+             definition="Force and contact radius of the target, which the verdict and the accuracies are for."),
     Quantity("given", "given as", ORIGIN),
 )  # fmt: skip
 #: Order of the rows within the groups of a table; names that are not listed follow.
 _ORDER = (
-    "as_built_taps", "noise_equivalent_force", "length", "width", "height", "cost",
+    "verdict", "as_built_taps", "smallest_force", "length", "width", "height", "cost",
     "as_built_presses", "as_built_multi_sines", "nominal_taps", "nominal_presses", "nominal_multi_sines",
     "hardest_pair", "distance_smallest", "ild_smallest", "ipd_smallest", "scatter_detection",
     "points", "microphones", "lines", "coverage", "printing", "problems",

@@ -23,7 +23,12 @@ from .form import (
     stated_values as stated_values,
 )
 from .live_panel import listen_live as listen_live, sound_cards as sound_cards
-from .pinned_panel import field_rows as field_rows, figure_rows as figure_rows
+from .pinned_panel import (
+    COMPARISON as COMPARISON,
+    field_rows as field_rows,
+    figure_rows as figure_rows,
+    make_comparison as make_comparison,
+)
 from .points import as_built_figures as as_built_figures, point_figures as point_figures
 from .recognizing import store_recognizer as store_recognizer, with_kinds as with_kinds, write_letter as write_letter
 from .touching import (

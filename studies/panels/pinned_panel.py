@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
 from studies.comparison.compared_rows import compared_figures, differing_fields
+from studies.comparison.comparing import compare
 from studies.comparison.own_figures import OwnFigure
+from studies.panels.cad_panel import CallbackDisplay
+
+#: File of the page that compares two designs.
+COMPARISON = "comparison.html"
+#: Characters that are kept of the name of a design, to which its role is added.
+LONGEST_NAME = 60
 
 
 def field_rows(now: ArrayDesign, pinned: ArrayDesign) -> list[dict[str, Any]]:
@@ -49,3 +57,29 @@ def figure_rows(now: Mapping[str, float | None], pinned: Mapping[str, float | No
         }
         for row in compared_figures(both)
     ]
+
+
+def make_comparison(
+    now: ArrayDesign, pinned: ArrayDesign, folder: str, notify: Callable[[str], None] = lambda line: None
+) -> str:
+    """Write the page that compares the pinned design with the current one.
+
+    Args:
+        now: the current design.
+        pinned: the pinned design.
+        folder: exists and is empty.
+        notify: called with what is being done.
+
+    Returns:
+        Path of the page, in the folder.
+
+    Raises:
+        Refusal: as :func:`studies.compare`.
+    """
+    path = Path(folder) / COMPARISON
+    both = [
+        each.with_values({"name": f"{each.name[:LONGEST_NAME]}-{word}"})
+        for each, word in ((pinned, "pinned"), (now, "now"))
+    ]
+    compare(*both, out=path, display=CallbackDisplay(notify))
+    return str(path)

@@ -150,6 +150,13 @@ class DesignCheck(Shown):
         )
 
     @property
+    def drawn(self) -> Drawn | None:
+        """Findings on the drawn parts that a verdict needs; None if no part was drawn."""
+        if self.printing is None:
+            return None
+        return Drawn(self.misfits, tuple(each for each in self.printing.findings if each.verdict == "fail"))
+
+    @property
     def problems(self) -> tuple[str, ...]:
         """Lines on the reasons why the array cannot be made; empty if it can be made.
 
@@ -256,11 +263,7 @@ def check_design(
 
 def _verdict(found: DesignCheck) -> Verdict:
     """The verdict with what the drawn parts show; its remedies are computed now."""
-    drawn = None
-    if found.printing is not None:
-        failed = tuple(each for each in found.printing.findings if each.verdict == "fail")
-        drawn = Drawn(found.misfits, failed)
-    verdict = Verdict(found.design, drawn=drawn)
+    verdict = Verdict(found.design, drawn=found.drawn)
     len(verdict.reasons)
     return verdict
 

@@ -20,7 +20,7 @@ from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
 from studies.panels.form import addable_tables, form_of, removable_tables, sizes_sold, stated_values
-from studies.panels.pinned_panel import field_rows, figure_rows
+from studies.panels.pinned_panel import COMPARISON, field_rows, figure_rows
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.messages import MessageError, packed, text_of, written
 from studies.studio.stage import Job, Stage, notifier, outcome, progress
@@ -350,14 +350,15 @@ class Session:
     # -- files --------------------------------------------------------------------------------------
     async def _export(self, message: Mapping[str, Any]) -> None:
         name, fidelity = text_of(message, "name"), message.get("fidelity", ONE_DESIGN)
-        check_choice("export", name, EXPORTS, error=MessageError)
+        check_choice("export", name, (*EXPORTS, COMPARISON), error=MessageError)
         if name == "design.toml":
             await self._save()
             return
-        if self._exporting is not None and not self._exporting.done():
-            await self._post(
-                {"type": "refused-export", "message": "one file at a time: stop the one that is made first"}
-            )
+        waits = self._exporting is not None and not self._exporting.done()
+        unpinned = name == COMPARISON and self.pinned is None
+        if waits or unpinned:
+            line = "one file at a time: stop the one that is made first" if waits else "pin a design first"
+            await self._post({"type": "refused-export", "message": line})
             return
         job = Job("export", self.state.revision, self.state.design, (name, fidelity))
         self._export_job = job
@@ -376,7 +377,11 @@ class Session:
     async def _make(self, job: Job) -> None:
         name, fidelity = job.options
         await progress(job, "begins", self._post)
-        work = self._workplace.export(job.design, name, fidelity, notifier(job, self._post), job)
+        notify = notifier(job, self._post)
+        if name == COMPARISON and self.pinned is not None:
+            work = self._workplace.comparison(job.design, self.pinned, notify, job)
+        else:
+            work = self._workplace.export(job.design, name, fidelity, notify, job)
         path = await outcome(job, work, self._post, "stopped")
         if path is not None:
             await self._hand_out(path, f"{job.design.name}-{name}", "export")

@@ -24,6 +24,7 @@ from studies.panels.designing import design_key
 from studies.panels.exploring import FoundDesigns, run_study, study_so_far, write_study
 from studies.panels.export_files import make_export
 from studies.panels.live_panel import listen_live, sound_cards
+from studies.panels.pinned_panel import make_comparison
 from studies.panels.points import as_built_figures, point_figures
 from studies.panels.recognizing import store_recognizer, with_kinds, write_letter
 from studies.panels.touching import membranes, replay_recording, simulate_slide, simulate_touch
@@ -189,10 +190,25 @@ class Workplace:
         self, design: ArrayDesign, name: str, fidelity: Fidelity, notify: Callable[[str], None], task: object
     ) -> Path:
         """One file of a design, made in a process of its own, one after the other."""
+        return await self._made(lambda place: (make_export, (design, name, place, fidelity)), notify, task)
+
+    async def comparison(
+        self, design: ArrayDesign, pinned: ArrayDesign, notify: Callable[[str], None], task: object
+    ) -> Path:
+        """Page that compares a design with the pinned one, made as other files are."""
+        return await self._made(lambda place: (make_comparison, (design, pinned, place)), notify, task)
+
+    async def _made(
+        self,
+        call: Callable[[str], tuple[Callable[..., str], tuple[Any, ...]]],
+        notify: Callable[[str], None],
+        task: object,
+    ) -> Path:
+        """File that a call writes into a folder, in a process of its own."""
 
         def work() -> Path:
             with self._place() as place, self._process("export", "the process that makes files") as process:
-                return Path(process.run(make_export, (design, name, str(place), fidelity), notify, task))
+                return Path(process.run(*call(str(place)), notify, task))
 
         if "export" in self._processes:
             notify(WAITING)

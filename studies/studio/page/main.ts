@@ -461,6 +461,7 @@ byId("points-png").addEventListener("click", () => table.picture(name));
 byId("points-csv").addEventListener("click", () => table.table(name));
 byId("print-png").addEventListener("click", () => tablePicture(check.rows(), `${name}-print.png`));
 byId("print-csv").addEventListener("click", () => csv(check.rows(), `${name}-print.csv`));
+byId("compare-page").addEventListener("click", () => ask("comparison.html"));
 byId("compare-png").addEventListener("click", () => tablePicture(compare.rows(), `${name}-compare.png`));
 byId("compare-csv").addEventListener("click", () => csv(compare.rows(), `${name}-compare.csv`));
 byId("stop-check").addEventListener("click", () => { link?.send({ do: "stop", stage: "check" }); progress("check", "stopped"); });

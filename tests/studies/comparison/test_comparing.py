@@ -20,9 +20,10 @@ from studies.comparison import Comparison
 from studies.comparison.level_curves import level_curves
 from studies.comparison.quantities import Quantity, quantity_named
 from studies.comparison.subjects import MOST_SUBJECTS, read_subject
-from studies.metrics import as_built_accuracy
 from studies.run.quality import design_quality
 from studies.study.metric_registry import METRICS
+from studies.verdict.accuracies import accuracies
+from studies.verdict.rules import OUTCOMES
 
 ARRAY = geometry.prototype("array-2x6")
 SHORT = small_design()
@@ -82,13 +83,27 @@ def test_the_figures_are_those_of_the_quick_answers(two: Comparison) -> None:
     quality = design_quality(SHORT)
     assert quality is not None
     assert row(two, "predicted_top1")[0] == quality.nominal
-    accuracy = as_built_accuracy(SHORT, force=SHORT.target.force)
-    assert row(two, "as_built_taps")[0] == accuracy.taps.mean
-    assert row(two, "nominal_presses")[0] == accuracy.nominal.presses.mean
-    assert row(two, "force") == [SHORT.target.force] * 2
+    (accuracy,) = accuracies([SHORT])
+    assert not isinstance(accuracy, str)
+    assert row(two, "as_built_taps")[0] == accuracy.as_built["taps"].mean
+    assert row(two, "nominal_multi_sines")[0] == accuracy.designed["multi-sines"].mean
     assert row(two, "noise_equivalent_force")[0] == pytest.approx(quality.force, rel=0.02)
     assert row(two, "cost")[0] == quality.cost
     assert row(two, "hardest_pair")[0] == " and ".join(map(str, quality.hardest))
+
+
+def test_the_verdict_is_that_of_check_and_names_the_rule_that_is_broken_worst() -> None:
+    found = studies.compare("array-2x6", "glove", "line-2", printing=False)
+    for name, (outcome, reason) in zip(found.names, found.verdicts, strict=True):
+        verdict = studies.Verdict(name)
+        assert outcome == verdict.outcome
+        assert reason == (verdict.reasons[0].words if verdict.reasons else "")
+        assert row(found, "smallest_force")[found.names.index(name)] == verdict.figures.smallest_force
+    assert len({outcome for outcome, _ in found.verdicts}) > 1
+    best = min(found.verdicts, key=lambda each: OUTCOMES.index(each[0]))[0]
+    assert better(found, "verdict") == [
+        name for name, each in zip(found.names, found.verdicts, strict=True) if each[0] == best
+    ]
 
 
 def test_longer_tubes_make_a_longer_and_dearer_array_whose_points_differ_more(two: Comparison) -> None:
@@ -143,6 +158,7 @@ def test_a_run_has_its_trained_accuracies_print_verdict_and_manifest(tmp_path: P
     taps = next(each for each in content["bayes"]["beside"] if each["signals"] == "taps")
     assert row(found, f"trained.Bayes decoder, taps on {taps['sensors']} as-built sensors")[0] == taps["top1"]
     assert row(found, "printing") == [content["printing"]["verdict"], None]
+    assert found.verdicts[0][0] == content["verdict"]["outcome"]
     assert row(found, "fact.files")[0].endswith("all as the run wrote them")
     assert row(found, "frequencies")[0] == "500 from 1 to 500 Hz"
     assert found.differences[0].largest is not None  # the design is solved at the frequencies of the run
@@ -234,6 +250,7 @@ def test_a_library_that_ends_below_the_band_says_what_it_lacks() -> None:
 def test_measured_libraries_have_no_as_built_accuracy() -> None:
     found = studies.compare("docs/examples/recordings/library.nc", "array-2x6", printing=False)
     assert row(found, "as_built_taps")[0] is None
+    assert found.verdicts[0] == ("", "")
     assert row(found, "predicted_top1")[0] is not None
 
 

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import pytest
+
 import studies
 from geometry import prototype
-from studies.panels.pinned_panel import field_rows, figure_rows
+from studies.panels.pinned_panel import field_rows, figure_rows, make_comparison
 from studies.panels.points import point_figures
 
 ARRAY = prototype("array-2x6")
@@ -31,3 +35,13 @@ def test_figures_are_those_of_compare_and_so_is_the_better_one() -> None:
 def test_a_figure_that_is_not_known_has_no_better_side() -> None:
     (row,) = figure_rows({"cost": 3.0}, {"cost": None})
     assert (row["texts"], row["better"]) == (["", "3 USD"], "")
+
+
+@pytest.mark.slow
+def test_the_page_of_both_is_that_of_compare(tmp_path: Path) -> None:
+    told: list[str] = []
+    path = Path(make_comparison(LONGER, ARRAY, str(tmp_path), told.append))
+    page = path.read_text(encoding="utf-8")
+    assert path.name == "comparison.html"
+    assert "Comparison of array-2x6-pinned, other-now" in page
+    assert any(line.startswith("other-now (2 of 2)") for line in told)

@@ -285,6 +285,25 @@ def test_a_design_is_saved_while_another_file_is_made(workplace: Workplace, busy
     asyncio.run(play())
 
 
+@pytest.mark.slow
+def test_the_page_that_compares_needs_a_pinned_design(workplace: Workplace) -> None:
+    async def play() -> str:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        await session.take({"do": "export", "name": "comparison.html"})
+        assert (await page.until("refused-export"))["message"] == "pin a design first"
+        await session.take({"do": "pin", "on": True})
+        await session.take({"do": "set", "name": "tube.length", "value": 14.0})
+        await session.take({"do": "export", "name": "comparison.html"})
+        while session._exporting is None or not session._exporting.done():
+            await asyncio.sleep(0.05)
+        assert (await page.until("file"))["name"] == "array-2x6-comparison.html"
+        ((path, _),) = session.files.values()
+        return path.read_text(encoding="utf-8")
+
+    assert "Comparison of array-2x6-pinned, array-2x6-now" in asyncio.run(play())
+
+
 def test_a_sound_card_is_given_back_before_another_is_taken(
     workplace: Workplace, monkeypatch: pytest.MonkeyPatch
 ) -> None:
