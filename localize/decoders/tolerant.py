@@ -131,6 +131,7 @@ class TolerantDecoder(LibraryDecoder):
 
     def _of_recordings(self, frames: Array) -> Array:
         """(n, n_frame, n_microphone, 250) to (n, n_point), the log-likelihoods, nats."""
+        frames = self._attenuated(frames)
         heard = _ScoredRecordings(self.likelihood.screens, self._bounds, frames, self.options)
         found = self._fitted(heard)
         fitted = np.isfinite(found)
@@ -145,6 +146,13 @@ class TolerantDecoder(LibraryDecoder):
         score = np.where(fitted, found, np.minimum(heard.score, least))
         best = score.reshape(len(score), len(self.tables), *self.log_prior.shape).max(1)
         return np.asarray(np.logaddexp.reduce(best + self.log_prior, axis=2) / distrust)
+
+    def _attenuated(self, frames: Array) -> Array:
+        """Frames (n, n_frame, n_microphone, 250), those that are louder than is believed brought to that level."""
+        white = frames.reshape(*frames.shape[:2], -1) @ self.tables[0].reduce
+        level = (white * white).mean(2) / self.options.temperature
+        gain = np.sqrt(np.minimum(1.0, 10 ** (self.options.believed_level / 10) / np.maximum(level, 1e-30)))
+        return np.asarray(frames * gain[:, :, None, None])
 
     def _fitted(self, heard: _ScoredRecordings) -> Array:
         """Scores of the likeliest hypotheses of recordings with their deviations; (n, n_level n_table) nats, of the

@@ -65,6 +65,16 @@ def test_it_is_less_sure_of_frames_that_no_drawn_sensor_fits(library: acoustic_f
     assert (ahead[0] < ahead[1] / 10).all()
 
 
+def test_a_touch_is_no_surer_for_being_louder_than_its_hypotheses_are_good(
+    library: acoustic_fem.Library, decoder: localize.TolerantDecoder
+) -> None:
+    touches = localize.TouchGenerator(response_of(library), 1, "evaluation", 0.0).samples(0, 8)
+    frames = touches.signals[..., -250:].double().numpy()
+    loud, louder, quiet = (decoder.log_likelihood(gain * frames) for gain in (3e3, 3e4, 0.03))
+    assert loud == pytest.approx(louder, rel=1e-9)
+    assert np.abs(quiet - loud).max() > 1
+
+
 def test_its_hypotheses_repeat_and_their_priors_sum_to_one(
     library: acoustic_fem.Library, decoder: localize.TolerantDecoder, frames: np.ndarray
 ) -> None:
