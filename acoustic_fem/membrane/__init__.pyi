@@ -38,3 +38,4 @@ from .rubber import (
     causal_slope as causal_slope,
     modulus_ratio as modulus_ratio,
 )
+from .spheres_of_any_radius import SpherePresses as SpherePresses

@@ -25,8 +25,8 @@ from geometry.ground.argument_checks import check_range, positive_numbers, real_
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
-#: Smallest and largest radius of a sphere, in radii of the opening.
-_SPHERES = (0.1, 50.0)
+SPHERES = (0.1, 50.0)
+"""Smallest and largest radius of a sphere, in radii of the opening."""
 #: Thinnest and thickest disc, and largest Poisson's ratio, for which the law was tried.
 _THICKNESSES = (0.02, 1.0)
 _LARGEST_POISSON_RATIO = 0.4999
@@ -347,7 +347,7 @@ def _setup_of(membrane: MountedMembrane, indenter: Indenter) -> tuple[DiscShape,
         return membrane.shape(indenter.radius), Setup("force", None, floor)
     shape = membrane.shape()
     if isinstance(indenter, Sphere):
-        smallest, largest = (bound * size for bound in _SPHERES)
+        smallest, largest = (bound * size for bound in SPHERES)
         check_range("indenter.radius", indenter.radius, smallest, largest, "m")
         return shape, Setup("depth", Punching(0.0, round(indenter.radius / size, 12)), floor)
     check_range("indenter.radius", indenter.radius, 0.05 * size, 0.9 * size, "m")

@@ -22,6 +22,7 @@ from acoustic_fem.membrane.finite_elasticity import Section
 from acoustic_fem.membrane.half_section import DiscShape
 from acoustic_fem.membrane.solved_discs import solved_disc
 from acoustic_fem.numerics import disk_cache
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
 PRESS_MODEL_VERSION = 1
@@ -137,7 +138,11 @@ def solved_press(shape: DiscShape, setup: Setup, refinement: int = REFINEMENT) -
 
 
 def solve_press(shape: DiscShape, setup: Setup, refinement: int = REFINEMENT) -> PressTable:
-    """Table of a disc and a load; arguments as for :func:`solved_press`."""
+    """Table of a disc and a load; arguments as for :func:`solved_press`.
+
+    Raises:
+        Refusal: not even a small load has an equilibrium.
+    """
     disc = LoadedDisc(Section(shape, refinement), setup)
     first, steps, last = _LOADS[setup.load]
     reach = disc.reach
@@ -157,6 +162,8 @@ def solve_press(shape: DiscShape, setup: Setup, refinement: int = REFINEMENT) ->
         elif state.force > 0 or setup.punch is None:
             states.append(state)
             end = COMPLETE if state.load >= last else LOST
+    if len(states) < 2:
+        raise Refusal(f"no equilibrium was found under a small {setup.load}", kind=Kind.NO_RESULT)
     rows = {name: np.array([getattr(state, name) for state in states]) for name in _COLUMNS}
     by_pressure, by_force, way = disc.linear_answers()
     exact = solved_disc(shape)
