@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from acoustic_fem.batch.parameters import fits_batch
 from acoustic_fem.membrane.disc import KnownDiscs
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.extras import is_installed
 from geometry.ground.refusal import Refusal
-from studies.metrics.predicted_accuracy import TouchAccuracy, as_built_accuracy
 from studies.verdict.tap_levels import covered_forces
+
+if TYPE_CHECKING:
+    from studies.metrics.predicted_accuracy import TouchAccuracy
 
 #: Kinds of touches by the names of their rules, and in words.
 TOUCHES = {"taps": "taps", "presses": "presses", "multi-sines": "multi-sine touches"}
@@ -53,6 +56,8 @@ def _of_design(design: ArrayDesign, known: KnownDiscs | None) -> Accuracies | st
         return "its cavities or membranes have no closed form"
     if not is_installed("train"):
         return "torch is missing"
+    from studies.metrics.predicted_accuracy import as_built_accuracy  # needs torch, without which verbs print help
+
     sensors = max(_LEAST_SENSORS, min(SENSORS, round(SENSORS * (SENSORS_UP_TO / points) ** 2)))
     force = float(covered_forces(design).min())
     try:
