@@ -65,6 +65,13 @@ def test_it_is_less_sure_of_frames_that_no_drawn_sensor_fits(library: acoustic_f
     assert (ahead[0] < ahead[1] / 10).all()
 
 
+@pytest.mark.slow
+def test_a_large_array_keeps_all_shapes_of_its_hypotheses() -> None:
+    library = acoustic_fem.solve(geometry.prototype("large-area-64"), GRID, "lumped")
+    few = TolerantOptions(hypotheses=HypothesisOptions(draws=40))
+    assert localize.TolerantDecoder(library, options=few).shapes == few.hypotheses.shapes
+
+
 def test_a_touch_is_no_surer_for_being_louder_than_its_hypotheses_are_good(
     library: acoustic_fem.Library, decoder: localize.TolerantDecoder
 ) -> None:
