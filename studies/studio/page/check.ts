@@ -17,7 +17,7 @@ export class CheckPanel {
     this.now = found;
     const findings = found.printing.findings;
     const count = (verdict: string) => findings.filter((each) => each.verdict === verdict).length;
-    byId("verdict").textContent =
+    byId("print-verdict").textContent =
       `${found.verdict[0].toUpperCase()}${found.verdict.slice(1)}. ${found.printing.process.title}: ${count("fail")} failed, ${count("warn")} to look at, ${count("ok")} in order.`;
     const lines = [...found.overlaps, ...found.misfits, ...(found.mend ? [found.mend] : [])];
     byId("troubles").replaceChildren(...lines.map((line) => make("li", {}, line)));

@@ -54,7 +54,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(
     page.locator("tr[data-point='3']").click()
     assert page.locator("#point").input_value() == "3"
     until_lit(page.locator("#space canvas"), lit_pixels(before) + 100)
-    assert page.locator("#verdict").inner_text().startswith("A valid design.")
+    assert page.locator("#print-verdict").inner_text().startswith("A valid design.")
     assert page.locator("#compared-figures tr").count() == len(figures["figures"])
     assert page.locator("#differences").inner_text() == "no field differs"
     assert page.locator("#as-built").inner_text().startswith("Top-1 accuracy of 64 as-built sensors")
@@ -63,7 +63,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(
     page.locator("#touch-points button").nth(mole - 1).click()
     until(page, "document.getElementById('score').textContent.endsWith('still to come: 9.')", 240)
     assert page.locator("#answer").inner_text().startswith(f"A tap on point {mole}; located: point ")
-    page.select_option("#study-add", "tube.inner_diameter")
+    page.select_option("#study-add", "tube.length")
     page.fill("#study-designs", "4")
     page.click("#study-run")
     until(page, f"{ROOT}.shown_study === '1'", 240)

@@ -156,7 +156,7 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
 
     counts = Counter(each["verdict"] for each in check["printing"]["findings"])
     said = f": {counts['fail']} failed, {counts['warn']} to look at, {counts['ok']} in order."
-    assert page.locator("#verdict").inner_text().endswith(said)
+    assert page.locator("#print-verdict").inner_text().endswith(said)
     for place, verdicts in (("#findings", ("fail", "warn")), ("#in-order", ("ok",))):
         page.evaluate(f"document.querySelector('{place}').closest('details')?.setAttribute('open', '')")
         texts = page.locator(f"{place} .finding").all_inner_texts()
