@@ -33,7 +33,7 @@ OVERVIEW, REASONS, ACCURACY, APART, SIGNALS, BUILD, TRAINED, STORED, ORIGIN = (
     "Signals",
     "Parts",
     "As trained by the run",
-    "As the sweep computed",
+    "As stored with the case",
     "Origin",
 )
 GROUPS = (OVERVIEW, REASONS, ACCURACY, APART, SIGNALS, BUILD, TRAINED, STORED, ORIGIN)

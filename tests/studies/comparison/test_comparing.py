@@ -35,6 +35,20 @@ STUDY = {
     "metrics": ["distance_smallest", "volume"],
 }
 
+SEARCH = """
+base = "array-2x6"
+fidelity = "lumped"
+stock = "off"
+frequency = "1:100:12"
+metrics = ["volume"]
+[vary]
+"tube.length" = { from = 12.0, to = 14.0 }
+[optimize]
+trials = 3
+[[optimize.objectives]]
+metric = "volume"
+"""
+
 
 def row(found: Comparison, name: str) -> list:
     """Values of a figure."""
@@ -206,6 +220,16 @@ def test_cases_of_a_sweep_have_its_metrics_and_libraries(store: Path) -> None:
     assert better(found, "stored.volume") == [found.names[0]]
     base = studies.compare(f"{store}#0", SHORT, printing=False)  # which states no built-in material
     assert [each.name for each in base.fields] == ["tube.length"]
+
+
+@pytest.mark.slow
+def test_a_design_of_a_search_is_named_by_its_number(tmp_path: Path) -> None:
+    study, out = tmp_path / "search.toml", tmp_path / "found"
+    study.write_text(SEARCH, encoding="utf-8")
+    front = studies.optimize(study, out, workers=1).result.front[0]
+    found = studies.compare(f"{out}#{front.number}", "array-2x6", printing=False)
+    assert row(found, "stored.volume") == [front.metrics["volume"], None]
+    assert [each.values[0] for each in found.fields] == [front.values["tube.length"]]
 
 
 def test_curves_reach_from_the_strongest_to_the_weakest_point() -> None:
