@@ -78,10 +78,10 @@ def contacts(
     }
 
 
-def touched(response: ArrayResponse, seed: int, tool: Tool = FINGER) -> Frames:
+def touched(response: ArrayResponse, seed: int, tool: Tool = FINGER, *, linear: bool = False) -> Frames:
     """Frames of each kind of touch, (n, n_microphone, 250), and their points, from 0."""
     assert response.position is not None
-    recorder, points = ContactRecorder(response, seed=seed), response.point_count
+    recorder, points = ContactRecorder(response, seed=seed, linear=linear), response.point_count
     sines = localize.TouchGenerator(response, seed, "evaluation").samples(0, EACH * points)
     heard = scipy.signal.sosfilt(high_pass_sections(HIGH_PASS), sines.signals.numpy().astype(np.float64), axis=-1)
     made: dict[str, list[Array]] = {kind: [] for kind in KINDS[1:]}

@@ -5,10 +5,11 @@ from fixed seeds and none is chosen: lines, areas and gloves of 4 to 40 points, 
 tubes, cavities, membranes and numbers of microphones. Drawn values that are no valid design are drawn again.
 
 Each verdict is compared with sensors that are drawn with a workshop's tolerances and touched by contacts of a finger
-(:mod:`benchmarks.finger_touches`), with the force and the contact of the target. They are solved at the fidelity atlas
-where it covers the design, and decoded in full by the tolerance-aware decoder. Neither the signals nor the sensors are
-those of the verdict. A remedy of an accuracy is compared with the same decoding before and after it, one of the rule
-``heard`` with the matched filter of a solved library, and one of a size with the verdict on the changed design.
+(:mod:`benchmarks.finger_touches`), with the force and the contact of the target. Membranes are linear, as in the verdict.
+Sensors are solved at the fidelity atlas where it covers the design, and decoded in full by the tolerance-aware decoder.
+Neither the signals nor the sensors are those of the verdict. A remedy of an accuracy is compared with the same decoding
+before and after it, one of the rule ``heard`` with the matched filter of a solved library, and one of a size with the
+verdict on the changed design.
 
 ``FILE`` has a line of JSON for each design, so that a benchmark can be stopped, continued, and run in parts: ranges say
 which numbers are computed if the file lacks them. The tables are those of all lines.
@@ -131,7 +132,7 @@ def judged(design: ArrayDesign) -> dict[str, float]:
 
 def _touched(sensor: ArrayResponse, seed: int, tool: Tool) -> finger_touches.Frames:
     finger_touches.EACH = EACH
-    return finger_touches.touched(sensor, seed, tool)
+    return finger_touches.touched(sensor, seed, tool, linear=True)
 
 
 def heard(design: ArrayDesign) -> float:
