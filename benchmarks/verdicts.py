@@ -5,7 +5,7 @@ from fixed seeds and none is chosen: lines, areas and gloves of 4 to 40 points, 
 tubes, cavities, membranes and numbers of microphones. Drawn values that are no valid design are drawn again.
 
 Each verdict is compared with sensors that are drawn with a workshop's tolerances and touched by contacts of a finger
-(:mod:`benchmarks.finger_touches`), with the force and the contact of the target. Membranes are linear, as in the verdict.
+(:mod:`benchmarks.finger_touches`), with the force and the contact of the target. Membranes are linear.
 Sensors are solved at the fidelity atlas where it covers the design, and decoded in full by the tolerance-aware decoder.
 Neither the signals nor the sensors are those of the verdict. A remedy of an accuracy is compared with the same decoding
 before and after it, one of the rule ``heard`` with the matched filter of a solved library, and one of a size with the
@@ -45,8 +45,7 @@ from geometry.stock import catalogue
 from localize.contacts.contact_shapes import FINGER, Tool
 from localize.signals.array_response import ArrayResponse, response_of
 from studies import Verdict
-from studies.verdict.remedy_search import ACCURACY_RULES
-from studies.verdict.rules import rule_named
+from studies.verdict.rules import ACCURACY_RULES, rule_named
 from studies.verdict.tap_levels import TAP, covered_forces
 
 SEED, REMEDY_SEED = 4040, 4041

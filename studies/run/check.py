@@ -171,8 +171,8 @@ class DesignCheck(Shown):
         if self.overlaps or self.misfits:
             return "cannot be built"
         if self.printing is None:
-            return "a valid design, its parts not drawn"
-        return "cannot be printed" if self.failures else "a valid design"
+            return "can be laid out; its parts were not drawn"
+        return "cannot be printed" if self.failures else "can be built: layout, parts and fit are checked"
 
     @property
     def error(self) -> DesignError | None:

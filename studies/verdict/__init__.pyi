@@ -1,9 +1,8 @@
 from .measured import Measured as Measured, points_in_words as points_in_words
 from .measuring import Drawn as Drawn, measure as measure
 from .remedy_search import Remedies as Remedies, Remedy as Remedy
-from .rules import OUTCOMES as OUTCOMES, RULES as RULES, Outcome as Outcome, VerdictRule as VerdictRule
+from .rules import OUTCOMES as OUTCOMES, RULES as RULES, SHOWN as SHOWN, Outcome as Outcome, VerdictRule as VerdictRule
 from .verdict import (
-    SHOWN as SHOWN,
     Reason as Reason,
     Verdict as Verdict,
     VerdictFigures as VerdictFigures,

@@ -11,11 +11,12 @@ import numpy as np
 from acoustic_fem.batch.parameters import fits_batch
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
+from geometry.layout.arrangement import lay_out
 from studies.metrics.scatter_detection import scatter_detection
 from studies.verdict.candidate_changes import LAST, Change, changes_of
 from studies.verdict.measured import Measured
-from studies.verdict.measuring import ACCURACY_RULES, measure
-from studies.verdict.rules import OUTCOMES, RULES, VerdictRule, rule_named
+from studies.verdict.measuring import measure
+from studies.verdict.rules import ACCURACY_RULES, OUTCOMES, RULES, VerdictRule, rule_named
 
 #: Choices that can move the figure of a rule.
 _ACOUSTIC = (
@@ -25,6 +26,7 @@ _ACOUSTIC = (
 CHOICES_OF: Mapping[str, tuple[str, ...]] = {
     "buildable": ("layout fix", "tube length", "microphone tube", "wall", "cavity diameter", "columns"),
     "heard": _ACOUSTIC,
+    "slow": _ACOUSTIC,
     **dict.fromkeys(ACCURACY_RULES, _ACOUSTIC),
     "separate": ("tube length", "cavity diameter", "cavities in place", "columns"),
     "bottoming": ("cavity height", "membrane thickness", "membrane material", "cavity diameter", "cavities in place"),
@@ -168,12 +170,14 @@ def _has_score(design: ArrayDesign) -> bool:
 
 
 def _solvable(design: ArrayDesign) -> bool:
-    """True if the membranes of a design are inside what can be solved."""
+    """True if the membranes of a design are inside what can be solved, and its tubes can be laid."""
     from acoustic_fem.membrane.disc import design_shape
 
     try:
         for kind in design.kinds:
             design_shape(design.of_kind(kind))
+        if design.layout.microphone_side == "below":  # tubes that are too short cannot be led down
+            lay_out(design)
     except Refusal:
         return False
     return True

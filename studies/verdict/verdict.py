@@ -18,10 +18,8 @@ from studies.verdict.accuracies import TOUCHES
 from studies.verdict.measured import Measured
 from studies.verdict.measuring import Drawn, measure
 from studies.verdict.remedy_search import Remedies, Remedy
-from studies.verdict.rules import OUTCOMES, RULES, Outcome, VerdictRule, worst
+from studies.verdict.rules import OUTCOMES, RULES, SHOWN, Outcome, VerdictRule, worst
 
-SHOWN = 3
-"""Number of reasons that a summary shows, and for which :meth:`Verdict.fixed` looks for remedies at a time."""
 #: Rules to which the drawn parts add.
 _OF_DRAWN = ("buildable", "printable")
 #: Changes that :meth:`Verdict.fixed` makes at most.

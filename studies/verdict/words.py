@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from studies.output.display import number
 from studies.output.report_texts import percent
-from studies.verdict.measuring import ACCURACY_RULES
-from studies.verdict.remedy_search import Remedy
-from studies.verdict.rules import RULES, VerdictRule, rule_named
-from studies.verdict.verdict import SHOWN, Verdict
+from studies.verdict.rules import ACCURACY_RULES, RULES, SHOWN, VerdictRule, rule_named
+
+if TYPE_CHECKING:
+    from studies.verdict.remedy_search import Remedy
+    from studies.verdict.verdict import Verdict
 
 
 def value_in_words(rule: VerdictRule, value: float) -> str:
@@ -22,6 +24,8 @@ def value_in_words(rule: VerdictRule, value: float) -> str:
 
 def remedy_in_words(rule: str, remedy: Remedy) -> str:
     """A remedy with the value of the rule before and after it."""
+    if rule == "buyable":
+        return f"{remedy.words}: the parts can then be bought"
     own = rule_named(rule)
     before, after = (value_in_words(own, value) for value in remedy.gain)
     return f"{remedy.words}: {before} becomes {after} ({remedy.outcome})"
