@@ -1,4 +1,4 @@
-"""Ranks of designs by the predicted error under scatter, against touches on as-built sensors.
+"""Ranks of designs by the ranking score under scatter, against touches on as-built sensors.
 
 ``python benchmarks/forgiving.py --write`` writes the table of docs/evidence/designs.md in some minutes of one core.
 As-built sensors and touches are those of benchmarks/tolerant.py on other seeds, with a scatter of 5 % for bores and

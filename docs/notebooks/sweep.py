@@ -45,7 +45,7 @@ figure.colorbar(shown, label="bore (mm)")
 plt.show()
 
 # %% [markdown]
-# The predicted error of as-built sensors, against the two parameters:
+# The ranking score of as-built sensors (smaller is better), against the two parameters:
 
 # %%
 figure, axis = plt.subplots(figsize=(7, 3.8), layout="constrained")
@@ -53,7 +53,7 @@ shown = axis.scatter(
     dataset["tube.inner_diameter"], dataset["resonator.cavity_height"], c=dataset["scatter_detection"], s=30
 )
 axis.set(xlabel="bore (mm)", ylabel="height of the cavity (mm)")
-figure.colorbar(shown, label="predicted error, as built")
+figure.colorbar(shown, label="ranking score, as built")
 plt.show()
 table = sweep.to_dataframe()[["tube.inner_diameter", "distance_smallest"]]
 assert table.corr().iloc[0, 1] < 0

@@ -189,8 +189,9 @@ def _of_design(
     points = design.point_count
     scatter = SCATTER[force is None]
     found = [_accuracy(each.reshape(-1, points), scatter) for each in right]
+    taps, presses, sines = found[::2]
     as_designed = NominalAccuracy(*found[1::2])
-    return AsBuiltAccuracy(*found[::2], as_designed, DECODERS[calibrated], sensors, force)
+    return AsBuiltAccuracy(taps, presses, sines, as_designed, DECODERS[calibrated], sensors, force)
 
 
 class _BinnedArray:
@@ -314,7 +315,7 @@ def _accuracy(right: NDArray[np.bool_], scatter: float) -> TouchAccuracy:
     # Few touches of a sensor spread its accuracy by chance, which is taken out of the percentile.
     spread, by_chance = of_sensors.var(), (right.var(1) / max(1, right.shape[1] - 1)).mean()
     own = np.sqrt(max(0.0, 1 - by_chance / spread)) if spread > 0 else 0.0
-    worst = mean + own * (float(np.percentile(of_sensors, 5)) - mean)
+    worst = mean + float(own) * (float(np.percentile(of_sensors, 5)) - mean)
     half = 0.01 + scatter * float(np.sqrt(mean * (1 - mean)))
     return TouchAccuracy(mean, worst, max(0.0, mean - half), min(1.0, mean + half), right.mean(0))
 

@@ -1,4 +1,4 @@
-"""How often neighbours, and all others, will be named in place of the touched point of a as-built sensor: with slopes.
+"""Score that ranks designs by how often points of as-built sensors are confused, with slopes.
 
 A sensor that nobody calibrated differs from its library by the deviations of its parts. To first order these move the
 logarithms of the ratios of microphones by a Gaussian with covariance S = J J^T + noise; J is had from differences, one
@@ -62,7 +62,7 @@ _STEP = 1e-3
 def scatter_detection(
     designs: Sequence[ArrayDesign], known: KnownDiscs | None = None, parameters: ArrayParameters | None = None
 ) -> Array:
-    """Predicted error under scatter of each design.
+    """Predicted ranking score under scatter of each design.
 
     Args:
         designs: the arrays.
@@ -140,7 +140,7 @@ def _changed(
 
 
 def _logarithms(topology: Topology, parameters: ArrayParameters, air: Medium, noise: Array) -> Any:
-    """Logarithms of the predicted errors, (n_design,), from arrays or tensors in the columns of the topology.
+    """Logarithms of the scores, (n_design,), from arrays or tensors in the columns of the topology.
 
     Args:
         topology: the wiring of all designs.
@@ -215,7 +215,7 @@ def _responses(topology: Topology, parts: PartsOff, designed: Points, own: slice
 
 
 def _of_responses(h: Any, heard: Sequence[Any], noise: Array) -> Any:
-    """Logarithms of the predicted errors, (n_design,).
+    """Logarithms of the scores, (n_design,).
 
     Args:
         h: (n_design, n_point, n_microphone, n_freq), those of :func:`_responses`.

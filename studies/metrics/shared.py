@@ -14,11 +14,16 @@ from localize.signals.noise_model import microphone_noise
 from studies.metrics.batch_responses import Responses, required
 from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
+from studies.metrics.predicted_accuracy import AsBuiltAccuracy, as_built_accuracies
 from studies.metrics.separation import PairDistances, pair_distances
 from studies.metrics.touch_metrics import in_vacuo, touch_response
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse  # loads its finite elements
+
+
+SWEPT_SENSORS = 24
+"""Number of as-built sensors of each design of a batch."""
 
 
 class SharedFigures:
@@ -70,6 +75,19 @@ class SharedFigures:
     @cached_property
     def _vacuum(self) -> DiscResponse:
         return in_vacuo(self.responses)
+
+    def as_built(self, touch: str) -> Array:
+        """Predicted top-1 accuracy of as-built sensors of each design, (n_design,) float64.
+
+        Args:
+            touch: "taps", "presses" or "multi_sines", as a run has them.
+        """
+        return np.array([getattr(each, touch).mean for each in self._as_built_accuracies])
+
+    @cached_property
+    def _as_built_accuracies(self) -> list[AsBuiltAccuracy]:
+        own = self.responses
+        return as_built_accuracies(required(own.designs), force=None, sensors=SWEPT_SENSORS, known=own.discs)
 
     @cached_property
     def sizes(self) -> Array:

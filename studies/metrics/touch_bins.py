@@ -30,7 +30,7 @@ BINS = np.arange(2.0, BAND[1], SAMPLE_RATE / FRAME)
 COUNT = 512
 """Number of different touches of each kind."""
 _SEED = 20161
-_LINES = np.arange(1, 521) * LINE_SPACING
+_LINES = LINE_SPACING * np.arange(1.0, 521.0, dtype=np.float64)
 """Spectral lines that reach the bins, Hz."""
 
 
@@ -55,7 +55,7 @@ def touch_frames(touch: Touch, cavity: ComplexArray | None, force: float | None)
     spectrum = _spectra(touch, force)
     if cavity is not None:
         spectrum = spectrum * cavity.astype(np.complex64)
-    return np.asarray(spectrum @ forth + spectrum.conj() @ back, np.complex128)
+    return (spectrum @ forth + spectrum.conj() @ back).astype(np.complex128)
 
 
 def line_frequencies() -> Array:

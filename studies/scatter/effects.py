@@ -229,29 +229,6 @@ def scattered_accuracy(
     return _accuracy(scattered, grid, sensors, _noise(design, microphone_noise), seed, fidelity)
 
 
-def quick_scattered_accuracy(
-    design: DesignLike, frequency: FrequencyLike, *, sensors: int
-) -> tuple[Array, QuickFidelity]:
-    """:func:`scattered_accuracy` at the fidelity of a quick answer, and which that is.
-
-    Args:
-        design: the nominal array.
-        frequency: (n_freq,) Hz, over 1 to 100 Hz, or FIRST:LAST:COUNT.
-        sensors: number of sensors.
-
-    Returns:
-        (n_sensor,) float64, 0 to 1, and the fidelity: ``atlas`` if that covers all sensors that can be
-        drawn, otherwise 3-D.
-
-    Raises:
-        Refusal: as :func:`scattered_accuracy`.
-    """
-    design = resolve_design(design)
-    scattered, grid = ScatteredDesign(design), frequency_grid(frequency)
-    fidelity = as_built_fidelity(scattered, grid, design_air(design))
-    return _accuracy(scattered, grid, sensors, _noise(design, "design"), 0, fidelity.name), fidelity
-
-
 def _accuracy(
     scattered: ScatteredDesign,
     grid: Array,

@@ -23,7 +23,7 @@ from studies.metrics.batch_responses import Responses, required
 from studies.metrics.confusion import check_grid as check_confusion_grid
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import check_band
-from studies.metrics.shared import SharedFigures
+from studies.metrics.shared import SWEPT_SENSORS, SharedFigures
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -253,6 +253,25 @@ def _scatter_slopes(design: ArrayDesign, names: Sequence[str], discs: KnownDiscs
     return scatter_slopes(design, names, discs)
 
 
+def _as_built(touch: str, figures: SharedFigures) -> Values:
+    return figures.as_built(touch)
+
+
+def _as_built_accuracies() -> Iterable[Metric]:
+    for touch, title in (("taps", "taps"), ("presses", "presses"), ("multi_sines", "multi-sine touches")):
+        yield Metric(
+            name=f"as_built_{touch}",
+            unit="1",
+            long_name=f"predicted top-1 accuracy of as-built sensors, {title}",
+            definition=f"Mean fraction of {title}, as a run has them, that the tolerance-aware decoder assigns to the "
+            f"correct point on {SWEPT_SENSORS} as-built sensors (acoustic_fem.scatter.TOLERANCES) that nobody "
+            "calibrated. Predicted in frequency bins with lumped fidelity.",
+            compute=partial(_as_built, touch),
+            needs=frozenset({"designs"}),
+            extras=("train",),
+        )
+
+
 def _forgiving() -> Iterable[Metric]:
     yield Metric(
         "scattered_top1", "1", "predicted top-1 accuracy of sensors with manufacturing scatter",
@@ -262,12 +281,12 @@ def _forgiving() -> Iterable[Metric]:
         _scattered_top1, frozenset({"designs"}), band=BAND, extras=("train",),
     )  # fmt: skip
     yield Metric(
-        "scatter_detection", "1", "predicted error of sensors with manufacturing scatter",
-        "Probability that another point is more likely than the touched one, for a decoder of the nominal design on "
-        "as-built sensors (acoustic_fem.scatter.UNCALIBRATED). It is summed over all other points and averaged over "
-        "the touched ones. This mean to the power 5/6 is multiplied by the fourth-power mean, which gives weight to "
-        "the worst pairs, to the power 1/6. Computed to first order at eight frequencies with lumped fidelity, so "
-        "use it to rank designs and not as an error rate.",
+        "scatter_detection", "1", "ranking score under manufacturing scatter",
+        "Score that ranks designs for as-built sensors (acoustic_fem.scatter.UNCALIBRATED); it is no error rate and "
+        "may exceed 1. For a decoder of the nominal design, the probability that another point is more likely than "
+        "the touched one is summed over all other points and averaged over the touched ones. This mean to the power "
+        "5/6 is multiplied by the fourth-power mean, which gives weight to the worst pairs, to the power 1/6. "
+        "Computed to first order at eight frequencies with lumped fidelity.",
         _scatter_detection, frozenset({"designs"}), "smaller", slopes=_scatter_slopes,
     )  # fmt: skip
 
@@ -360,5 +379,7 @@ def _of_parts(of_design: Callable[[ArrayDesign, build.Volumes], float], figures:
 
 #: All metrics by name.
 METRICS: dict[str, Metric] = {
-    metric.name: metric for metric in (*_separation(), *_predicted(), *_forgiving(), *_judged(), *_touches(), *_build())
+    metric.name: metric
+    for metrics in (_separation(), _predicted(), _as_built_accuracies(), _forgiving(), _judged(), _touches(), _build())
+    for metric in metrics
 }

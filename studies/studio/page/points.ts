@@ -33,10 +33,11 @@ export class PointsPanel {
     this.matrix();
   }
 
-  asBuilt(found: { sensors: number; mean: number; worst: number; fidelity: string }): void {
+  asBuilt(found: { sensors: number; mean: number; worst: number; interval: number[]; multi_sines: number }): void {
     byId("as-built").textContent =
-      `Top-1 accuracy of ${found.sensors} as-built sensors, not calibrated: mean ${words(100 * found.mean, 3)} %, ` +
-      `${words(100 * found.worst, 3)} % on the worst of them; fidelity ${found.fidelity}.`;
+      `Taps and presses on ${found.sensors} as-built sensors, not calibrated: top-1 accuracy ${words(100 * found.mean, 3)} % ` +
+      `(${words(100 * found.interval[0]!, 2)} to ${words(100 * found.interval[1]!, 2)} %), 5th percentile ${words(100 * found.worst, 3)} %. ` +
+      `Multi-sine touches: ${words(100 * found.multi_sines, 3)} %.`;
   }
 
   private draw(): void {

@@ -15,11 +15,11 @@ from geometry import ArrayDesign, prototype
 from geometry.ground.refusal import Kind
 from studies.comparison import FIGURES, figure_words
 from studies.comparison.own_figures import MOST_POINTS
+from studies.metrics import as_built_accuracy
 from studies.metrics.confusion import predict_confusion
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.separation import separability
 from studies.panels.points import as_built_figures, point_figures
-from studies.scatter.effects import scattered_accuracy
 from studies.study.metric_registry import METRICS
 
 
@@ -65,9 +65,14 @@ def test_what_cannot_be_built_is_said_with_its_mend() -> None:
 
 def test_as_built_sensors_are_those_of_python() -> None:
     design = prototype("array-2x6")
-    expected = scattered_accuracy(design, np.linspace(1, 100, 64), sensors=64, fidelity="atlas")
+    expected = as_built_accuracy(design, force=None)
     found = as_built_figures(design)
-    assert found == {"sensors": 64, "mean": expected.mean(), "worst": expected.min(), "fidelity": "atlas"}
+    assert (found["sensors"], found["multi_sines"]) == (64, expected.multi_sines.mean)
+    assert found["mean"] == pytest.approx((expected.taps.mean + expected.presses.mean) / 2)
+    assert found["worst"] == pytest.approx((expected.taps.worst + expected.presses.worst) / 2)
+    assert found["interval"] == pytest.approx(
+        [(getattr(expected.taps, end) + getattr(expected.presses, end)) / 2 for end in ("low", "high")]
+    )
 
 
 @pytest.mark.parametrize("figures", [point_figures, as_built_figures])

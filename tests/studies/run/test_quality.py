@@ -11,42 +11,40 @@ from matplotlib.image import imread
 from small_run import small_design
 
 import studies
-from acoustic_fem.quantities.checks import frequency_grid
 from geometry import prototype
+from studies.metrics import as_built_accuracy
 from studies.run import quality
 from studies.run.quality import design_quality, draw_quality
-from studies.scatter.effects import scattered_accuracy
 
 
 def test_the_figures_are_those_of_the_metrics(tmp_path):
     design = small_design()
     found = design_quality(design)
-    grid = frequency_grid(studies.output.FREQUENCIES)
     library = studies.solve_library(design, tmp_path / "library.nc", fidelity="atlas", frequency="1:100:64")
-    metrics = studies.study.METRICS
-    assert found.nominal == pytest.approx(metrics["predicted_top1"].of_library(library))
-    assert found.cost == pytest.approx(metrics["cost"].of_library(library))
-    assert found.per_point.mean() == pytest.approx(found.nominal)
-    assert (found.fidelity.words, found.as_built_fidelity.words) == ("atlas", "atlas")
-    made = scattered_accuracy(design, grid, sensors=found.sensors, fidelity="atlas")
-    assert (found.as_built, found.worst) == (pytest.approx(made.mean()), pytest.approx(made.min()))
+    assert found.cost == pytest.approx(studies.study.METRICS["cost"].of_library(library))
+    assert found.fidelity.words == "atlas"
+    predicted = as_built_accuracy(design, force=None)
+    assert found.as_built == pytest.approx((predicted.taps.mean + predicted.presses.mean) / 2)
+    assert found.worst == pytest.approx((predicted.taps.worst + predicted.presses.worst) / 2)
+    assert found.interval[0] <= found.as_built <= found.interval[1]
+    assert found.per_point.mean() == pytest.approx(found.as_built)
     assert found.sensors == 64
     assert json.loads(json.dumps(found.to_dict()))["hardest"] == list(found.hardest)
 
 
-@pytest.mark.slow
-def test_a_design_at_the_edge_of_the_atlas_is_solved_in_3d_as_built_and_says_so(monkeypatch):
-    monkeypatch.setattr(quality, "SENSORS_UP_TO", 0.1)
-    small = small_design()
-    tall = 2.29 * small.resonator.cavity_diameter / 2  # heights by radius end at 2.3
-    edge = small.with_values({"resonator.cavity_height": round(tall, 3)})
-    beyond = small.with_values({"resonator.cavity_height": round(1.1 * tall, 3)})
-    found, other = design_quality(edge), design_quality(beyond)
-    assert found.fidelity.words == "atlas"
-    assert found.as_built_fidelity.words.startswith("navier-stokes: tube 1 of line 1 at point 1: ")
-    assert other.fidelity.words.startswith("navier-stokes: ")
+def test_touches_of_a_run_are_predicted_and_not_multi_sines_alone():
+    found = design_quality(small_design())
+    assert found.touches == "taps and presses"
     rows = {what: value for what, value, _ in found.lines}
-    assert (rows["fidelity, nominal sensor"], rows["fidelity, as-built sensors"]) == ("atlas", "navier-stokes")
+    assert rows["top-1 accuracy, multi-sines"] == f"{100 * found.predicted.multi_sines.mean:.1f} %"
+    assert found.accuracy.startswith("taps and presses: ")
+
+
+def test_a_design_whose_scatter_is_not_known_has_the_accuracy_of_the_nominal_sensor_alone():
+    stretched = small_design().with_values({"membrane.stretch": 1.1})
+    found = design_quality(stretched)
+    assert (found.predicted, found.sensors, found.touches) == (None, 0, "multi-sine touches")
+    assert found.per_point.mean() == pytest.approx(found.nominal)
 
 
 def test_a_large_design_has_a_few_as_built_sensors_and_never_one_alone(monkeypatch):
