@@ -18,11 +18,9 @@ from geometry.ground.typed import Array, ComplexArray
 from localize.decoders.decoder_options import DecoderOptions, TolerantOptions
 from studies.metrics.touch_bins import hum_in_bins
 
-_LEVEL = 4.0
-"""Step of the powers of a touch, dB, as of the decoder."""
 UNEXPLAINED = TolerantOptions().unexplained_fraction
-_LOWEST = -20.0
-"""Lowest power of a touch over the assumed noise, dB."""
+_POWERS = 10 ** (np.arange(-20.0, 201.0, 4.0) / 10)
+"""Powers of a touch over the assumed noise that are tried, by a mean over the bins."""
 
 
 @dataclass(frozen=True)
@@ -90,13 +88,13 @@ def binned_hypotheses(
 
 
 def scores(
-    frames: ComplexArray, power: Array, hypotheses: BinnedHypotheses, noise: Array, options: BinnedOptions
+    frames: ComplexArray, gain: Array, hypotheses: BinnedHypotheses, noise: Array, options: BinnedOptions
 ) -> Array:
     """Log-likelihoods of the points.
 
     Args:
         frames: (n, n_microphone, n_bin), Pa.
-        power: of each over that of a source of flat spectrum, as :func:`received_power` has it; (n,).
+        gain: expected signal of each over the assumed noise, as :func:`expected_gain` has it; (n, n_bin).
         hypotheses: of the points.
         noise: mean square of the noise in each bin, (n_bin,), Pa^2.
         options: how finely.
@@ -110,11 +108,11 @@ def scores(
     white = frames / np.sqrt(assumed)
     response = (hypotheses.response / np.sqrt(assumed)).reshape(-1, *frames.shape[1:])
     temperature = tolerant.temperature * tolerant.relative_temperature
-    score, level = _plain(white, response, power, temperature)
+    score = _plain(white, response, gain, temperature)
     order = np.argpartition(-score, min(options.candidates, score.shape[1] - 1), axis=1)[:, : options.candidates]
     shapes = hypotheses.shapes.reshape(len(response), options.shapes, *frames.shape[1:])
-    gain = _fitted(white, response, shapes, order, level, temperature)
-    fitted = np.take_along_axis(score, order, 1) + gain
+    raised = _fitted(white, response, shapes, order, gain, temperature)
+    fitted = np.take_along_axis(score, order, 1) + raised
     # The others can be no better than the worst of these.
     score = np.minimum(score, fitted.min(1, keepdims=True))
     np.put_along_axis(score, order, fitted, axis=1)
@@ -123,7 +121,7 @@ def scores(
     return np.asarray(top[..., 0] + np.log(np.exp(joint - top).sum(2)))
 
 
-def plain_scores(frames: ComplexArray, power: Array, response: ComplexArray, noise: Array) -> Array:
+def plain_scores(frames: ComplexArray, gain: Array, response: ComplexArray, noise: Array) -> Array:
     """Log-likelihoods of the points of a calibrated sensor, arguments as of :func:`scores`.
 
     The response is (n_point, n_microphone, n_bin), Pa/Pa.
@@ -134,24 +132,30 @@ def plain_scores(frames: ComplexArray, power: Array, response: ComplexArray, noi
     options = DecoderOptions()
     root = np.sqrt(assumed_noise(noise, options))
     white, known = frames / root, response / root
-    return _plain(white, known, power, options.temperature)[0]
+    return _plain(white, known, gain, options.temperature)
 
 
-def received_power(frames: ComplexArray, response: ComplexArray, noise: Array) -> Array:
-    """Power of frames over the assumed noise, for a source of flat spectrum through the point that was touched.
+def expected_gain(frames: ComplexArray, response: ComplexArray, noise: Array) -> Array:
+    """Expected signal of frames over the assumed noise, for a source of flat spectrum of the likeliest power.
+
+    The source is at the point that was touched: which frequencies count is the same for all hypotheses, so that points
+    are distinguished by ratios of microphones alone and not by the spectrum of the touch.
 
     Args:
-        frames: (n, n_microphone, n_bin), Pa.
-        response: transfer functions of the point of each, (n, n_microphone, n_bin).
+        frames: one of each point, (..., n_point, n_microphone, n_bin), Pa.
+        response: transfer functions of the design, (n_point, n_microphone, n_bin).
         noise: mean square of the noise in each bin, (n_bin,), Pa^2.
 
     Returns:
-        (n,) float64: mean over the bins of the ratio of signal and assumed noise of a hypothesis of average level.
+        (..., n_point, n_bin) float64, ratios of powers.
     """
     assumed = assumed_noise(noise, TolerantOptions())
-    energy = (np.abs(frames) ** 2).sum(1) / assumed
-    shape = (np.abs(response) ** 2).sum(1) / assumed
-    return np.asarray((energy / (shape / shape.mean(1, keepdims=True))).mean(1))
+    energy = (frames.real**2 + frames.imag**2).sum(-2) / assumed
+    size = (response.real**2 + response.imag**2).sum(1) / assumed
+    shape = size / size.mean(1, keepdims=True)
+    gain = shape[..., None] * _POWERS
+    likelihood = energy[..., None, :] @ (gain / (1 + gain)) - np.log1p(gain).sum(1)[:, None]
+    return np.asarray(_POWERS[likelihood[..., 0, :].argmax(-1)][..., None] * shape)
 
 
 def assumed_noise(noise: Array, options: DecoderOptions) -> Array:
@@ -204,34 +208,19 @@ def _shapes(features: Array, ratio: ComplexArray, count: int) -> ComplexArray:
     return shapes
 
 
-def _plain(
-    white: ComplexArray, response: ComplexArray, power: Array, temperature: float
-) -> tuple[Array, NDArray[np.int64]]:
-    """Scores of hypotheses without deviations, (n, n_hypothesis) nats, and the level of each frame, an integer."""
-    size = (response.real**2 + response.imag**2).sum(1)
-    shape = size / size.mean(1, keepdims=True)
-    unit = response / np.sqrt(size)[:, None]
-    level = np.round((10 * np.log10(power) - _LOWEST) / _LEVEL).clip(0).astype(int)
-    products = _products(white)
-    pairs = _weights(unit)
-    score = np.empty((len(white), len(response)))
-    for step in np.unique(level):
-        own = level == step
-        gain = shape * _power_of(step)
-        weights = (pairs * (gain / (1 + gain))[:, None]).reshape(len(response), -1)
-        score[own] = (products[own] @ weights.T - np.log1p(gain).sum(1)) / temperature
-    return score, level
-
-
-def _power_of(level: NDArray[np.int64] | int) -> Array:
-    return np.asarray(10 ** ((_LOWEST + _LEVEL * np.asarray(level)) / 10))
+def _plain(white: ComplexArray, response: ComplexArray, gain: Array, temperature: float) -> Array:
+    """Scores of hypotheses without deviations, (n, n_hypothesis) nats."""
+    unit = response / np.linalg.norm(response, axis=1, keepdims=True)
+    weight = gain / (1 + gain)
+    products = _products(white) * weight[:, None]
+    return products.reshape(len(white), -1) @ _weights(unit).reshape(len(unit), -1).T / temperature
 
 
 def _products(white: ComplexArray) -> Array:
-    """Products of the microphones of each bin: squares, then parts of pairs; (n, n_product n_bin) float32."""
+    """Products of the microphones of each bin: squares, then parts of pairs; (n, n_product, n_bin) float64."""
     first, second = np.triu_indices(white.shape[1], 1)
     pairs = white[:, first] * white[:, second].conj()
-    return np.concatenate([white.real**2 + white.imag**2, pairs.real, pairs.imag], 1).reshape(len(white), -1)
+    return np.concatenate([white.real**2 + white.imag**2, pairs.real, pairs.imag], 1)
 
 
 def _weights(unit: ComplexArray) -> Array:
@@ -246,7 +235,7 @@ def _fitted(
     response: ComplexArray,
     shapes: ComplexArray,
     order: NDArray[np.int64],
-    level: NDArray[np.int64],
+    gain: Array,
     temperature: float,
 ) -> Array:
     """Gains of scores by the deviations of hypotheses.
@@ -256,7 +245,7 @@ def _fitted(
         response: of the hypotheses where noise is white, (n_hypothesis, n_microphone, n_bin) complex64.
         shapes: (n_hypothesis, n_shape, n_microphone, n_bin) complex64.
         order: numbers of the hypotheses that are fitted to each frame, (n, n_candidate).
-        level: of each frame.
+        gain: expected signal of each frame over the noise, (n, n_bin).
         temperature: divisor of log-likelihoods.
 
     Returns:
@@ -265,8 +254,8 @@ def _fitted(
     count, _, bins = shapes.shape[1:]
     size = (response.real**2 + response.imag**2).sum(1)
     unit = response / np.sqrt(size)[:, None]
-    mean = size.mean(1, keepdims=True)
     unexplained = 1 + UNEXPLAINED * (white.real**2 + white.imag**2).mean((1, 2))[:, None]
+    weight = gain / (unexplained + gain)
     flat = order.ravel()
     sorted_pairs = np.argsort(flat, kind="stable")
     numbers, starts = np.unique(flat[sorted_pairs], return_index=True)
@@ -276,8 +265,7 @@ def _fitted(
     for number, start, end in zip(numbers, starts, [*starts[1:], len(flat)], strict=True):
         own = frame_of[start:end]
         x, h = white[own], unit[number]
-        gain = size[number] / mean[number] * _power_of(level[own])[:, None]
-        source = (x * h.conj()).sum(1) * (gain / (unexplained[own] + gain) / np.sqrt(size[number]))
+        source = (x * h.conj()).sum(1) * (weight[own] / np.sqrt(size[number]))
         change = response[number] * shapes[number]
         change = change - h * (h.conj() * change).sum(1, keepdims=True)
         both = np.ascontiguousarray(change.reshape(count, -1)).view(np.float64)

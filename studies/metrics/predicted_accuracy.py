@@ -37,8 +37,8 @@ from studies.metrics.binned_decoder import (
     BinnedHypotheses,
     BinnedOptions,
     binned_hypotheses,
+    expected_gain,
     plain_scores,
-    received_power,
     scores,
 )
 from studies.metrics.touch_bins import BINS, COUNT, TOUCHES, Touch, line_frequencies, noise_in_bins, touch_frames
@@ -49,6 +49,8 @@ CALIBRATION_ERROR = 0.01
 """Error of the transfer functions of a calibrated sensor's library, one standard deviation, nepers and radians."""
 FORCES = (1e-6, 100.0)
 """Least and largest force of a touch, N."""
+SILENT = 1e-9
+"""Transfer function below which a microphone detects nothing of a point, Pa/Pa."""
 NOMINAL_TOUCHES = 480
 """Number of touches of each kind on the sensor as designed."""
 SCATTER = {True: 0.12, False: 0.3}
@@ -176,7 +178,7 @@ def _of_design(
     again = max(1, NOMINAL_TOUCHES // design.point_count)
     random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(_NOISE_SEED,)))
     sets = [
-        _touched(frames, of_sensors, noise, random)
+        _touched(frames, of_sensors, array.nominal, noise, random)
         for touch in TOUCHES
         for frames in [_frames(touch, cavity, force)]
         for of_sensors in (built, np.repeat(array.nominal[None], again, 0))
@@ -204,7 +206,7 @@ class _BinnedArray:
         both = np.sort(np.concatenate([_NODES, BINS]))
         self._response = batch_response(self._scattered.nominal, self._scattered.topology, both, self._air)
         self._at_nodes = np.searchsorted(both, _NODES)
-        found = np.asarray(self._response.transfer_function[0])
+        found = _floored(np.asarray(self._response.transfer_function[0]))
         self.nominal: ComplexArray = found[..., np.searchsorted(both, BINS)]
         """Transfer functions of the design, (n_point, n_microphone, n_bin), Pa/Pa."""
         self._on_nodes = found[..., self._at_nodes]
@@ -246,8 +248,13 @@ class _BinnedArray:
     ) -> ComplexArray:
         """Logarithms of the factors of sensors, (count, n_point, n_microphone, n_node) complex64."""
         sensors = AsBuiltSensors(scattered, _NODES, self._air)
-        ratio = sensors.transfer_functions(scattered.draws(0, count, seed), drawn) / self._on_nodes
+        ratio = _floored(sensors.transfer_functions(scattered.draws(0, count, seed), drawn)) / self._on_nodes
         return np.asarray(np.log(np.abs(ratio)) + 1j * np.unwrap(np.angle(ratio)), np.complex64)
+
+
+def _floored(response: ComplexArray) -> ComplexArray:
+    """Transfer functions of at least :data:`SILENT`: below, rounding would be all that distinguishes sensors."""
+    return np.where(np.abs(response) < SILENT, SILENT, response)
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,8 +263,8 @@ class _Touches:
 
     frames: ComplexArray
     """(n, n_microphone, n_bin), Pa."""
-    power: Array
-    """Power of each, as :func:`studies.metrics.binned_decoder.received_power`; (n,)."""
+    gain: Array
+    """Expected signal of each over the noise, as :func:`studies.metrics.binned_decoder.expected_gain`; (n, n_bin)."""
 
 
 def _frames(
@@ -270,23 +277,36 @@ def _frames(
 
 
 def _touched(
-    frames: tuple[ComplexArray, ComplexArray], sensors: ComplexArray, noise: Array, random: np.random.Generator
+    frames: tuple[ComplexArray, ComplexArray],
+    sensors: ComplexArray,
+    nominal: ComplexArray,
+    noise: Array,
+    random: np.random.Generator,
 ) -> _Touches:
-    """A touch of each point of each of the sensors, (n_sensor, n_point, n_microphone, n_bin)."""
+    """A touch of each point of each of the sensors.
+
+    Args:
+        frames: pressures in a cavity by touches, as of :func:`_frames`.
+        sensors: transfer functions, (n_sensor, n_point, n_microphone, n_bin).
+        nominal: those of the design, (n_point, n_microphone, n_bin).
+        noise: mean square of the noise in each bin, (n_bin,), Pa^2.
+        random: what draws touches and noise.
+    """
     count, points = sensors.shape[:2]
     # Every point has the same number of each touch, so that points differ by themselves.
     order = np.stack([random.permutation(max(count, COUNT))[:count] % COUNT for _ in range(points)], 1)
     source = frames[0][order] * frames[1]
     heard = source[:, :, None] * sensors
     alone = random.standard_normal((2, *heard.shape)) * np.sqrt(noise / 2)
-    flat = (heard + alone[0] + 1j * alone[1]).reshape(-1, *heard.shape[2:])
-    return _Touches(flat, received_power(flat, sensors.reshape(flat.shape), noise))
+    heard = heard + alone[0] + 1j * alone[1]
+    gain = expected_gain(heard, nominal, noise)
+    return _Touches(heard.reshape(-1, *heard.shape[2:]), gain.reshape(-1, gain.shape[-1]))
 
 
 def _right(sets: list[_Touches], tables: BinnedHypotheses, noise: Array) -> list[NDArray[np.bool_]]:
     """True for each touch that the decoder of a sensor that nobody calibrated assigns to its point, set by set."""
-    frames, power = np.concatenate([each.frames for each in sets]), np.concatenate([each.power for each in sets])
-    named = scores(frames, power, tables, noise, BinnedOptions()).argmax(1)
+    frames, gain = np.concatenate([each.frames for each in sets]), np.concatenate([each.gain for each in sets])
+    named = scores(frames, gain, tables, noise, BinnedOptions()).argmax(1)
     right = named == np.arange(len(named)) % len(tables.response)
     return np.split(right, np.cumsum([len(each.frames) for each in sets])[:-1])
 
@@ -302,8 +322,8 @@ def _right_by_library(touches: _Touches, libraries: ComplexArray, noise: Array, 
     """True for each touch that the library of its own sensor, the last one the nominal, assigns to its point."""
     points = libraries.shape[1]
     own = libraries[-1:] if is_nominal else libraries[:-1]
-    parts = zip(np.split(touches.frames, len(own)), np.split(touches.power, len(own)), own, strict=True)
-    named = [plain_scores(frames, power, library, noise).argmax(1) for frames, power, library in parts]
+    parts = zip(np.split(touches.frames, len(own)), np.split(touches.gain, len(own)), own, strict=True)
+    named = [plain_scores(frames, gain, library, noise).argmax(1) for frames, gain, library in parts]
     right = np.concatenate(named) == np.arange(len(touches.frames)) % points
     return np.asarray(right)
 

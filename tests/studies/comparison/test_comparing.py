@@ -96,7 +96,6 @@ def test_the_same_design_twice_differs_in_nothing_and_neither_is_better() -> Non
 def test_the_figures_are_those_of_the_quick_answers(two: Comparison) -> None:
     quality = design_quality(SHORT)
     assert quality is not None
-    assert row(two, "predicted_top1")[0] == quality.nominal
     (accuracy,) = accuracies([SHORT])
     assert not isinstance(accuracy, str)
     assert row(two, "as_built_taps")[0] == accuracy.as_built["taps"].mean
