@@ -30,6 +30,7 @@ from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
+from geometry.schema.array_fields import Air
 from localize.decoders.decoder_options import HypothesisOptions
 from localize.signals.noise_model import microphone_noise
 from localize.signals.touch_generator import SCALED_AT
@@ -51,11 +52,12 @@ FORCES = (1e-6, 100.0)
 """Least and largest force of a touch, N."""
 SILENT = 1e-9
 """Transfer function below which a microphone detects nothing of a point, Pa/Pa."""
-NOMINAL_TOUCHES = 480
-"""Number of touches of each kind on the sensor as designed."""
-SCATTER = {True: 0.12, False: 0.3}
+NOMINAL_TOUCHES = 360
+"""Largest number of touches of each kind on the sensor as designed; at most one per as-built sensor and point."""
+SCATTER = {True: 0.15, False: 0.36}
 """Scatter of the error of a prediction m, by sqrt(m (1 - m)): of the touches of a run, and of a given force."""
 _NODES = np.geomspace(2.5, 104.0, 12)
+_DRAWN: dict[tuple[Air, int], DrawnAirAndRubber] = {}
 _NOISE_SEED, _CALIBRATION_SEED = 1, 2
 
 
@@ -175,7 +177,7 @@ def _of_design(
         tables = None if calibrated else array.hypotheses(BinnedOptions())
         cavity = array.cavity(force)
     noise = noise_in_bins(microphone_noise(design.microphone, design_air(design)))
-    again = max(1, NOMINAL_TOUCHES // design.point_count)
+    again = max(1, min(sensors, NOMINAL_TOUCHES // design.point_count))
     random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(_NOISE_SEED,)))
     sets = [
         _touched(frames, of_sensors, array.nominal, noise, random)
@@ -219,9 +221,7 @@ class _BinnedArray:
     def hypotheses(self, options: BinnedOptions) -> BinnedHypotheses:
         """Hypotheses of the decoder."""
         assumed = HypothesisOptions()
-        drawn = None
-        if assumed.air_and_rubber is not None:
-            drawn = assumed.air_and_rubber.draws(0, options.draws, assumed.seed, self._design, self._air)
+        drawn = _air_and_rubber(self._design, options.draws)
         factors = self._factors(self._unknown, options.draws, assumed.seed, drawn)
         return binned_hypotheses(self.nominal, factors, np.abs(self._on_nodes), _to_bins(), options)
 
@@ -250,6 +250,17 @@ class _BinnedArray:
         sensors = AsBuiltSensors(scattered, _NODES, self._air)
         ratio = _floored(sensors.transfer_functions(scattered.draws(0, count, seed), drawn)) / self._on_nodes
         return np.asarray(np.log(np.abs(ratio)) + 1j * np.unwrap(np.angle(ratio)), np.complex64)
+
+
+def _air_and_rubber(design: ArrayDesign, count: int) -> DrawnAirAndRubber | None:
+    """Air and rubber that the decoder assumes of its draws; kept, because designs of a batch share their air."""
+    assumed, key = HypothesisOptions(), (design.air, count)
+    if assumed.air_and_rubber is None:
+        return None
+    if key not in _DRAWN:
+        _DRAWN.clear()
+        _DRAWN[key] = assumed.air_and_rubber.draws(0, count, assumed.seed, design, design_air(design))
+    return _DRAWN[key]
 
 
 def _floored(response: ComplexArray) -> ComplexArray:
