@@ -4,7 +4,8 @@
 from fixed seeds and none is chosen: lines, areas and gloves of 4 to 40 points, with other bores of the catalogue,
 tubes, cavities, membranes and numbers of microphones. Drawn values that are no valid design are drawn again.
 
-Each verdict is compared with sensors that are drawn with a workshop's tolerances and touched by contacts of a finger
+Each verdict is compared with sensors that are drawn with the tolerances of one that nobody calibrated, whose
+microphones differ too, and touched by contacts of a finger
 (:mod:`benchmarks.finger_touches`), with the force and the contact of the target. Membranes are linear.
 Sensors are solved at the fidelity atlas where it covers the design, and decoded in full by the tolerance-aware decoder.
 Neither the signals nor the sensors are those of the verdict. A remedy of an accuracy is compared with the same decoding

@@ -107,9 +107,10 @@ RULES: tuple[VerdictRule, ...] = (
     VerdictRule(
         "slow", "smallest distance of two points over 3 to 10 Hz: rms of the logarithm of the ratio of their "
         "microphone ratios, nepers and radians", "1", "at least", 0.08, 0.03, "transfer functions (closed forms)",
-        "a press is slow, and a frame of 250 ms leaks more of what was before it than such ratios differ. The "
-        "predicted accuracies do not know that. Chosen on seven designs, four of them random, whose as-built sensors "
-        "were decoded in full (benchmarks/verdicts.py): presses reached 95 % at 0.09 and 77 % at 0.03",
+        "microphones of one type differ by 5 % (one standard deviation of +-1 dB), so the ratio of two is off by 7 %. "
+        "A slow press has little else than this ratio. The predicted accuracies draw a workshop's scatter, which "
+        "leaves the microphones out. Seven designs with such microphones were decoded in full "
+        "(benchmarks/verdicts.py): presses reached 91 to 96 % at 0.09 and 71 to 77 % at 0.03",
     ),
     VerdictRule(
         "separate", "force on a neighbour's membrane, as a fraction of that on the touched one, for a contact of the "
