@@ -39,7 +39,7 @@ CHOICES_OF: Mapping[str, tuple[str, ...]] = {
 }  # fmt: skip
 """Choices that are tried for each rule."""
 #: Changes whose other rules are computed: so many in all, and of each choice.
-_CLOSER, _CLOSER_EACH = 10, 2
+_CLOSER, _CLOSER_EACH = 8, 2
 #: Gains below these are not worth a change: of an accuracy, and of any other figure as a fraction of it.
 _LEAST_ACCURACY, _LEAST = 0.005, 0.01
 

@@ -18,6 +18,7 @@ from geometry import Kind, Refusal, prototype
 from geometry.ground.process_messages import Stopped
 from geometry.stock import catalogue
 from studies.panels.curves import curves_of, quick_library
+from studies.panels.verdict_panel import verdict_figures
 from studies.studio.session import MOST_FILES, Session
 from studies.studio.sessions import MOST_SESSIONS, Sessions
 from studies.studio.stage import Job, Stage
@@ -112,6 +113,36 @@ def test_a_bought_size_brings_the_parts_that_go_with_it(workplace: Workplace) ->
         assert (await page.until("refused"))["name"] == "tube.length"
 
     asyncio.run(play())
+
+
+def test_a_remedy_of_the_verdict_bar_is_one_step_and_a_bad_one_changes_nothing(workplace: Workplace) -> None:
+    async def talk() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        changes = {"membrane.thickness": 1.0, "resonator.cavity_height": 3.0}
+        await session.take({"do": "remedy", "values": changes})
+        assert session.state.design == ARRAY.with_values(changes)
+        await session.take({"do": "remedy", "values": {"tube.length": -1.0}})
+        assert "tube.length" in (await page.until("refused-design"))["message"]
+        assert session.state.design == ARRAY.with_values(changes)
+        with pytest.raises(Refusal) as error:
+            await session.take({"do": "remedy", "values": [1]})
+        assert (error.value.kind, error.value.field) == (Kind.WRONG_TYPE, "values")
+        await session.take({"do": "undo"})
+        assert session.state.design == ARRAY
+
+    asyncio.run(talk())
+
+
+def test_the_verdict_bar_gets_reasons_with_the_changes_that_help() -> None:
+    found = verdict_figures(ARRAY.with_values({"target.size": (100.0, 30.0)}))
+    assert found["outcome"] == "does not work"
+    assert [row[0] for row in found["rows"]] == ["as-built accuracy of taps", "smallest force", "size", "cost"]
+    remedies = [each["remedy"] for each in found["reasons"] if each["remedy"]]
+    assert remedies
+    for remedy in remedies:
+        assert remedy["line"].startswith(remedy["words"])
+        ARRAY.with_values(json.loads(json.dumps(remedy["changes"])))
 
 
 def test_what_follows_the_tube_is_told_too_until_it_is_stated(workplace: Workplace) -> None:
