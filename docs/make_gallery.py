@@ -27,12 +27,12 @@ _HEAD = """# Gallery
 Pick a design that resembles yours and start from it. This page shows every prototype and some of our own designs, with
 the figures that `acoustic-fem check` predicts.
 
-Accuracies are top-1 accuracies that are predicted for [multi-sine touches](glossary.md) with the noise of the design's
-microphone. They do not predict taps and presses, which `acoustic-fem run` simulates. The predicted decoder knows only
-the nominal design. As-built sensors have assumed [tolerances](tolerances.md) and are not calibrated. Other pages give
+Accuracies are top-1 accuracies that are predicted for taps and presses of a finger, as `acoustic-fem run` simulates
+them, with the noise of the design's microphone and the tolerance-aware [decoder](decoder.md). As-built sensors have
+assumed [tolerances](tolerances.md) and are not calibrated. Other pages give
 different mean accuracies for the same design, because they use other touches, more sensors, another fidelity or another
-decoder. If the mean of the as-built sensors is low, use the tolerance-aware [decoder](decoder.md) or
-[calibrate](calibration.md) each sensor, because calibration removes most of the loss. The cost covers the materials of
+decoder. If the mean of the as-built sensors is low, [calibrate](calibration.md) each sensor, because
+calibration removes most of the loss. The cost covers the materials of
 one array at assumed prices. Molds are not included. In the pictures each point is coloured by its own accuracy, and
 rings mark the *hardest pair*, the two points that are hardest to tell apart.
 
@@ -41,7 +41,7 @@ For a design of ours, use the path of its file in place of the name.
 
 <!-- made by python docs/make_gallery.py -->
 
-Each row is a design, with the predicted top-1 accuracy for multi-sine touches: mean and worst accuracy of as-built
+Each row is a design, with the predicted top-1 accuracy for taps and presses: mean and fifth percentile of as-built
 sensors, then the accuracy of the nominal sensor. Designs with many points are tested with fewer sensors. The hardest
 pair is given with the level and phase by which its points differ (rms over 1 to 100 Hz).
 """
@@ -79,7 +79,7 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
         blocks.append(f"### {name}\n\n{file}![In plan]({link})\n")
         print(rows[-1], flush=True)
     head = (
-        "| design | description | points | microphones | as built: mean (worst) (%) | nominal (%) | hardest pair "
+        "| design | description | points | microphones | as built: mean (5th percentile) (%) | nominal (%) | hardest pair "
         "| cost (USD) |\n|---|---|---|---|---|---|---|---|"
     )
     split = len(ours)

@@ -285,7 +285,7 @@ def _forgiving() -> Iterable[Metric]:
         "Score that ranks designs for as-built sensors (acoustic_fem.scatter.UNCALIBRATED); it is not an error "
         "rate and may exceed 1. For a decoder of the nominal design, the probability that another point is more "
         "likely than the touched one is summed over all other points and averaged over the touched ones. This mean to "
-        "the power 5/6 is multiplied by the fourth-power mean, which gives weight to the worst pairs, to the power 1/6. "
+        "the power 5/6 is multiplied by the fourth-power mean, which weighs the worst pairs, to the power 1/6. "
         "Computed to first order at eight frequencies with lumped fidelity.",
         _scatter_detection, frozenset({"designs"}), "smaller", slopes=_scatter_slopes,
     )  # fmt: skip
