@@ -27,12 +27,12 @@ _HEAD = """# Gallery
 Pick a design that resembles yours and start from it. This page shows every prototype and some of our own designs, with
 the figures that `acoustic-fem check` predicts.
 
-Accuracies are top-1 accuracies that are predicted for taps and presses of a finger, as `acoustic-fem run` simulates
-them, with the noise of the design's microphone and the tolerance-aware [decoder](decoder.md). As-built sensors have
-assumed [tolerances](tolerances.md) and are not calibrated. Other pages give
+Accuracies are predicted top-1 accuracies for the taps and presses of `acoustic-fem run`. They hold for the noise of
+the design's microphone and for the tolerance-aware [decoder](decoder.md). As-built sensors have assumed
+[tolerances](tolerances.md) and are not calibrated. Other pages give
 different mean accuracies for the same design, because they use other touches, more sensors, another fidelity or another
-decoder. If the mean of the as-built sensors is low, [calibrate](calibration.md) each sensor, because
-calibration removes most of the loss. The cost covers the materials of
+decoder. [Calibrate](calibration.md) each sensor if the mean of the as-built
+sensors is low because calibration removes most of the loss. The cost covers the materials of
 one array at assumed prices. Molds are not included. In the pictures each point is coloured by its own accuracy, and
 rings mark the *hardest pair*, the two points that are hardest to tell apart.
 
