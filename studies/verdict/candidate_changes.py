@@ -231,7 +231,7 @@ def _microphones(design: ArrayDesign) -> _Words:
 def _columns(design: ArrayDesign) -> _Words:
     now = design.layout.columns
     if design.layout.kind in ("serpentine", "area", "cylinder"):
-        for new in range(1, min(design.point_count, 40) + 1):
+        for new in range(2, min(design.point_count, 40) + 1):
             if new != now:
                 yield f"rows of {new} points in place of {min(now, design.point_count)}", {"layout.columns": new}
 

@@ -56,6 +56,10 @@ class Remedy:
     """Figure of the rule before and after the change, in the unit of the rule."""
     outcome: str
     """Outcome of the rule after the change."""
+    remaining: int
+    """Rules that stay broken: each marginal one counts 1, and each that does not work 2."""
+    changes_order: bool = False
+    """True if it changes what was asked for: the number of points, or the printer."""
 
     def to_dict(self) -> dict[str, Any]:
         """The remedy as JSON can hold it."""
@@ -65,6 +69,7 @@ class Remedy:
             "before": self.gain[0],
             "after": self.gain[1],
             "outcome": self.outcome,
+            "changes_order": self.changes_order,
         }
 
 
@@ -104,7 +109,7 @@ class Remedies:
             useful = gain if name in ACCURACY_RULES else _useful(rule, before, after)
             rank = (change.choice in LAST, OUTCOMES.index(outcome), every, -useful, change.size)
             if best is None or rank < best[0]:
-                best = rank, Remedy(change.values, change.words, (before, after), outcome)
+                best = rank, Remedy(change.values, change.words, (before, after), outcome, every, change.choice in LAST)
         return None if best is None else best[1]
 
     def _of_choice(self, choice: str) -> tuple[Change, ...]:

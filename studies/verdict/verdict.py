@@ -106,13 +106,16 @@ class Verdict(Shown):
     @cached_property
     def reasons(self) -> tuple[Reason, ...]:
         """Rules that the design breaks, the worst first; the first three with a remedy where there is one."""
-        # Changes are tried without their drawings, so they are compared with the design without its own.
-        plain = {} if self._drawn is None else measure([self.design], _OF_DRAWN)[0]
-        search = Remedies(self.design, {**self.values, **plain})
         return tuple(
-            self._reason(rule, search.best(rule.name) if place < SHOWN else None)
+            self._reason(rule, self._search.best(rule.name) if place < SHOWN else None)
             for place, rule in enumerate(self.broken)
         )
+
+    @cached_property
+    def _search(self) -> Remedies:
+        # Changes are tried without their drawings, so they are compared with the design without its own.
+        plain = {} if self._drawn is None else measure([self.design], _OF_DRAWN)[0]
+        return Remedies(self.design, {**self.values, **plain})
 
     @property
     def broken(self) -> tuple[VerdictRule, ...]:
@@ -150,7 +153,8 @@ class Verdict(Shown):
     def fixed(self) -> ArrayDesign:
         """The design with remedies applied, one after the other, until it works or none is left.
 
-        Each remedy is computed anew for the design that the changes before it gave.
+        Each remedy is computed anew for the design that the changes before it gave, and the one that leaves the fewest
+        broken rules is taken. The number of points and the printer stay as they are.
         """
         return self._fixed[1]
 
@@ -158,7 +162,9 @@ class Verdict(Shown):
     def _fixed(self) -> tuple[tuple[Remedy, ...], ArrayDesign]:
         now, made = self, list[Remedy]()
         while len(made) < _MOST_CHANGES:
-            remedy = next((reason.remedy for reason in now.reasons if reason.remedy is not None), None)
+            tried = (now._search.best(rule.name) for rule in now.broken[:SHOWN])
+            useful = (each for each in tried if each is not None and not each.changes_order)
+            remedy = min(useful, key=lambda each: each.remaining, default=None)
             if remedy is None:
                 break
             made.append(remedy)
