@@ -15,7 +15,7 @@ DOCS = Path(__file__).parent
 PAGE, PICTURES, EXAMPLES = DOCS / "gallery.md", DOCS / "images" / "gallery", DOCS / "examples"
 #: Designs of ours that ``acoustic-fem new`` makes -> the answers to its questions.
 MADE = {
-    "wristband-16": {"place": "wrist", "points": 16, "pitch": 15.0, "diameter": 60.0},
+    "wristband-16": {"place": "wrist", "points": 16, "pitch": 15.0},
     "glove-15": {"place": "hand", "points": 15},
     "pad-24": {"place": "flat", "points": 24, "pitch": 14.0, "microphones": 3},
     "flat-64": {"place": "flat", "points": 64, "pitch": 18.5, "microphones": 4},

@@ -10,6 +10,7 @@ from . import (
     optimization as optimization,
     output as output,
     panels as panels,
+    proposals as proposals,
     run as run,
     scatter as scatter,
     studio as studio,
@@ -53,6 +54,8 @@ from .inference.recorded import (
 from .inference.tracked import TrackedRecording as TrackedRecording, track_recording as track_recording
 from .optimization.problem import load_optimization as load_optimization
 from .output.display import Display as Display
+from .proposals.design_writing import new_design as new_design
+from .proposals.proposing import Proposal as Proposal, Proposals as Proposals, propose_designs as propose_designs
 from .run.check import DesignCheck as DesignCheck, check_design as check_design
 from .run.file_list import FolderCheck as FolderCheck, verify_run as verify_run
 from .run.library_files import convert_library as convert_library, solve_library as solve_library
@@ -60,7 +63,7 @@ from .run.part_folder import MadeParts as MadeParts, export_parts as export_part
 from .run.pipeline import run_design as run_design
 from .run.quality import DesignQuality as DesignQuality
 from .run.run_result import RunResult as RunResult
-from .run.starting import copy_prototype as copy_prototype, new_design as new_design
+from .run.starting import copy_prototype as copy_prototype
 from .run.stock_listing import list_stock as list_stock
 from .run.wiring import wiring_table as wiring_table
 from .scatter.tolerance_run import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study

@@ -11,8 +11,8 @@
 # %% [markdown]
 # # A wristband, from an idea to its parts
 #
-# You design sixteen points around a wrist, 15 mm apart, with two microphones. `acoustic-fem new wristband --place wrist
-# --points 16 --pitch 15` does the first step from a terminal.
+# You design sixteen points around a wrist, 15 mm apart, with two microphones. `acoustic-fem new wristband --around 188
+# --points 16` would search the parts for you. Here you choose them yourself, to see what matters.
 
 # %%
 from tempfile import TemporaryDirectory
@@ -20,11 +20,23 @@ from tempfile import TemporaryDirectory
 import matplotlib.pyplot as plt
 
 import geometry
-import studies
 from studies.run import design_quality, draw_quality
 
 folder = TemporaryDirectory()
-design = studies.new_design("wristband", f"{folder.name}/wristband.toml", place="wrist", points=16, pitch=15)
+design = geometry.prototype("array-2x6").with_values(
+    {
+        "name": "wristband",
+        "description": "16 points around a wrist, 15 mm apart",
+        "lines.0.points": 16,
+        "layout": {"kind": "cylinder", "columns": 8, "diameter": 60.0},
+        "resonator.cavity_diameter": 4.865,
+        "resonator.cavity_height": 2.027,
+        "resonator.wall_thickness": 1.622,
+        "membrane.thickness": 0.405,
+        "membrane.rim_width": 1.216,
+        "tube.length": 10.135,
+    }
+)
 print(design.description, "-", design.layout.kind, "of", design.layout.diameter, "mm")
 
 # %% [markdown]

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
 from geometry.design.design_file import prototype_names, prototype_text, stated_prototype
-from geometry.ground.refusal import counted
-from geometry.layout.size import array_size
-from studies.cli.options import asked, defaults_of
+from geometry.ground.argument_checks import check_range
+from geometry.ground.refusal import Refusal, counted
+from studies.cli.options import defaults_of, display_on_stderr
 from studies.cli.terminal_tables import say, show, table_of, tell
-from studies.run.starting import PLACES, copy_prototype, new_design
+from studies.proposals.design_writing import new_design, new_path, write_proposal
+from studies.proposals.designer_question import PLACES, question
+from studies.run.starting import copy_prototype
 
-_PLACE: str = defaults_of(new_design)["place"]
-_DIAMETER: float = defaults_of(new_design)["diameter"]
+if TYPE_CHECKING:
+    from studies.proposals.proposing import Proposals
+
+_Answer = TypeVar("_Answer")
+_DEFAULTS = defaults_of(new_design)
 
 
 def prototypes(
@@ -47,36 +54,123 @@ def new(
     place: Annotated[
         str | None, typer.Option(help="Place of the array: flat, fingertip, wrist or hand. Default: flat.")
     ] = None,
-    points: Annotated[int | None, typer.Option(help="Number of points. Default: 12.")] = None,
+    size: Annotated[
+        str | None,
+        typer.Option(metavar="MMxMM", help="Length and width in which the array fits with its microphones."),
+    ] = None,
+    points: Annotated[
+        str | None, typer.Option(metavar="N|most", help="Number of points, or the most that work. Default: 12.")
+    ] = None,
+    rows: Annotated[int | None, typer.Option(help="Number of rows. Default: searched.")] = None,
+    columns: Annotated[int | None, typer.Option(help="Points in a row. Default: searched.")] = None,
     pitch: Annotated[
         float | None,
-        typer.Option(metavar="MM", help="Distance between neighbouring points. Default: depends on the place."),
+        typer.Option(metavar="MM", help="Distance between neighbouring points. Default: what the size leaves."),
+    ] = None,
+    around: Annotated[
+        float | None, typer.Option(metavar="MM", help="Circumference of the wrist or tool. Default: 188 for a wrist.")
     ] = None,
     microphones: Annotated[int | None, typer.Option(help="Number of microphones. Default: 2, or 3 on a hand.")] = None,
-    diameter: Annotated[
-        float | None, typer.Option(metavar="MM", help=f"Diameter of the wrist. Default: {_DIAMETER:g}.")
+    tubes_below: Annotated[
+        str | None, typer.Option(metavar="MM", help="Room below the shells for microphones and their tubes.")
+    ] = None,
+    printer: Annotated[str, typer.Option(help="Printing process, such as sla-resin or dlp-fine.")] = _DEFAULTS[
+        "printer"
+    ],
+    target: Annotated[str, typer.Option(help="What touches, and the smallest force that must be located.")] = _DEFAULTS[
+        "target"
+    ],
+    budget: Annotated[float | None, typer.Option(metavar="USD", help="Highest cost of the parts of one array.")] = None,
+    choose: Annotated[
+        int | None, typer.Option(help="Number of the proposal to write. Default: asked, or the first.")
     ] = None,
     out: Annotated[Path | None, typer.Option(help="Design file to write. Default: NAME.toml.")] = None,
 ) -> None:
-    """Start a design of your own from its place, number of points, pitch and microphones.
+    """Start a design of your own from your question: how many points, where, for which touch and on which printer.
 
-    Writes a design file. On a terminal you are asked for the options that you did not give. The design takes its parts
-    from a prototype, in a layout that can be built and that fits the place. You can change every value of the file.
+    Searches layouts and parts that can be bought, shows the best three designs with their verdicts, and writes one of
+    them. On a terminal you are asked for what you did not give. If no design works, it says what would.
 
-    Example: [bold]acoustic-fem new mine --place wrist --points 16 --pitch 15[/bold]
+    Example: [bold]acoustic-fem new pad --size 30x30 --points 16 --microphones 2[/bold]
     """
-    place = asked(place, f"Where does it go ({', '.join(PLACES)})?", _PLACE) or _PLACE
-    usual = PLACES.get(place)
-    if usual is not None:  # an unknown place is refused below
-        points = asked(points, "How many points?", usual.points)
-        pitch = asked(pitch, "How far apart, mm?", usual.pitch)
-        microphones = asked(microphones, "How many microphones?", usual.microphones)
-        if usual.layout == "cylinder":
-            diameter = asked(diameter, "Diameter of what it goes around, mm?", _DIAMETER)
-    diameter = _DIAMETER if diameter is None else diameter
-    design = new_design(name, out, place=place, points=points, pitch=pitch, microphones=microphones, diameter=diameter)
-    path = out or Path(f"{name}.toml")
+    path = new_path(name, out)
+    given: dict[str, Any] = {
+        "place": place, "size": size, "points": points, "rows": rows, "columns": columns, "pitch": pitch,
+        "around": around, "microphones": microphones, "tubes_below": tubes_below, "printer": printer,
+        "target": target, "budget": budget,
+    }  # fmt: skip
+    asked = question(**(_dialogue(given) if sys.stdin.isatty() else given))
+    with display_on_stderr() as display, display.stage("search") as report:
+        report("reading the catalogue and the decoder", 0.0)
+        from studies.proposals.proposing import propose  # takes seconds
+
+        found = propose(asked, name, report)
+    _show_proposals(found)
+    if choose is None and found.works and len(found.designs) > 1 and sys.stdin.isatty():
+        choose = _answer(
+            f"Which one (1 to {len(found.designs)})?", 1, lambda number: _check_number(number, len(found.designs))
+        )
+    design = write_proposal(found, path, choose)
     say(path)
-    size = " x ".join(f"{side:.0f}" for side in array_size(design))
-    tell(f"{design.description}; {counted(len(design.microphones), 'microphone')}, {design.layout.kind}, {size} mm")
+    tell(f"{design.description}; {counted(len(design.microphones), 'microphone')}")
     tell(f"next: acoustic-fem check {path} --picture {path.with_suffix('.png')}")
+
+
+def _dialogue(given: dict[str, Any]) -> dict[str, Any]:
+    """Options with answers in place of those that matter most and were not given; each is checked as it is given."""
+    known = dict(given)
+
+    def ask(field: str, words: str, usual: Any) -> None:
+        if known[field] is None:
+            known[field] = _answer(words, usual, lambda value: question(**{**known, field: value}))
+
+    if known["around"] is None:
+        ask("place", f"Where does it go ({', '.join(PLACES)})?", "flat")
+    place = PLACES[known["place"] or "wrist"]
+    if place.around is not None:
+        ask("around", "Circumference of what it goes around, mm?", place.around)
+    elif known["pitch"] is None and known["place"] != "hand":
+        usual = place.size or (100.0, 60.0)
+        ask("size", "Length x width, mm?", f"{usual[0]:g}x{usual[1]:g}")
+    if known["rows"] is None or known["columns"] is None:
+        ask("points", "How many points?", str(place.points))
+    ask("microphones", "How many microphones?", place.microphones)
+    return known
+
+
+def _answer(words: str, usual: _Answer, check: Callable[[_Answer], object]) -> _Answer:
+    """Answer to a question on a terminal that a check accepts; a wrong one is asked again."""
+    while True:
+        answer: _Answer = typer.prompt(words, default=usual, type=type(usual))
+        try:
+            check(answer)
+        except Refusal as error:
+            typer.echo(str(error), err=True)
+        else:
+            return answer
+
+
+def _check_number(number: int, most: int) -> None:
+    check_range("number", number, 1, most, whole=True)
+
+
+def _show_proposals(found: Proposals) -> None:
+    """The proposed designs with their trade."""
+    if not found.designs:
+        return
+    table = table_of(
+        "", "strength", "points", "size (mm)", "force (N)", "taps (%)", "cost (USD)", "verdict", numbers=(0, 2, 4, 5, 6)
+    )
+    for number, each in enumerate(found.designs, 1):
+        figures = each.verdict.figures
+        table.add_row(
+            str(number),
+            each.strength,
+            str(each.design.point_count),
+            " x ".join(f"{side:.1f}" for side in figures.size),
+            f"{figures.smallest_force:.2g}",
+            f"{100 * figures.taps:.1f}",
+            f"{figures.cost:.2f}",
+            each.verdict.outcome,
+        )
+    show(table)

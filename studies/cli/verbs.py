@@ -36,7 +36,9 @@ VERBS = {
         "new_designs", "Design", "List the designs that come with the program, or print the file of one."
     ),
     "new": Entry(
-        "new_designs", "Design", "Start a design of your own from its place, number of points, pitch and microphones."
+        "new_designs",
+        "Design",
+        "Start a design of your own from your question: how many points, where, and on which printer.",
     ),
     "studio": Entry(
         "designs",

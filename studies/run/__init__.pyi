@@ -5,6 +5,6 @@ from .library_files import cell_lines as cell_lines, convert_library as convert_
 from .part_folder import MadeParts as MadeParts, export_parts as export_parts
 from .pipeline import run_design as run_design
 from .quality import DesignQuality as DesignQuality, design_quality as design_quality, draw_quality as draw_quality
-from .starting import PLACES as PLACES, copy_prototype as copy_prototype, new_design as new_design
+from .starting import copy_prototype as copy_prototype
 from .stock_listing import StockListing as StockListing, list_stock as list_stock
 from .wiring import draw_wirings as draw_wirings, wiring_table as wiring_table, wirings as wirings

@@ -1,30 +1,61 @@
-"""The verb ``new``: it asks on a terminal, and takes what is usual elsewhere."""
+"""The verb ``new``: it asks on a terminal, takes what is usual elsewhere, and asks a wrong answer again."""
 
 from __future__ import annotations
 
-import itertools
+import pytest
 
 import geometry
+from studies.proposals import proposing
+from studies.proposals.design_search import Effort
 
 
-def test_the_verb_asks_on_a_terminal_alone(command, tmp_path, monkeypatch):
-    told = command("new", "mine", "--out", tmp_path / "a.toml")  # no terminal: nothing is asked
+@pytest.fixture(autouse=True)
+def quick(monkeypatch):
+    """A search that tries little."""
+    monkeypatch.setattr(proposing, "thorough", lambda points: Effort(draws=30, judged=2, near=10, rounds=1))
+
+
+@pytest.mark.physics
+def test_the_verb_shows_proposals_and_writes_the_first(command, tmp_path):
+    told = command("new", "mine", "--size", "40x20", "--points", 8, "--out", tmp_path / "mine.toml")
     assert told.code == 0, told.err
+    assert "most accurate" in told.out
     assert "acoustic-fem check" in told.out
-    asked = itertools.chain(["wrist", "16", "15", "2", "70"])
+    assert told.err.startswith("search: reading")
+    assert geometry.load_design(tmp_path / "mine.toml").point_count == 8
+
+
+@pytest.mark.physics
+def test_the_verb_asks_on_a_terminal_and_a_wrong_answer_is_asked_again(command, tmp_path, monkeypatch):
+    answers = iter(["moon", "flat", "40 by 20", "40x20", "0", "8", 2, 7, 2])
+    questions = []
+
+    def prompt(words, default, type):
+        questions.append(words)
+        return type(next(answers))
+
     monkeypatch.setattr("sys.stdin.isatty", lambda: True, raising=False)
-    monkeypatch.setattr("typer.prompt", lambda question, default, type: type(next(asked)))
-    assert command("new", "mine", "--out", tmp_path / "b.toml").code == 0
-    design = geometry.load_design(tmp_path / "b.toml")
-    assert (design.layout.kind, design.point_count, design.tube.length) == ("cylinder", 16, 10.135)
-    assert design.layout.diameter == 70
-
-
-def test_what_has_no_room_is_refused_with_what_has_and_leaves_no_file(command, tmp_path):
-    told = command("new", "mine", "--place", "wrist", "--points", 500, "--out", tmp_path / "mine.toml")
-    assert told.code == 1
-    assert "points = 500" in told.err
-    assert "points = 160" in told.err
-    assert list(tmp_path.iterdir()) == []
-    told = command("new", "mine", "--place", "wrist", "--points", 160, "--out", tmp_path / "mine.toml")
+    monkeypatch.setattr("typer.prompt", prompt)
+    told = command("new", "mine", "--out", tmp_path / "mine.toml")
     assert told.code == 0, told.err
+    assert "place = 'moon'" in told.err
+    assert "size = '40 by 20'" in told.err
+    assert [words.split("?")[0] for words in questions] == [
+        *["Where does it go (flat, fingertip, wrist, hand)"] * 2, *["Length x width, mm"] * 2,
+        *["How many points"] * 2, "How many microphones", *["Which one (1 to 2)"] * 2,
+    ]  # fmt: skip
+    design = geometry.load_design(tmp_path / "mine.toml")
+    assert (design.point_count, design.target.size) == (8, (40.0, 20.0))
+
+
+@pytest.mark.parametrize(
+    ("words", "option"),
+    [(["--size", "30"], "--size"), (["--points", "none"], "--points"), (["--printer", "laser"], "--printer"),
+     (["--tubes-below", "x"], "--tubes-below"), (["--target", "elbow"], "--target")],
+    ids=str,
+)  # fmt: skip
+def test_a_wrong_option_is_refused_before_any_search(command, tmp_path, words, option):
+    told = command("new", "mine", *words, "--out", tmp_path / "mine.toml")
+    assert option in told.refusal()
+    assert "search" not in told.err
+    assert list(tmp_path.iterdir()) == []

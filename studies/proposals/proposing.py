@@ -1,0 +1,167 @@
+"""Designs that answer a question, at most three with their trade, and what would work where none does."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from geometry.design.array_design import ArrayDesign
+from geometry.ground.refusal import Kind, Refusal, Text
+from geometry.ground.shown import Shown
+from studies.proposals.design_search import Found, Progress, search, thorough
+from studies.proposals.designer_question import Question, question
+from studies.proposals.most_points import most_points
+from studies.proposals.other_questions import Alternative, alternatives
+from studies.verdict import Verdict
+
+SHOWN = 3
+"""Number of designs that are proposed."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Proposal(Shown):
+    """One design that is proposed."""
+
+    design: ArrayDesign
+    """The design."""
+    verdict: Verdict
+    """Verdict on it, which holds its accuracy, smallest force, size and cost."""
+    strength: str
+    """What it is best at among those proposed, in words."""
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        figures, design = self.verdict.figures, self.design
+        return f"Proposal {design.name}: {self.verdict.outcome}", {
+            "strength": self.strength,
+            "points": design.point_count,
+            "size (mm)": " x ".join(f"{side:.1f}" for side in figures.size),
+            "smallest force (N)": f"{figures.smallest_force:.2g}",
+            "as-built taps": f"{figures.taps:.1%}",
+            "cost (USD)": f"{figures.cost:.2f}",
+        }
+
+    def to_dict(self) -> dict[str, Any]:
+        """The proposal as JSON can hold it."""
+        return {
+            "strength": self.strength,
+            "points": self.design.point_count,
+            "verdict": self.verdict.to_dict(),
+            "design": self.design.model_dump(mode="json"),
+        }
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Proposals(Shown):
+    """Answer to a question."""
+
+    question: Question
+    """The question."""
+    designs: tuple[Proposal, ...]
+    """Designs with their verdicts, the best first; empty if nothing can be built."""
+    alternatives: tuple[Alternative, ...]
+    """Changes of the question with which a design works; only if none of :attr:`designs` does."""
+
+    @property
+    def works(self) -> bool:
+        """True where the best design works."""
+        return bool(self.designs) and self.designs[0].verdict.outcome == "works"
+
+    @cached_property
+    def problem(self) -> str:
+        """Reason in one sentence why no design works; empty if one does."""
+        if self.works:
+            return ""
+        if not self.designs:
+            return "no design of these points, this room and this printer can be built"
+        verdict = self.designs[0].verdict
+        return verdict.values[verdict.broken[0].name].words
+
+    @property
+    def remedy(self) -> Text:
+        """Pieces of a sentence on the changes of the question with which a design works."""
+        pieces: list[str] = []
+        for each in self.alternatives:
+            pieces += [*([", or "] if pieces else ["try "]), *each.text]
+        return tuple(pieces)
+
+    def refusal(self) -> Refusal:
+        """The error of a question that no design answers."""
+        asked = self.question
+        value = "most" if asked.points is None else asked.points
+        return Refusal(
+            f"cannot work so: {self.problem}", kind=Kind.CONFLICT, field="points", value=value, remedy=self.remedy
+        )
+
+    def shown(self) -> tuple[str, Mapping[str, object]]:
+        """Title and facts that a session and a notebook show."""
+        facts = {
+            f"{number}. {each.strength}": f"{each.verdict.outcome}, {each.verdict.figures.taps:.1%} of taps, "
+            f"{each.verdict.figures.cost:.2f} USD"
+            for number, each in enumerate(self.designs, 1)
+        }
+        return f"Proposals for {self.question.words}", facts | ({"problem": self.problem} if self.problem else {})
+
+
+def propose_designs(name: str = "design", *, progress: Progress | None = None, **asked: Any) -> Proposals:
+    """Search designs that answer a question, made of parts that can be bought.
+
+    Layouts and sizes are drawn from a fixed seed, so that the same question has the same answer. All are ranked by
+    closed forms, and the best are given a verdict.
+
+    Args:
+        name: name of the designs.
+        progress: function that is called with the name of a step and the fraction done.
+        asked: requirements by name, as of :func:`studies.proposals.designer_question.question`.
+
+    Returns:
+        At most three designs with their verdicts; if none works, also what would.
+
+    Raises:
+        Refusal: a value out of range, or values that exclude each other.
+    """
+    return propose(question(**asked), name, progress)
+
+
+def propose(asked: Question, name: str, progress: Progress | None = None) -> Proposals:
+    """The answer to a question; arguments as for :func:`propose_designs`."""
+    told = progress or _silent
+    with warnings.catch_warnings():
+        # check gives these warnings for the design that is chosen
+        warnings.filterwarnings("ignore", "entrance loss", UserWarning)
+        if asked.points is None:
+            found = most_points(asked, name, told)
+        else:
+            found = search(asked, name, asked.points, thorough(asked.points), told)
+        designs = _chosen(found)
+        if designs and designs[0].verdict.outcome == "works":
+            return Proposals(asked, designs, ())
+        broken = [rule.name for rule in designs[0].verdict.broken] if designs else []
+        return Proposals(asked, designs, alternatives(asked, name, told, broken))
+
+
+def _chosen(found: Sequence[Found]) -> tuple[Proposal, ...]:
+    """The best design, then of those with an equally good verdict the cheapest and that with the lightest touch."""
+    if not found:
+        return ()
+    best, *others = found
+    chosen = [Proposal(best.design, best.verdict, "most accurate")]
+    equal = [each for each in others if each.verdict.outcome == best.verdict.outcome] or others
+    wishes = {
+        "cheapest": lambda each: each.verdict.figures.cost,
+        "lightest touch": lambda each: each.verdict.figures.smallest_force,
+        "thinnest": lambda each: each.verdict.figures.size[2],
+    }
+    for strength, figure in wishes.items():
+        left = [each for each in equal if all(each.design is not one.design for one in chosen)]
+        if left and len(chosen) < SHOWN:
+            pick = min(left, key=figure)
+            chosen.append(Proposal(pick.design, pick.verdict, strength))
+    return tuple(chosen)
+
+
+def _silent(step: str, fraction: float) -> None:
+    """Progress that nobody is told."""

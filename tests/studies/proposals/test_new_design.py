@@ -1,0 +1,97 @@
+"""Designs that answer a question, what would work where none does, and the three jobs of a designer."""
+
+from types import SimpleNamespace
+
+import pytest
+from refusals import refused
+
+import geometry
+import studies
+from geometry import Kind
+from geometry.layout import array_size, buildability_notes, lay_out
+from geometry.stock import catalogue
+from studies.proposals import design_search as searching, proposing
+from studies.proposals.design_search import Effort
+from studies.proposals.designer_question import question
+from studies.proposals.most_points import grid_counts
+
+#: Enough for a small array.
+SMALL = Effort(draws=40, judged=2, near=20, rounds=2)
+
+
+@pytest.fixture
+def quick(monkeypatch):
+    """A search that tries little."""
+    monkeypatch.setattr(proposing, "thorough", lambda points: SMALL)
+
+
+def proposal(outcome, taps, cost, force, height):
+    """A found design as the choice of proposals sees it."""
+    figures = SimpleNamespace(taps=taps, cost=cost, smallest_force=force, size=(30.0, 30.0, height))
+    return SimpleNamespace(design=object(), verdict=SimpleNamespace(outcome=outcome, figures=figures))
+
+
+def test_the_best_three_differ_in_what_they_are_best_at():
+    best, cheap, light, bad = (
+        proposal("works", 0.99, 9.0, 2e-5, 9.0), proposal("works", 0.97, 4.0, 3e-5, 9.0),
+        proposal("works", 0.96, 8.0, 1e-6, 9.0), proposal("marginal", 0.8, 1.0, 1e-7, 1.0),
+    )  # fmt: skip
+    chosen = proposing._chosen([best, cheap, light, bad])
+    assert [each.design for each in chosen] == [best.design, cheap.design, light.design]
+    assert [each.strength for each in chosen] == ["most accurate", "cheapest", "lightest touch"]
+    assert proposing._chosen([]) == ()
+
+
+@pytest.mark.physics
+@pytest.mark.usefixtures("quick")
+def test_a_new_design_works_can_be_built_and_bought_and_fits(tmp_path):
+    told = []
+    made = studies.new_design(
+        "mine", tmp_path / "mine.toml", size="40x20", points=8, progress=lambda *step: told.append(step)
+    )
+    assert geometry.load_design(tmp_path / "mine.toml") == made
+    assert made.point_count == 8
+    assert made.target.size == (40.0, 20.0)
+    assert buildability_notes(made, lay_out(made)) == ()
+    assert catalogue().fit(made).bought
+    assert studies.Verdict(made).outcome == "works"
+    length, width, _ = array_size(made)
+    assert length <= 40.01
+    assert width <= 20.01
+    assert told
+
+
+@pytest.mark.physics
+@pytest.mark.usefixtures("quick")
+def test_proposals_are_the_same_every_time_and_a_number_chooses(tmp_path):
+    found, again = (studies.propose_designs("mine", size="40x20", points=8) for _ in range(2))
+    assert [each.design for each in found.designs] == [each.design for each in again.designs]
+    assert len(found.designs) > 1
+    made = studies.new_design("mine", tmp_path / "mine.toml", size="40x20", points=8, choose=2)
+    assert made == found.designs[1].design
+    with refused(Kind.OUT_OF_RANGE, "choose", 9):
+        studies.new_design("mine", tmp_path / "other.toml", size="40x20", points=8, choose=9)
+
+
+@pytest.mark.physics
+def test_what_cannot_work_says_why_and_what_would(tmp_path, monkeypatch):
+    monkeypatch.setattr(proposing, "thorough", lambda points: SMALL)
+    with refused(Kind.CONFLICT, "points", 36) as found:
+        studies.new_design("mine", tmp_path / "mine.toml", size="900x900", points=36, microphones=4)
+    assert "% of the area" in str(found.value)
+    assert {"size", "target"} & set(found.value.remedy)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_numbers_of_points_that_have_room_are_full_grids():
+    counts = grid_counts(question(points="most", size="30x30"))
+    assert 16 in counts
+    assert max(counts) < 60
+    assert grid_counts(question(points="most", size="30x30", rows=2)) != counts
+
+
+@pytest.mark.physics
+def test_a_design_that_cannot_be_built_is_no_answer():
+    design = geometry.prototype("array-2x6")
+    assert searching.can_be_built(design)
+    assert not searching.can_be_built(geometry.prototype("line-4"))  # drawn schematically
