@@ -25,10 +25,10 @@ def core(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.slow
-def test_the_core_takes_less_than_400_megabytes_on_disk(core: Path, tmp_path: Path) -> None:
+def test_the_core_takes_less_than_420_megabytes_on_disk(core: Path, tmp_path: Path) -> None:
     taken = megabytes_on_disk(core, tmp_path)
     print(f"the core on disk: {taken:.1f} MB")
-    assert 200 < taken < 400
+    assert 200 < taken < 420
 
 
 @pytest.mark.slow
