@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from geometry.ground.typed import Array, ComplexArray
 from localize.decoders.decoder_options import DecoderOptions, TolerantOptions
+from localize.signals.frames import FRAME
 from studies.metrics.touch_bins import hum_in_bins
 
 UNEXPLAINED = TolerantOptions().unexplained_fraction
@@ -106,6 +107,8 @@ def scores(
     points, each = hypotheses.response.shape[:2]
     assumed = assumed_noise(noise, tolerant)
     white = frames / np.sqrt(assumed)
+    believed = _attenuation(white, tolerant)
+    white, gain = white * np.sqrt(believed)[:, None, None], gain * believed[:, None]
     response = (hypotheses.response / np.sqrt(assumed)).reshape(-1, *frames.shape[1:])
     temperature = tolerant.temperature * tolerant.relative_temperature
     score = _plain(white, response, gain, temperature)
@@ -119,6 +122,14 @@ def scores(
     joint = score.reshape(-1, points, each) + hypotheses.log_prior
     top = joint.max(2, keepdims=True)
     return np.asarray(top[..., 0] + np.log(np.exp(joint - top).sum(2)))
+
+
+def _attenuation(white: ComplexArray, options: TolerantOptions) -> Array:
+    """Factors on the power of frames that bring those louder than the decoder believes to that level, (n,)."""
+    # A bin is two of the real values of a microphone that the decoder takes the mean of.
+    values = white.shape[1] * FRAME / 2
+    level = (white.real**2 + white.imag**2).sum((1, 2)) / values / options.temperature
+    return np.minimum(1.0, 10 ** (options.believed_level / 10) / np.maximum(level, 1e-30))
 
 
 def plain_scores(frames: ComplexArray, gain: Array, response: ComplexArray, noise: Array) -> Array:
