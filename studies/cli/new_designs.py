@@ -77,7 +77,7 @@ def new(
     printer: Annotated[str, typer.Option(help="Printing process, such as sla-resin or dlp-fine.")] = _DEFAULTS[
         "printer"
     ],
-    target: Annotated[str, typer.Option(help="What touches, and the smallest force that must be located.")] = _DEFAULTS[
+    target: Annotated[str, typer.Option(help="Contact and the smallest force that must be located.")] = _DEFAULTS[
         "target"
     ],
     budget: Annotated[float | None, typer.Option(metavar="USD", help="Highest cost of the parts of one array.")] = None,
@@ -108,7 +108,7 @@ def new(
     _show_proposals(found)
     if choose is None and found.works and len(found.designs) > 1 and sys.stdin.isatty():
         choose = _answer(
-            f"Which one (1 to {len(found.designs)})?", 1, lambda number: _check_number(number, len(found.designs))
+            f"Design to write (1 to {len(found.designs)})", 1, lambda number: _check_number(number, len(found.designs))
         )
     design = write_proposal(found, path, choose)
     say(path)

@@ -38,7 +38,7 @@ VERBS = {
     "new": Entry(
         "new_designs",
         "Design",
-        "Start a design of your own from your question: how many points, where, and on which printer.",
+        "Start a design of your own from your question: how many points, where, for which touch and on which printer.",
     ),
     "studio": Entry(
         "designs",
@@ -46,7 +46,7 @@ VERBS = {
         "Edit a design in the browser and see at once what each change does.",
         ("fem", "train", "studies", "studio"),
     ),
-    "check": Entry("designs", "Design", "Validate a design and predict how well it will work."),
+    "check": Entry("designs", "Design", "Say whether a design will work, why not, and which change helps most."),
     "compare": Entry(
         "comparisons",
         "Design",

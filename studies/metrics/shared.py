@@ -8,18 +8,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+import studies.metrics
 from geometry.ground.typed import Array, ComplexArray
 from geometry.layout.size import array_size
 from localize.signals.noise_model import microphone_noise
 from studies.metrics.batch_responses import Responses, required
 from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
-from studies.metrics.predicted_accuracy import AsBuiltAccuracy, as_built_accuracies
 from studies.metrics.separation import PairDistances, pair_distances
 from studies.metrics.touch_metrics import in_vacuo, touch_response
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse  # loads its finite elements
+    from studies.metrics.predicted_accuracy import AsBuiltAccuracy
 
 
 SWEPT_SENSORS = 24
@@ -87,7 +88,7 @@ class SharedFigures:
     @cached_property
     def _as_built_accuracies(self) -> list[AsBuiltAccuracy]:
         own = self.responses
-        return as_built_accuracies(required(own.designs), force=None, sensors=SWEPT_SENSORS, known=own.discs)
+        return studies.metrics.as_built_accuracies(required(own.designs), force=None, sensors=SWEPT_SENSORS, known=own.discs)
 
     @cached_property
     def sizes(self) -> Array:

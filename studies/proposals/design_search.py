@@ -154,7 +154,7 @@ def is_hopeless(best: Screened) -> bool:
 
 
 def _first(layouts: Sequence[Candidates], draws: int) -> list[Screened]:
-    """Designs of the layouts, the best first; of later layouts only where the first has none that is promising."""
+    """Designs of the layouts, the best first; of later layouts only if those of the first are not promising."""
     pool: list[Screened] = []
     for place, layout in enumerate(layouts):
         if pool and not is_hopeless(min(pool, key=lambda each: each.merit)):

@@ -41,7 +41,7 @@ PLACES = {
 }
 """Places where a new design may go. Sizes are assumed: a large fingertip, and a wrist of 60 mm diameter."""
 CONTACTS = {"finger": 6.0, "hand": 25.0, "foot": 30.0}
-"""What may touch, and the radius of its contact, mm; assumed, the finger's as in a design file without a target."""
+"""Kinds of contact and their radius, mm; assumed, the finger's as in a design file without a target."""
 TARGET = "finger 0.1 N"
 """Usual touch."""
 MOST = "most"
@@ -79,7 +79,7 @@ class Question:
     printer: str
     """Name of the printing process."""
     touch: str
-    """What touches, and with which force, in words."""
+    """Contact and its force, in words."""
     force: float
     """Smallest force of a touch that must be located, N."""
     contact_radius: float

@@ -62,4 +62,4 @@ def grid_counts(asked: Question) -> list[int]:
 
 
 def _silent(step: str, fraction: float) -> None:
-    """Progress of one of several searches, which is told by them."""
+    """Progress of one of several searches, which report it themselves."""

@@ -68,7 +68,7 @@ def _promising(asked: Question, name: str, broken: set[str]) -> Iterator[tuple[Q
     """Other questions, their changes in words, and the best design of each that breaks no rule of closed forms.
 
     First those with one change, the smallest change of each kind first; then those with two, of which the first alone
-    leaves only the accuracy to be mended. No design comes with a question that is not promising.
+    leaves only the accuracy to be improved. No design comes with a question that is not promising.
     """
     fields = {"size": list(_sizes(asked)), "target": list(_targets(asked))}
     if not broken & _OF_ROOM:

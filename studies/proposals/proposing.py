@@ -30,7 +30,7 @@ class Proposal(Shown):
     verdict: Verdict
     """Verdict on it, which holds its accuracy, smallest force, size and cost."""
     strength: str
-    """What it is best at among those proposed, in words."""
+    """Strength of the design among those proposed, in words."""
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
@@ -164,4 +164,4 @@ def _chosen(found: Sequence[Found]) -> tuple[Proposal, ...]:
 
 
 def _silent(step: str, fraction: float) -> None:
-    """Progress that nobody is told."""
+    """Progress that is not shown."""

@@ -10,10 +10,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, NoReturn
 
+import studies.verdict
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
 from geometry.ground.refusal import Kind, Refusal, quoted, said_by
-from studies.verdict import OUTCOMES, Verdict
+from studies.verdict.rules import OUTCOMES
 
 #: A dotted name; a step after ``materials.`` may hold dashes, an index of a list is a number.
 _NAME = re.compile(r"""(?<![\w.'"])(?:materials\.[\w-]+(?:\.\w+)+|[A-Za-z]\w*(?:\.\w+)*)\b(?!\s*\()""")
@@ -54,7 +55,7 @@ def read_value(design: ArrayDesign, name: str) -> Any:
         DesignError: no such name.
         Refusal: a membrane outside what can be solved.
     """
-    return Verdict(design).outcome if name == VERDICT else value_of(design, name)
+    return studies.verdict.Verdict(design).outcome if name == VERDICT else value_of(design, name)
 
 
 @dataclass(frozen=True)

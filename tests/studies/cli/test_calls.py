@@ -32,7 +32,7 @@ ROOT = Path(__file__).parents[3]
 #: Verb -> what it calls, where it finds it.
 CALLS = {
     "studio": "studies.serve_studio",
-    "new": "studies.cli.new_designs.new_design",
+    "new": "studies.cli.new_designs.question",
     "check": "studies.check_design",
     "compare": "studies.compare",
     "stock": "studies.list_stock",
