@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from geometry.design.design_file import DesignLike
 from geometry.stock import StockFit, StockPart, catalogue
-from studies.cli.terminal_tables import show, table_of, tell
+from studies.cli.terminal_tables import show, show_narrow, table_of, tell
 
 
 def show_parts_sold(parts: Iterable[StockPart]) -> None:
@@ -25,7 +25,7 @@ def show_stock_fit(fit: StockFit) -> None:
     table = table_of("parts to buy", "part", "size", "price (USD)", "per", numbers=(3,))
     for role, part in fit.parts.items():
         table.add_row(role, part.name, part.size if part.part_number else "", f"{part.price:g}", part.unit)
-    show(table)
+    show_narrow(table)
     if fit.bought:
         return
     table = table_of("cannot be bought", "design", "nearest", "part")
@@ -34,7 +34,7 @@ def show_stock_fit(fit: StockFit) -> None:
     for field in fit.missing:
         nearest = fit.nearest.get(field)
         table.add_row(field, "made to order", "", "none in the catalogue" if nearest is None else nearest.name)
-    show(table)
+    show_narrow(table)
     if fit.missing:
         tell("no shop is known for what is made to order: docs/stock.md says how to add a part of your own")
 

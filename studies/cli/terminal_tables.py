@@ -35,6 +35,8 @@ _EDGES, _GAP = 2, 3
 _LEAST_TEXT = 24
 #: Characters of a line into a file or a pipe, where a row is a line however long it is.
 _UNBROKEN = 100_000
+#: Characters of a line of a check into a file or a pipe, where tables hold sentences that people read.
+_NARROW = 80
 #: Problems of one kind that are printed.
 _FIRST = 10
 
@@ -57,14 +59,17 @@ def say(text: object) -> None:
     print(visible(str(text)))
 
 
-def show(table: Table) -> None:
+def show(table: Table, *, unbroken: int = _UNBROKEN) -> None:
     """Print a table on stdout.
 
     On a terminal it is as wide as that, or as ``COLUMNS`` says: long texts are broken between words, and columns that
     do not fit follow in blocks beneath. Into a file or a pipe it is as wide as it takes.
+
+    Args:
+        table: the table.
+        unbroken: largest number of characters of a line into a file or a pipe.
     """
-    known = Console().is_terminal or "COLUMNS" in os.environ
-    console = Console(width=None if known else _UNBROKEN, markup=False, highlight=False)
+    console = Console(width=_terminal_width() or unbroken, markup=False, highlight=False)
     table = _visible(table)
     first, *rest = range(len(table.columns))
     while rest:
@@ -73,6 +78,23 @@ def show(table: Table) -> None:
             count -= 1
         console.print(_part(table, [first, *rest[:count]], console.width))
         rest = rest[count:]
+
+
+def show_narrow(table: Table) -> None:
+    """Print a table that holds sentences: its lines are short in a file, too."""
+    show(table, unbroken=_NARROW)
+
+
+def _tell_wrapped(text: str) -> None:
+    """Print one line on stdout; on a terminal a long one goes on below, broken between words."""
+    line, width = in_one_line(text), _terminal_width()
+    inside = len(line) - len(line.lstrip(" -"))
+    print(line if width is None else textwrap.fill(line, width, subsequent_indent=" " * inside, break_long_words=False))
+
+
+def _terminal_width() -> int | None:
+    """Characters of a line of the terminal, or those that ``COLUMNS`` says; None into a file or a pipe."""
+    return Console().width if Console().is_terminal or "COLUMNS" in os.environ else None
 
 
 def _visible(table: Table) -> Table:
@@ -159,7 +181,7 @@ def show_check(found: DesignCheck) -> None:
     say(f"{found.design.name}: {found.buildability}")
     _show_first(found.problems, "- {}")
     if found.mend:
-        tell(f"- {found.mend}")
+        _tell_wrapped(f"- {found.mend}")
     _show_unjudged(found)
     if found.printing is not None:
         _show_verdict(found.printing)
@@ -171,23 +193,23 @@ def show_check(found: DesignCheck) -> None:
     table = table_of("distinct cell", "places", numbers=(1,))
     for cell, places in found.cells:
         table.add_row(cell.label, str(places))
-    show(table)
+    show_narrow(table)
     if found.kinds:
         table = table_of("kind", "of", "sizes", "count", numbers=(3,))
         for kind in found.kinds:
             table.add_row(kind.name or "as stated", kind.what, kind.sizes, str(kind.count))
-        show(table)
+        show_narrow(table)
     table = table_of("fidelity", "computing time, and error")
     for line in found.fidelities:
         table.add_row(*line.split(": ", 1))
-    show(table)
+    show_narrow(table)
     if found.part_counts:
         _show_counts(found.part_counts)
     _show_notes(found.notes, found.misfits if found.overlaps else ())
     table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
     for frequency, level, point in found.attenuation:
         table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")
-    show(table)
+    show_narrow(table)
     table = table_of("the models assume", "value", "limit", "", numbers=(1,))
     for item in found.validity:
         table.add_row(
@@ -196,7 +218,7 @@ def show_check(found: DesignCheck) -> None:
             f"{item.relation} {item.limit:g} {item.unit}",
             "ok" if item.holds else "warn",
         )
-    show(table)
+    show_narrow(table)
     if found.printing is not None:
         _show_print_problems(found.printing)
 
@@ -205,11 +227,11 @@ def show_verdict(verdict: Verdict) -> None:
     """Print a verdict: its outcome, the worst reasons with their remedies, and the four figures."""
     say(f"{verdict.design.name}: {verdict.outcome}")
     for line in reason_lines(verdict):
-        tell(line)
+        _tell_wrapped(line)
     table = table_of("figure", "value", "remark", numbers=(1,))
     for row in figure_rows(verdict):
         table.add_row(*row)
-    show(table)
+    show_narrow(table)
 
 
 def _show_unjudged(found: DesignCheck) -> None:
@@ -224,7 +246,7 @@ def _show_counts(counts: Mapping[str, int]) -> None:
     table = table_of("part", "count", numbers=(1,))
     for part, count in counts.items():
         table.add_row(part, str(count))
-    show(table)
+    show_narrow(table)
 
 
 def _show_quality(quality: DesignQuality | None) -> None:
@@ -232,7 +254,7 @@ def _show_quality(quality: DesignQuality | None) -> None:
         table = table_of("predicted quality", "value", "remark", numbers=(1,))
         for row in quality.lines:
             table.add_row(*row)
-        show(table)
+        show_narrow(table)
 
 
 def _show_wiring(wiring: WiringCounts) -> None:
@@ -248,7 +270,7 @@ def _show_wiring(wiring: WiringCounts) -> None:
         ("  compared with rows + columns", f"{wiring.gain_over_row_column:.3g} times"),
     ):
         table.add_row(*row)
-    show(table)
+    show_narrow(table)
 
 
 def show_library(path: Path, library: Library) -> None:
@@ -298,14 +320,14 @@ def show_parts(made: MadeParts) -> None:
 def _show_notes(notes: tuple[str, ...], misfits: tuple[str, ...]) -> None:
     """Print the parts that could not be built as drawn, and the first parts that do not fit together."""
     for note in notes:
-        tell(f"note: {note}")
+        _tell_wrapped(f"note: {note}")
     _show_first(misfits, "note: {}")
 
 
 def _show_first(lines: tuple[str, ...], form: str) -> None:
     """The first of some lines, and how many more there are."""
     for line in lines[:_FIRST]:
-        tell(form.format(line))
+        _tell_wrapped(form.format(line))
     if len(lines) > _FIRST:
         say(form.format(f"and {counted(len(lines) - _FIRST, 'more problem')}"))
 
@@ -329,4 +351,4 @@ def _show_print_problems(printing: PrintReport) -> None:
             place = "" if finding.place is None else ", ".join(f"{0.0 + round(x, 2):g}" for x in finding.place)
             measure = f"{finding.rule} at {place}" if place else finding.rule
             table.add_row(f"{finding.part}\n  {measure}", value, limit, finding.verdict)
-        show(table)
+        show_narrow(table)

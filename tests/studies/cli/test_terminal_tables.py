@@ -69,6 +69,17 @@ def test_a_check_fits_and_says_of_a_wiring_what_its_figures_compare_with(
     assert re.search(r"compared with one microphone per point +6 times", told)
 
 
+def test_tables_of_a_check_are_narrow_in_a_file_too(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.delenv("COLUMNS")
+    monkeypatch.setattr("studies.run.check.is_installed", lambda extra: False)
+    show_check(check_design(prototype("array-2x6"), quality=False))
+    told = capsys.readouterr().out
+    assert "the models assume" in told
+    assert max(len(line) for line in told.splitlines() if "pip install" not in line) <= 80
+
+
 def headline(signals: str, *beside: tuple[str, float | None]) -> Any:
     """A headline as :func:`studies.cli.localizers._show_evaluations` reads it."""
     shares = {"top1": 0.998, "top2": 1.0, "within_one": 1.0}
