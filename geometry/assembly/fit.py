@@ -170,14 +170,21 @@ class _Placed:
 def _joined(model: ArrayModel) -> set[frozenset[str]]:
     """Pairs of groups that touch by design: tubes with the points and microphones at their ends, each with itself."""
     pairs = {frozenset((part.group,)) for part in model.placed}
+    return pairs | {frozenset((tube, body)) for tube, mouths in _mouths(model).items() for body in mouths}
+
+
+def _mouths(model: ArrayModel) -> dict[str, dict[str, Array]]:
+    """Group of a tube -> groups of the bodies it ends in -> where its axis meets the wall of the cavity, (3,), mm."""
+    found: dict[str, dict[str, Array]] = {}
     number = {(p.line, p.place): p.number for p in model.layout.points}
     for tube in model.layout.tubes:
         line = model.design.lines[tube.line]
-        for place, microphone in ((tube.segment - 1, line.between[0]), (tube.segment, line.between[1])):
-            inside = 0 <= place < line.points
-            end = f"point {number[tube.line, place]}" if inside else f"microphone {microphone}"
-            pairs.add(frozenset((tube.label, end)))
-    return pairs
+        ends = (tube.segment - 1, line.between[0], tube.course[0]), (tube.segment, line.between[1], tube.course[-1])
+        found[tube.label] = {
+            f"point {number[tube.line, place]}" if 0 <= place < line.points else f"microphone {microphone}": mouth
+            for place, microphone, mouth in ends
+        }
+    return found
 
 
 # -- faces ----------------------------------------------------------------------------------------------
@@ -215,33 +222,42 @@ def _in_space(cylinders: list[_Cylinder], part: PlacedPart) -> list[_Cylinder]:
 
 def _tube_ends(
     model: ArrayModel,
-) -> Iterator[tuple[PlacedPart, list[_Cylinder], list[_Cylinder], PlacedPart, list[_Cylinder]]]:
-    """Sheaths with their cylinders and those of their springs, once for each body they end in, and its cylinders."""
-    joined = _joined(model)
+) -> Iterator[tuple[PlacedPart, list[_Cylinder], list[_Cylinder], PlacedPart, list[_Cylinder], Array]]:
+    """Sheaths with their cylinders and those of their springs, once for each body they end in.
+
+    With each are that body, its cylinders, and the place where the axis of the tube meets the wall of its cavity, mm.
+    """
     holes = {name: _cylinders(shape) for name, shape in model.shapes.items()}
     bodies = {p.group: p for p in model.placed if p.kind in ("shell", "housing")}
     springs = {p.group: p for p in model.placed if p.kind == "spring"}
+    mouths = _mouths(model)
     for sheath in model.placed:
         if sheath.kind != "sheath":
             continue
         sleeve, spring = _in_space(holes[sheath.part], sheath), _in_space(holes[springs[sheath.group].part], sheath)
-        for group in sorted(other for pair in joined if sheath.group in pair for other in pair - {sheath.group}):
+        for group, mouth in sorted(mouths[sheath.group].items(), key=lambda end: end[0]):
             body = bodies[group]
-            yield sheath, sleeve, spring, body, _in_space(holes[body.part], body)
+            yield sheath, sleeve, spring, body, _in_space(holes[body.part], body), mouth
 
 
 def _port_fit(
-    sheath: PlacedPart, sleeve: list[_Cylinder], spring: list[_Cylinder], body: PlacedPart, walls: list[_Cylinder]
+    sheath: PlacedPart,
+    sleeve: list[_Cylinder],
+    spring: list[_Cylinder],
+    body: PlacedPart,
+    walls: list[_Cylinder],
+    mouth: Array,
 ) -> PortFit:
     centre = np.array(body.position)
-    outside = max(sleeve, key=lambda c: (round(c.radius, 9), -_distance(centre, c)))
-    inside = min(spring, key=lambda c: (round(c.radius, 9), _distance(centre, c)))
+    # by the mouth, since a bent tube may come nearer to the middle of the body elsewhere: below it, for one
+    outside = max(sleeve, key=lambda c: (round(c.radius, 9), -_distance(mouth, c)))
+    inside = min(spring, key=lambda c: (round(c.radius, 9), _distance(mouth, c)))
     ports = [
         wall
         for wall in walls
         if np.linalg.norm(np.cross(wall.direction, inside.direction)) < _SAME_DIRECTION
         and _offset(wall.point, inside) < _SAME_AXIS
-        and float((wall.ends.mean(axis=0) - centre) @ (_nearest_end(centre, inside) - centre)) > 0
+        and float((wall.ends.mean(axis=0) - centre) @ (_nearest_end(mouth, inside) - centre)) > 0
     ]
     radii = sorted({round(port.radius, 9) for port in ports})
     if len(radii) < 2:

@@ -140,6 +140,25 @@ def test_a_sheath_that_is_too_wide_for_its_sockets_is_found():
     assert any(line.startswith("shell 1 and sheath of tube 2 of line 1 are in each other's way") for line in wide)
 
 
+def test_a_tube_that_comes_back_below_its_shell_is_measured_where_it_leaves_the_shell():
+    below = {"layout.microphone_side": "below", "layout.columns": 4, "microphone_tube.length": 15.0}
+    wide = {
+        "resonator.cavity_diameter": 8.5,
+        "resonator.cavity_height": 3.6,
+        "resonator.wall_thickness": 0.8,
+        "membrane.rim_width": 0.8,
+        "tube.length": 4.12,
+    }
+    narrow = {"inner_diameter": 0.5, "outer_diameter": 1.011}
+    tubes = {f"{tube}.{field}": value for tube in ("tube", "microphone_tube") for field, value in narrow.items()}
+    lines = {"lines": [{"between": ["A", "B"], "points": 16}], "microphones": ["A", "B"]}
+    model = array_model(geometry.prototype("array-2x6").with_values({**below, **wide, **tubes, **lines}))
+    mouth, shell = model.layout.tubes[-1].course[0], model.layout.points[-1].position
+    chamber = model.layout.tubes[-1].course[-1]
+    assert math.dist(chamber[:2], shell) < math.dist(mouth[:2], shell)  # it ends below the shell that it left
+    assert misfits(model) == ()
+
+
 # -- cylinder and hand ----------------------------------------------------------------------------------
 @pytest.mark.slow
 @pytest.mark.parametrize("design", [geometry.prototype("array-2x6").with_values(WOUND), hand()], ids=["wound", "hand"])
