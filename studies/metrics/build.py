@@ -12,6 +12,7 @@ from collections.abc import Iterator
 
 from geometry.assembly.bill import Waste
 from geometry.design.array_design import ArrayDesign
+from geometry.design.shell_rules import seat_underside
 from geometry.schema.part_fields import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
 from geometry.stock import Found, catalogue
 
@@ -79,10 +80,14 @@ def _walls(design: ArrayDesign) -> Iterator[float]:
         hole = tube.outer_diameter / 2 + printing.glue_gap
         yield resonator.port_axis_height + resonator.floor_thickness - hole
         yield lowest - resonator.port_axis_height - hole
-    for line in design.lines:
-        hole = design.microphone_tube_of(line).outer_diameter / 2 + printing.glue_gap
-        yield microphone.chamber_height / 2 + microphone.wall_thickness - hole
-        yield microphone.chamber_height / 2 - hole
+    holes = [design.microphone_tube_of(line).outer_diameter / 2 + printing.glue_gap for line in design.lines]
+    underside = seat_underside(microphone, max(holes))
+    for hole in holes:
+        socket = microphone.chamber_height / 2 - hole
+        yield socket + microphone.wall_thickness
+        yield socket
+        if socket > underside:  # outside the chamber's wall the seat is all that is below the socket
+            yield socket - underside
 
 
 def volumes_of(design: ArrayDesign) -> Volumes:

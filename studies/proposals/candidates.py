@@ -233,9 +233,11 @@ class Candidates:
         own = {
             "chamber_diameter": max(chamber["chamber_diameter"], 2.1 * spring.bore),
             "chamber_height": round(max(chamber["chamber_height"], outside + 2 * (gap + self._cover)) + 0.005, 2),
-            # a socket of a wide tube is wholly in the wall
-            "wall_thickness": chamber["wall_thickness"] * (1 if outside < 1.6 else 2),
         }
+        # A socket of a wide tube is wholly in the wall, and the seat of the board begins no thin wall below a socket.
+        above = own["chamber_height"] / 2 + outside / 2 + gap - SOCKET_COVER - 0.01
+        wall_of_housing = min(chamber["wall_thickness"] * (1 if outside < 1.6 else 2), above)
+        own["wall_thickness"] = math.floor(100 * wall_of_housing + 1e-6) / 100
         for factor in _CHAMBERS[sizes["chamber"] if grid.kind in ("area", "hand") else 0 :]:
             wider = {**own, "chamber_diameter": round(factor * own["chamber_diameter"], 2)}
             values["microphone"] = {**chamber, **sizes["microphone"], **wider}

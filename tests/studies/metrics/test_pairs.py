@@ -310,6 +310,9 @@ def test_mass_and_cost_add_up_and_the_wall_is_the_thinnest() -> None:
     price = Waste().resin_factor * catalogue().resin(design).part.price
     assert build.cost(heavier) - build.cost(design) == pytest.approx(resin * 1e-3 * price, rel=1e-9)
     assert build.smallest_wall(design.with_values({"resonator.floor_thickness": 0.35})) == pytest.approx(0.35)
+    # the seat of the board begins close below the socket, outside the wall of the chamber
+    seat = {"microphone.chamber_height": 2.18, "microphone.wall_thickness": 2.0, "microphone_tube.outer_diameter": 1.62}
+    assert build.smallest_wall(design.with_values(seat)) == pytest.approx(0.1)
 
 
 @pytest.mark.parametrize("name", ["array-2x6", "glove"])

@@ -9,10 +9,14 @@ import geometry
 import studies
 from geometry import Kind
 from geometry.layout import array_size, buildability_notes, lay_out
+from geometry.schema.print_processes import find_process
 from geometry.stock import catalogue
+from studies.metrics.build import smallest_wall
 from studies.proposals import design_search as searching, proposing
+from studies.proposals.candidates import Candidates
 from studies.proposals.design_search import Effort
 from studies.proposals.designer_question import question
+from studies.proposals.grids import grids
 from studies.proposals.most_points import grid_counts
 
 #: Enough for a small array.
@@ -81,6 +85,13 @@ def test_what_cannot_work_says_why_and_what_would(tmp_path, monkeypatch):
     assert "% of the area" in str(found.value)
     assert {"size", "target"} & set(found.value.remedy)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_drawn_designs_leave_walls_that_can_be_printed_around_every_socket():
+    asked = question(around=160, points=10)
+    drawn = Candidates(asked, "band", grids(asked, 10)[0]).drawn(60)
+    assert len(drawn) > 20
+    assert min(smallest_wall(design) for design, _ in drawn) >= find_process(asked.printer).wall.limit
 
 
 def test_numbers_of_points_that_have_room_are_full_grids():
