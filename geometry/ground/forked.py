@@ -40,6 +40,7 @@ def in_a_copy(
     ours, theirs = os.pipe()
     child = os.fork()
     if child == 0:
+        os.close(ours)  # held open here too, the pipe would never break, and the copy would outlive its parent
         _work_in_copy(work, theirs, limits or Limits())
     status = None
     try:

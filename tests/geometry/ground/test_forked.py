@@ -1,7 +1,12 @@
 """Work in a copy of this process: what it returns and raises comes back; a crash or Ctrl-C ends the copy alone."""
 
+import contextlib
 import os
 import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
 
 import pytest
 
@@ -85,3 +90,37 @@ def test_a_copy_leaves_the_children_of_this_process_alone():
         number = child.call(os.getpid)
         assert in_a_copy(lambda: child.is_alive, "work") is False
         assert child.call(os.getpid) == number
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="copies are made by fork")
+def test_a_copy_ends_with_a_parent_that_is_killed(tmp_path):
+    number = tmp_path / "copy"
+    code = (
+        "import os, time, pathlib\n"
+        "from geometry.ground.forked import in_a_copy\n"
+        "def work():\n"
+        f"    pathlib.Path({str(number)!r}).write_text(str(os.getpid()))\n"
+        "    os.kill(os.getppid(), 9)\n"
+        "    return bytes(10_000_000)  # more than a pipe holds\n"
+        "in_a_copy(work, 'work')\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=False, timeout=60)
+    copy = int(number.read_text())
+    deadline = time.monotonic() + 30
+    while is_running(copy) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert not is_running(copy)
+
+
+def is_running(process):
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    with contextlib.suppress(ChildProcessError):
+        os.waitpid(process, os.WNOHANG)
+    try:
+        state = Path(f"/proc/{process}/stat").read_text(encoding="ascii").rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
