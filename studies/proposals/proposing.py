@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -144,23 +144,32 @@ def propose(asked: Question, name: str, progress: Progress | None = None) -> Pro
 
 
 def _chosen(found: Sequence[Found]) -> tuple[Proposal, ...]:
-    """The best design, then of those with an equally good verdict the cheapest and that with the lightest touch."""
+    """The best design, and of those with an equally good verdict the cheapest and that with the lightest touch.
+
+    A design that is best at several things is proposed once, so that every strength is true of all that are proposed.
+    """
     if not found:
         return ()
     best, *others = found
-    chosen = [Proposal(best.design, best.verdict, "most accurate")]
     equal = [each for each in others if each.verdict.outcome == best.verdict.outcome] or others
-    wishes = {
+    wishes: dict[str, Callable[[Found], float]] = {
+        "most accurate": lambda each: -each.accuracy,
         "cheapest": lambda each: each.verdict.figures.cost,
         "lightest touch": lambda each: each.verdict.figures.smallest_force,
         "thinnest": lambda each: each.verdict.figures.size[2],
     }
+    strengths: dict[Found, list[str]] = {best: []}
     for strength, figure in wishes.items():
-        left = [each for each in equal if all(each.design is not one.design for one in chosen)]
-        if left and len(chosen) < SHOWN:
-            pick = min(left, key=figure)
-            chosen.append(Proposal(pick.design, pick.verdict, strength))
-    return tuple(chosen)
+        pick = min((best, *equal), key=figure)  # the first of equal ones
+        if pick in strengths or len(strengths) < SHOWN:
+            strengths.setdefault(pick, []).append(strength)
+    for each in equal:
+        if len(strengths) < SHOWN:
+            strengths.setdefault(each, [])
+    return tuple(
+        Proposal(each.design, each.verdict, ", ".join(own) or ("fewest problems" if each is best else "next best"))
+        for each, own in strengths.items()
+    )
 
 
 def _silent(step: str, fraction: float) -> None:

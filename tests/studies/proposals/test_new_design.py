@@ -14,10 +14,11 @@ from geometry.stock import catalogue
 from studies.metrics.build import smallest_wall
 from studies.proposals import design_search as searching, proposing
 from studies.proposals.candidates import Candidates
-from studies.proposals.design_search import Effort
+from studies.proposals.design_search import Effort, Found
 from studies.proposals.designer_question import question
 from studies.proposals.grids import grids
 from studies.proposals.most_points import grid_counts
+from studies.verdict import Measured
 
 #: Enough for a small array.
 SMALL = Effort(draws=40, judged=2, near=20, rounds=2)
@@ -32,18 +33,33 @@ def quick(monkeypatch):
 def proposal(outcome, taps, cost, force, height):
     """A found design as the choice of proposals sees it."""
     figures = SimpleNamespace(taps=taps, cost=cost, smallest_force=force, size=(30.0, 30.0, height))
-    return SimpleNamespace(design=object(), verdict=SimpleNamespace(outcome=outcome, figures=figures))
+    values = {name: Measured(taps, "") for name in ("taps", "presses", "multi-sines")}
+    return Found(object(), SimpleNamespace(outcome=outcome, figures=figures, values=values), {}, None)
 
 
 def test_the_best_three_differ_in_what_they_are_best_at():
     best, cheap, light, bad = (
-        proposal("works", 0.99, 9.0, 2e-5, 9.0), proposal("works", 0.97, 4.0, 3e-5, 9.0),
-        proposal("works", 0.96, 8.0, 1e-6, 9.0), proposal("marginal", 0.8, 1.0, 1e-7, 1.0),
+        proposal("works", 0.99, 9.0, 2e-5, 9.0), proposal("works", 0.97, 4.0, 3e-5, 9.5),
+        proposal("works", 0.96, 8.0, 1e-6, 9.5), proposal("marginal", 0.8, 1.0, 1e-7, 1.0),
     )  # fmt: skip
     chosen = proposing._chosen([best, cheap, light, bad])
     assert [each.design for each in chosen] == [best.design, cheap.design, light.design]
-    assert [each.strength for each in chosen] == ["most accurate", "cheapest", "lightest touch"]
+    assert [each.strength for each in chosen] == ["most accurate, thinnest", "cheapest", "lightest touch"]
     assert proposing._chosen([]) == ()
+
+
+def test_every_strength_is_true_of_all_that_are_proposed():
+    best, light, other = (
+        proposal("works", 0.99, 4.0, 2e-5, 8.0), proposal("works", 0.97, 6.0, 1e-6, 9.0),
+        proposal("works", 0.96, 5.0, 3e-5, 9.0),
+    )  # fmt: skip
+    chosen = proposing._chosen([best, light, other])
+    assert [each.design for each in chosen] == [best.design, light.design, other.design]
+    assert [each.strength for each in chosen] == ["most accurate, cheapest, thinnest", "lightest touch", "next best"]
+    sure, sharp = proposal("works", 0.9, 4.0, 2e-5, 8.0), proposal("marginal", 0.95, 5.0, 3e-5, 9.0)
+    assert [each.strength for each in proposing._chosen([sure, sharp])] == [
+        "cheapest, lightest touch, thinnest", "most accurate",
+    ]  # fmt: skip
 
 
 @pytest.mark.physics
