@@ -14,7 +14,7 @@ from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Refusal, counted
 from studies.cli.options import defaults_of, display_on_stderr
 from studies.cli.terminal_tables import say, show, table_of, tell
-from studies.proposals.design_writing import new_design, new_path, write_proposal
+from studies.proposals.design_writing import check_choice, new_design, new_path, write_proposal
 from studies.proposals.designer_question import PLACES, question
 from studies.run.starting import copy_prototype
 
@@ -94,6 +94,7 @@ def new(
     Example: [bold]acoustic-fem new pad --size 30x30 --points 16 --microphones 2[/bold]
     """
     path = new_path(name, out)
+    check_choice(choose)
     given: dict[str, Any] = {
         "place": place, "size": size, "points": points, "rows": rows, "columns": columns, "pitch": pitch,
         "around": around, "microphones": microphones, "tubes_below": tubes_below, "printer": printer,

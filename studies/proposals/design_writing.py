@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype, save_design
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.schema.field_errors import DesignError
 from studies.output.folders import check_new_file
-from studies.proposals.designer_question import PRINTER, TARGET, question
+from studies.proposals.designer_question import PRINTER, SHOWN, TARGET, question
 
 if TYPE_CHECKING:
     from studies.proposals.proposing import Proposals
@@ -65,6 +67,7 @@ def new_design(
             or a file that exists or cannot be written.
     """
     path = new_path(name, out)
+    check_choice(choose)
     asked = question(
         place=place, points=points, microphones=microphones, size=size, rows=rows, columns=columns, pitch=pitch,
         around=around, tubes_below=tubes_below, printer=printer, target=target, budget=budget,
@@ -75,13 +78,27 @@ def new_design(
     return write_proposal(found, path, choose)
 
 
+def check_choice(choose: int | None) -> None:
+    """Refuse a number that no proposal can have, before any search.
+
+    Raises:
+        Refusal: below 1, or above the number of designs that are proposed.
+    """
+    if choose is not None:
+        check_range("choose", choose, 1, SHOWN, whole=True)
+
+
 def new_path(name: str, out: str | os.PathLike[str] | None) -> Path:
     """The file of a new design, which must not exist.
 
     Raises:
         Refusal: a name that no design can have, or a file that exists or cannot be written.
     """
-    prototype("array-2x6").with_values({"name": name})
+    try:
+        prototype("array-2x6").with_values({"name": name})
+    except DesignError as error:
+        remedy = ("give the path with ", Field("out")) if Path(name).name != name else error.remedy
+        raise Refusal.of(error, file=None, remedy=remedy) from None  # no file has been named
     path = Path(f"{name}.toml" if out is None else out)
     if out is None and path.exists():
         problem = "exists, and a design is never overwritten"

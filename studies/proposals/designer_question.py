@@ -44,6 +44,8 @@ CONTACTS = {"finger": 6.0, "hand": 25.0, "foot": 30.0}
 """Kinds of contact and their radius, mm; assumed, the finger's as in a design file without a target."""
 TARGET = "finger 0.1 N"
 """Usual touch."""
+SHOWN = 3
+"""Number of designs that are proposed."""
 MOST = "most"
 """Word for the most points that work."""
 PRINTER = "sla-resin"
@@ -150,7 +152,8 @@ def question(
     if around is not None and usual.around is None:
         raise Refusal(f"goes around nothing {usual.words}", kind=Kind.CONFLICT, field="around", value=around)
     if printer not in PROCESSES and not printer.endswith(".toml"):
-        remedy = nearest(printer, list(PROCESSES))
+        guess = nearest(printer, list(PROCESSES))
+        remedy = guess if guess.startswith("did you mean") else ""  # else it lists what is allowed once more
         raise Refusal(kind=Kind.UNKNOWN, field="printer", value=printer, allowed=tuple(PROCESSES), remedy=remedy)
     find_process(printer)
     grid = None if rows is None or columns is None else rows * columns

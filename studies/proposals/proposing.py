@@ -12,13 +12,10 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal, Text
 from geometry.ground.shown import Shown
 from studies.proposals.design_search import Found, Progress, search, thorough
-from studies.proposals.designer_question import Question, question
+from studies.proposals.designer_question import SHOWN, Question, question
 from studies.proposals.most_points import most_points
 from studies.proposals.other_questions import Alternative, alternatives
 from studies.verdict import Verdict
-
-SHOWN = 3
-"""Number of designs that are proposed."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)

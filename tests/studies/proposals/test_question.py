@@ -18,6 +18,7 @@ from studies.proposals.grids import grids
 REFUSED = (
     ({"place": "moon"}, Kind.UNKNOWN, "place", "moon"),
     ({"name": "../up"}, Kind.OUT_OF_RANGE, "name", "../up"),
+    ({"choose": 4}, Kind.OUT_OF_RANGE, "choose", 4),
     ({"points": 1}, Kind.OUT_OF_RANGE, "points", 1),
     ({"points": "many"}, Kind.WRONG_TYPE, "points", "many"),
     ({"points": "most"}, Kind.MISSING, "points", "most"),
