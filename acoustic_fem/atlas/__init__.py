@@ -1,6 +1,6 @@
 """The difference between 3-D and closed forms of cells, interpolated between solved ones: the fidelity ``atlas``.
 
-Stands on: cavity, duct, quantities.
+Stands on: cavity, cell, duct, quantities.
 """
 
 import lazy_loader

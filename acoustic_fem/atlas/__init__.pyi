@@ -5,5 +5,9 @@ from .cell_table import (
     OutsideAtlas as OutsideAtlas,
     cell_atlas as cell_atlas,
 )
-from .fidelity_choice import QuickFidelity as QuickFidelity, quick_fidelity as quick_fidelity
+from .fidelity_choice import (
+    QuickFidelity as QuickFidelity,
+    outside_atlas as outside_atlas,
+    quick_fidelity as quick_fidelity,
+)
 from .polynomial import ShapePolynomial as ShapePolynomial

@@ -6,7 +6,15 @@ import threading
 from collections.abc import Iterable, Sequence
 from functools import partial
 
-from acoustic_fem.cell.one_cell import DESIGN_BAND, CellRecord, CellSolution, CellTask, rebuilt, solve_task
+from acoustic_fem.cell.one_cell import (
+    DESIGN_BAND,
+    CellRecord,
+    CellSolution,
+    CellTask,
+    rebuilt,
+    solve_task,
+    too_large,
+)
 from acoustic_fem.cell.side_by_side import solve_side_by_side
 from acoustic_fem.cell.solid import Progress, checked_physics
 from acoustic_fem.numerics import disk_cache
@@ -96,6 +104,24 @@ def is_cached(cell: Cell, frequency: FrequencyLike, air: AirLike, fidelity: str 
     """True if :func:`solve_cells` would find a cell in the cache; arguments as there, frequency (n_freq,) in Hz."""
     medium = medium_of(air)
     return cached_count([(cell, medium)], frequency_grid(frequency), fidelity) == 1
+
+
+def too_large_cell(cells: Iterable[Cell], frequency: FrequencyLike, air: AirLike) -> str:
+    """Why a cell needs a mesh that is too large for a solution in 3-D; empty where each is small enough.
+
+    Takes a fraction of a second for each cell that is not in the cache, because its air is drawn.
+
+    Args:
+        cells: the cells.
+        frequency: (n_freq,) Hz, as of :func:`solve_cells`.
+        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
+
+    Raises:
+        Refusal: the air of a cell cannot be made.
+    """
+    medium, band = medium_of(air), _band(frequency_grid(frequency))
+    tasks = (CellTask(cell, medium, band, "navier-stokes") for cell in cells)
+    return next(filter(None, (too_large(task) for task in tasks if not disk_cache.holds(task.key))), "")
 
 
 def cached_count(cells: Iterable[tuple[Cell, Medium]], grid: Array, fidelity: str) -> int:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Pumped
-from acoustic_fem.cell.solid import MarkedSolid, MeshGoal, checked_physics, converge
+from acoustic_fem.cell.solid import MarkedSolid, MeshGoal, checked_physics, converge, refuse_large_body
 from acoustic_fem.fields.cylinder_heat import CylinderAir, SideBore
 from acoustic_fem.fields.navier_stokes import WallMotion
 from acoustic_fem.numerics import disk_cache
@@ -18,6 +18,7 @@ from acoustic_fem.numerics.rational_sweep import ReducedModel
 from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
+from geometry.air.mesh import MeshError
 from geometry.air.straight_bores import StraightBore
 from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.ground.extras import NotInstalled, installed_version
@@ -157,6 +158,26 @@ def _cylinder(cell: Cell) -> CylinderAir | None:
     return CylinderAir(cell.diameter / 2, cell.height, tuple(bores))
 
 
+def too_large(task: CellTask) -> str:
+    """Why the flow in a cell needs too large a mesh; empty where it does not. The air is drawn, but nothing is meshed.
+
+    Raises:
+        Refusal: the air of the cell cannot be made.
+    """
+    physics = checked_physics(task.fidelity)
+    try:
+        refuse_large_body(marked_solid(task.cell, physics), AirModel(task.medium, task.band, physics), _goal_of(task))
+    except MeshError as error:
+        return str(CellError(str(error.problem), kind=Kind.UNSUITABLE, field=task.cell.label))
+    return ""
+
+
+def _goal_of(task: CellTask) -> MeshGoal:
+    """How far the meshes of a cell are refined."""
+    checked_band = (task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO)
+    return MeshGoal(DESIGN_ACCURACY, task.cell.smallest_extent, checked_band)
+
+
 def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     """Solve one cell.
 
@@ -170,11 +191,10 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     try:
         physics = checked_physics(task.fidelity)
         solid = marked_solid(cell, physics)
-        checked_band = (task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO)
         solved = converge(
             solid,
             AirModel(task.medium, task.band, physics),
-            MeshGoal(DESIGN_ACCURACY, cell.smallest_extent, checked_band),
+            _goal_of(task),
             report,
         )
     except NotInstalled:

@@ -235,17 +235,30 @@ def converge(
     """
     started = time.perf_counter()
     solid = solid.shortened()
-    highest = float(goal.frequencies(air.band)[-1])
     closed = _closed_heat(solid, air, goal)
-    meshed = [(_USUAL_FLOW_SCALE, 0, MOST_FLOW_ELEMENTS), (_USUAL_HEAT_SCALE, 1, MOST_ELEMENTS)]
-    for usual, number, most in meshed if closed is None else meshed[:1]:
-        # Coarser meshes come first: what the one that may do costs is known before any of them.
-        sizes = mesh_sizes(goal.first_scale(usual), goal.width, air.medium, highest)[number]
-        for each in solid.shape.Solids():
-            refuse_large_mesh(each, sizes, most)
+    _refuse_large(solid, air, goal, heat_too=closed is None)
     heat, heat_error, heat_meshes = closed or _converged_heat(solid, air, goal, lambda done: report(0.2 * done))
     flow, flow_error, flow_meshes = _converged_flow(solid, heat, air, goal, lambda done: report(0.2 + 0.8 * done))
     return SolvedBody(flow, max(heat_error, flow_error), (*heat_meshes, *flow_meshes), time.perf_counter() - started)
+
+
+def refuse_large_body(solid: MarkedSolid, air: AirModel, goal: MeshGoal) -> None:
+    """Refuse a body whose flow needs too large a mesh; arguments as :func:`converge`. Nothing is meshed.
+
+    Raises:
+        MeshError: the mesh of the flow would be too large.
+    """
+    _refuse_large(solid.shortened(), air, goal, heat_too=False)
+
+
+def _refuse_large(short: MarkedSolid, air: AirModel, goal: MeshGoal, *, heat_too: bool) -> None:
+    highest = float(goal.frequencies(air.band)[-1])
+    meshed = [(_USUAL_FLOW_SCALE, 0, MOST_FLOW_ELEMENTS), (_USUAL_HEAT_SCALE, 1, MOST_ELEMENTS)]
+    for usual, number, most in meshed if heat_too else meshed[:1]:
+        # Coarser meshes come first: what the one that may do costs is known before any of them.
+        sizes = mesh_sizes(goal.first_scale(usual), goal.width, air.medium, highest)[number]
+        for each in short.shape.Solids():
+            refuse_large_mesh(each, sizes, most)
 
 
 def _closed_heat(

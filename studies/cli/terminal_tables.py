@@ -206,6 +206,8 @@ def show_check(found: DesignCheck) -> None:
     if found.part_counts:
         _show_counts(found.part_counts)
     _show_notes(found.notes, found.misfits if found.overlaps else ())
+    if found.fidelity.too_large:
+        _tell_wrapped(f"transfer functions are {found.fidelity.words}")
     table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
     for frequency, level, point in found.attenuation:
         table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")

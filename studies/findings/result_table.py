@@ -334,7 +334,7 @@ def with_base_metrics(table: ResultTable) -> ResultTable:
     """
     if table.base_metrics or table.fidelity not in CLOSED_FORMS:
         return table
-    if table.fidelity == "atlas" and acoustic_fem.atlas.quick_fidelity(table.base, table.frequency).outside:
+    if table.fidelity == "atlas" and acoustic_fem.atlas.outside_atlas(table.base, table.frequency):
         return table
     library = acoustic_fem.solve(table.base, table.frequency, table.fidelity)
     return replace(table, base_metrics={each.name: METRICS[each.name].of_library(library) for each in table.metrics})

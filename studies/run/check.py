@@ -105,7 +105,7 @@ class DesignCheck(Shown):
     """Frequency (Hz), then of the point with the weakest response: level at its second-loudest microphone (dB; a ratio
     needs two) and number."""
     fidelity: QuickFidelity
-    """Fidelity of the attenuation: the atlas, or 3-D and why."""
+    """Fidelity of the attenuation: the atlas, or another one and why."""
     stock: StockFit
     """Parts that the design is bought as, and what the catalogue lacks."""
     quality: DesignQuality | None = None
@@ -136,7 +136,7 @@ class DesignCheck(Shown):
     @property
     def fidelities(self) -> tuple[str, ...]:
         """Lines on the cost of each fidelity and its difference from the default."""
-        return fidelity_lines(self.design, [cell for cell, _ in self.cells])
+        return fidelity_lines(self.design, [cell for cell, _ in self.cells], self.fidelity.too_large)
 
     @property
     def failures(self) -> tuple[str, ...]:
@@ -249,8 +249,8 @@ def check_design(
         with steps("Verdict and remedies"):
             found = replace(found, verdict=_verdict(found))
     if judge:
-        with steps("How good it is"):
-            found = replace(found, quality=design_quality(design))
+        with steps("How good it is") as report:
+            found = replace(found, quality=design_quality(design, report))
     if path is not None:
         write_json(path, found.to_dict())
     if drawn is not None:
@@ -283,11 +283,11 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
     with steps("Layout"):
         layout = lay_out(design)
         found = overlaps(design, layout)
-    with steps("Attenuation"), warnings.catch_warnings():
+    with steps("Attenuation") as report, warnings.catch_warnings():
         # the same limits are listed under validity
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
         fidelity = quick_fidelity(design, ATTENUATION_AT)
-        library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity.name)
+        library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity.name, progress=report)
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
     counts, in_the_way, printing = _drawn(design, layout, steps) if is_installed("cad") else ({}, (), None)
     return DesignCheck(
@@ -326,19 +326,26 @@ def _drawn(
     return parts.counts, in_the_way, printing
 
 
-def fidelity_lines(design: ArrayDesign, cells: Sequence[Cell]) -> tuple[str, ...]:
-    """Lines on what each fidelity costs for the distinct cells of a design, and how far from the default it was."""
+def fidelity_lines(design: ArrayDesign, cells: Sequence[Cell], too_large: str = "") -> tuple[str, ...]:
+    """Lines on what each fidelity costs for the distinct cells of a design, and how far from the default it was.
+
+    Args:
+        design: the design.
+        cells: its distinct cells.
+        too_large: why a cell cannot be solved in 3-D; empty where each can.
+    """
     lumped, helmholtz = (
         ", ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
         for measured in (LUMPED_IS_OFF, HELMHOLTZ_IS_OFF)
     )
     seconds = SECONDS_PER_CELL * len(cells)
+    in_3d = f"about {SECONDS_PER_CELL:g} s of one processor per distinct cell, {seconds:g} s for the {len(cells)} of "
+    in_3d += "this design; later from the cache"
     return (
         f"lumped: milliseconds; differs from navier-stokes by up to {lumped} ({BAND[0]:g} to {BAND[1]:g} Hz)",
         f"atlas: milliseconds; {_of_atlas(design, cells)}",
         f"helmholtz, a cross-check: as long as navier-stokes; differs from it by up to {helmholtz}",
-        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s of one processor per distinct cell, {seconds:g} s "
-        f"for the {len(cells)} of this design; later from the cache",
+        f"navier-stokes, the default: {f'not for this design: {too_large}' if too_large else in_3d}",
     )
 
 

@@ -30,7 +30,7 @@ from studies.metrics.build import cost
 from studies.metrics.predicted_accuracy import AsBuiltAccuracy, as_built_accuracy
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
-from studies.output.display import number
+from studies.output.display import Report, number
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 from studies.output.frequencies import FREQUENCIES
 from studies.output.report_texts import percent
@@ -70,7 +70,7 @@ class DesignQuality:
     cost: float
     """Cost of the materials of one array, molds left out, at assumed prices, USD."""
     fidelity: QuickFidelity
-    """Fidelity of the nominal sensor's transfer functions: the atlas, or 3-D and why."""
+    """Fidelity of the nominal sensor's transfer functions: the atlas, or another one and why."""
     per_point: NDArray[np.float64] = field(repr=False)
     """Fraction of the touches of each point that are assigned to it, on as-built sensors where they are known,
     otherwise on the nominal one; (n_point,) float64."""
@@ -128,7 +128,7 @@ class DesignQuality:
             ("hardest pair", f"{first} and {second}", f"{self.level:.2g} dB, {self.phase:.2g} degrees apart"),
             ("smallest detectable force", f"{number(1e9 * self.force)} nN", f"rms, at point {self.weakest}"),
             ("cost", f"{self.cost:.2f} USD", "materials of one array, assumed prices"),
-            ("fidelity, hardest pair and force", self.fidelity.name, self.fidelity.outside),
+            ("fidelity, hardest pair and force", self.fidelity.name, self.fidelity.why),
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -157,11 +157,12 @@ def _of_both(taps: Any, presses: Any) -> Any:
     return (taps + presses) / 2
 
 
-def design_quality(design: DesignLike) -> DesignQuality | None:
+def design_quality(design: DesignLike, progress: Report | None = None) -> DesignQuality | None:
     """Predicted quality of a design; None where it has fewer than two points or microphones.
 
     Args:
         design: the design.
+        progress: called with the name of the step and the fraction done, 0 to 1.
 
     Raises:
         Refusal: the design cannot be solved.
@@ -171,7 +172,7 @@ def design_quality(design: DesignLike) -> DesignQuality | None:
         return None
     grid = frequency_grid(FREQUENCIES)
     fidelity = quick_fidelity(design, grid)
-    library = acoustic_fem.solve(design, grid, fidelity=fidelity.name)
+    library = acoustic_fem.solve(design, grid, fidelity=fidelity.name, progress=progress)
     apart = separability(library.transfer_function)
     hardest = apart.hardest_pairs[0]
     level, phase, _ = apart.between(*hardest)

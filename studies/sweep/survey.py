@@ -10,7 +10,7 @@ from time import perf_counter
 import numpy as np
 
 from acoustic_fem import Medium
-from acoustic_fem.atlas import OutsideAtlas, quick_fidelity
+from acoustic_fem.atlas import OutsideAtlas, outside_atlas
 from acoustic_fem.atlas.cell_in_atlas import check_gas
 from acoustic_fem.batch.openings import OpeningSizes, designs_outside
 from acoustic_fem.batch.topology import Topology
@@ -155,7 +155,7 @@ def _outside(study: Study, designs: Mapping[int, ArrayDesign]) -> dict[int, str]
             suspects += numbers
         else:
             suspects += compress(numbers, designs_outside(sizes, topology, study.frequency, medium))
-    found = ((number, quick_fidelity(designs[number], study.frequency).outside) for number in sorted(suspects))
+    found = ((number, outside_atlas(designs[number], study.frequency)) for number in sorted(suspects))
     return {number: why for number, why in found if why}
 
 

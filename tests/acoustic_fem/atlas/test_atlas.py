@@ -10,7 +10,15 @@ from joined_cells import library_of_cells
 from refusals import refused
 
 import acoustic_fem
-from acoustic_fem.atlas import OutsideAtlas, atlas_admittance, cell_atlas, cell_table, opening_node, quick_fidelity
+from acoustic_fem.atlas import (
+    OutsideAtlas,
+    atlas_admittance,
+    cell_atlas,
+    cell_table,
+    opening_node,
+    outside_atlas,
+    quick_fidelity,
+)
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
@@ -162,6 +170,16 @@ def test_the_quick_fidelity_is_the_atlas_or_3d_and_why(design):
         assert found.name == "navier-stokes"
         assert why in found.words
     assert "shear number" in quick_fidelity(design, [1.0, 2000.0]).words
+
+
+def test_the_quick_fidelity_is_lumped_where_a_cell_is_too_large_for_3d_and_says_both_reasons(design):
+    large = design.with_values({"resonator.cavity_diameter": 50.0, "resonator.cavity_height": 20.0})
+    found = quick_fidelity(large, BAND)
+    assert found.name == "lumped"
+    assert found.outside == outside_atlas(large, BAND) != ""
+    assert "needs a mesh of about" in found.too_large
+    assert found.words == f"lumped: {found.outside}; {found.too_large}"
+    assert outside_atlas(design, BAND) == ""
 
 
 def test_a_batch_with_a_design_outside_is_refused_by_name(design):

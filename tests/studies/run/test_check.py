@@ -55,6 +55,17 @@ def test_check_parts_run_and_sweep_count_the_same_problems(tmp_path):
         assert found.mend in str(error.value)
 
 
+def test_cells_too_large_for_a_mesh_are_lumped_and_the_check_says_why(monkeypatch, capsys):
+    monkeypatch.setattr("studies.run.check.is_installed", lambda extra: False)
+    wide = {"resonator.cavity_diameter": 50.0, "resonator.cavity_height": 20.0, "lines.0.points": 2}
+    found = check_design(prototype("array-2x6").with_values({**wide, "layout.columns": 2}), quality=False)
+    assert found.fidelity.name == "lumped"
+    assert all(level < 0 for _, level, _ in found.attenuation)
+    assert found.fidelities[-1].startswith("navier-stokes, the default: not for this design: resonator 50 x 20 mm")
+    show_check(found)
+    assert f"transfer functions are {found.fidelity.words}" in capsys.readouterr().out
+
+
 @pytest.mark.slow
 def test_a_tube_that_cannot_be_drawn_is_a_misfit_not_the_end_of_the_check(monkeypatch):
     def bent(*_):
