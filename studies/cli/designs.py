@@ -98,7 +98,7 @@ def check(
     if design is None:
         raise typer.BadParameter("give a DESIGN, or --fields")
     if fix is not None:
-        check_new_file(fix, ".toml", kept="a design")
+        check_new_file(fix, ".toml", kept="a design", option="fix")
     with display_on_stderr() as display:
         found = studies.check_design(design, out, picture=picture, display=display)
     show_check(found)
@@ -115,11 +115,15 @@ def check(
 
 
 def _fixed(verdict: studies.Verdict, path: Path) -> studies.Verdict:
-    """Verdict on the design with the remedies applied, which is written to a new file."""
+    """Verdict on the design with the remedies applied, which is written to a new file if there are any."""
+    if verdict.outcome == "works":
+        tell(f"the design works already, so nothing is changed and {path} is not written")
+        return verdict
+    if not verdict.fixes:
+        tell(f"no change that was tried helps, so {path} is not written")
+        return verdict
     for remedy in verdict.fixes:
         tell(f"changed: {remedy.words}")
-    if not verdict.fixes:
-        tell("changed: nothing, because no change that was tried helps")
     geometry.save_design(verdict.fixed(), path)
     fixed = studies.Verdict(verdict.fixed())
     say(path)

@@ -184,3 +184,24 @@ def test_one_point_is_enough_for_solve_and_parts(command: Command, tmp_path: Pat
     assert (told.code, "1 point," in told.out) == (0, True)
     parts = geometry.build_parts(geometry.load_design(tmp_path / "one.toml"))
     assert parts.counts["shell-straight"] == parts.counts["membrane"] == 1
+
+
+def test_a_design_that_no_change_helps_is_not_written_again(
+    command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("studies.run.check.is_installed", lambda extra: extra == "train")  # drawing takes seconds
+    geometry.save_design(small_design().with_values({"target.budget": 0.01}), tmp_path / "dear.toml")
+    before = command("check", tmp_path / "dear.toml")
+    monkeypatch.setattr("studies.verdict.verdict.Remedies.best", lambda *_, **__: None)
+    told = command("check", tmp_path / "dear.toml", "--fix", tmp_path / "cheap.toml")
+    assert (told.code, before.code) == (1, 1)
+    assert "no change that was tried helps" in told.out
+    assert not (tmp_path / "cheap.toml").exists()
+
+
+def test_a_fix_that_exists_is_named_as_it_was_given(command: Command, tmp_path: Path) -> None:
+    (tmp_path / "mine.toml").write_text("mine", encoding="utf-8")
+    told = command("check", "array-2x6", "--fix", tmp_path / "mine.toml")
+    assert told.code == 1
+    assert "--fix" in told.refusal()
+    assert "--out" not in told.refusal()
