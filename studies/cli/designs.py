@@ -29,6 +29,7 @@ from studies.cli.terminal_tables import (
 )
 from studies.output.folders import as_picture, check_new_file
 from studies.output.frequencies import LIBRARY_FREQUENCIES
+from studies.verdict import worse_lines
 
 #: Exit code of a design that is marginal.
 _MARGINAL = 3
@@ -119,14 +120,19 @@ def _fixed(verdict: studies.Verdict, path: Path) -> studies.Verdict:
     if verdict.outcome == "works":
         tell(f"the design works already, so nothing is changed and {path} is not written")
         return verdict
+    with display_on_stderr() as display, display.stage("Fix") as report:
+        verdict.compute(report, fixes=True)
+        fixed = studies.Verdict(verdict.fixed())
+        fixed.compute(report)
     if not verdict.fixes:
         tell(f"no change that was tried helps, so {path} is not written")
         return verdict
     for remedy in verdict.fixes:
         tell(f"changed: {remedy.words}")
     geometry.save_design(verdict.fixed(), path)
-    fixed = studies.Verdict(verdict.fixed())
     say(path)
+    for line in worse_lines(verdict, fixed):
+        tell(line)
     show_verdict(fixed)
     return fixed
 

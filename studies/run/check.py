@@ -40,7 +40,7 @@ from geometry.schema.field_errors import DesignError
 from geometry.schema.part_fields import Tube
 from geometry.stock import StockFit, catalogue
 from localize.signals.stimulus import BAND
-from studies.metrics.covered_area import FINGER, coverage
+from studies.metrics.covered_area import coverage
 from studies.metrics.pairs import worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, new_picture, write_json
@@ -82,7 +82,7 @@ class DesignCheck(Shown):
     size: tuple[float, float, float]
     """Extent along x, y and z, mm: that of :func:`geometry.layout.size.array_size`."""
     coverage: float
-    """Share of its area in which a finger is felt: that of :func:`studies.metrics.coverage`."""
+    """Fraction of its area in which the target's contact touches a membrane, see :func:`studies.metrics.coverage`."""
     cells: tuple[tuple[Cell, int], ...]
     """Distinct cells and how many places of the array each fills."""
     kinds: tuple[KindUse, ...]
@@ -131,7 +131,8 @@ class DesignCheck(Shown):
     @property
     def covered(self) -> str:
         """Line on the fraction of the area in which a finger reaches a membrane."""
-        return f"coverage {self.coverage:.0%}: area where a contact of {FINGER:g} mm radius touches a membrane"
+        radius = self.design.target.contact_radius
+        return f"coverage {self.coverage:.0%}: area where a contact of {radius:g} mm radius touches a membrane"
 
     @property
     def fidelities(self) -> tuple[str, ...]:
@@ -243,11 +244,12 @@ def check_design(
     if drawn is not None:
         check_extras("what judges points", "train")
     judge = drawn is not None or (quality and is_installed("train"))
+    catalogue()  # before any work: a file of own parts may be wrong
     steps = _Steps(display or Display(), 2 + 3 * is_installed("cad") + judge + quality)
     found = _judged(design, steps)
     if quality:
-        with steps("Verdict and remedies"):
-            found = replace(found, verdict=_verdict(found))
+        with steps("Verdict and remedies") as report:
+            found = replace(found, verdict=_verdict(found, report))
     if judge:
         with steps("How good it is") as report:
             found = replace(found, quality=design_quality(design, report))
@@ -261,10 +263,10 @@ def check_design(
     return found
 
 
-def _verdict(found: DesignCheck) -> Verdict:
+def _verdict(found: DesignCheck, report: Report) -> Verdict:
     """The verdict with what the drawn parts show; its remedies are computed now."""
     verdict = Verdict(found.design, drawn=found.drawn)
-    len(verdict.reasons)
+    verdict.compute(report)
     return verdict
 
 
@@ -294,7 +296,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         design=design,
         wiring=wiring_counts(len(design.microphones), [line.points for line in design.lines]),
         size=array_size(design, layout),
-        coverage=coverage(design, layout=layout),
+        coverage=coverage(design, design.target.contact_radius, layout),
         cells=cell_uses(design, layout),
         kinds=kind_uses(design),
         notes=schematic_notes(design, layout),

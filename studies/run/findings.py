@@ -14,7 +14,7 @@ from geometry.design.design_file import write_design
 from geometry.ground.refusal import counted
 from geometry.layout.size import array_size
 from localize.signals.stimulus import BAND
-from studies.metrics.covered_area import FINGER, coverage
+from studies.metrics.covered_area import coverage
 from studies.metrics.pairs import attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
@@ -206,8 +206,8 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
         ),
         KeyFigure(
             "coverage",
-            f"{coverage(design, layout=result.layout):.0%}",
-            f"fraction of the area where a contact of {FINGER:g} mm radius touches a membrane",
+            f"{coverage(design, design.target.contact_radius, result.layout):.0%}",
+            f"fraction of the area where a contact of {design.target.contact_radius:g} mm radius touches a membrane",
         ),
         KeyFigure(
             "localizer, top-1",

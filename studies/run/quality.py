@@ -30,10 +30,11 @@ from studies.metrics.build import cost
 from studies.metrics.predicted_accuracy import AsBuiltAccuracy, as_built_accuracy
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
-from studies.output.display import Report, number
+from studies.output.display import Report
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 from studies.output.frequencies import FREQUENCIES
 from studies.output.report_texts import percent
+from studies.verdict.words import force_in_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -66,7 +67,7 @@ class DesignQuality:
     weakest: int
     """Number of the point that needs the largest force."""
     force: float
-    """Force there that stands out of the noise, rms from 1 to 100 Hz, N."""
+    """Noise-equivalent force there: the rms force from 1 to 100 Hz that equals the noise, N."""
     cost: float
     """Cost of the materials of one array, molds left out, at assumed prices, USD."""
     fidelity: QuickFidelity
@@ -109,24 +110,32 @@ class DesignQuality:
     @property
     def lines(self) -> tuple[tuple[str, str, str], ...]:
         """Rows of a table: what, value, and what the value is of."""
+        from localize.signals.finger_strokes import PEAK  # needs torch, without which verbs print help
+
+        # The taps of a verdict have the force of its target, so these rows say that their touches are others.
+        of_run = {
+            FINGER_TOUCHES: f"{FINGER_TOUCHES} of a run, {PEAK[0]:g} to {PEAK[1]:g} Pa in the cavity",
+            MULTI_SINES: f"{MULTI_SINES} of a run",
+        }
         first, second = self.hardest
+        within = f"rms, {BAND[0]:g} to {BAND[1]:g} Hz"
         made, of = "not known", "use acoustic-fem tolerance"
         sines: tuple[tuple[str, str, str], ...] = ()
         if self.predicted is not None:
             low, high = self.interval
             made = f"{100 * self.as_built:.1f} % ({100 * low:.0f} to {100 * high:.0f} %)"
-            of = f"{FINGER_TOUCHES}, not calibrated, mean of {self.sensors} (9 of 10 designs lie within)"
+            of = f"{of_run[FINGER_TOUCHES]}, not calibrated, mean of {self.sensors} (9 of 10 designs lie within)"
             value = f"{100 * self.predicted.multi_sines.mean:.1f} %"
             sines = (
-                ("top-1 accuracy, 5th percentile", f"{100 * self.worst:.1f} %", f"{FINGER_TOUCHES}, as-built sensors"),
-                ("top-1 accuracy, multi-sines", value, "as-built sensors"),
+                ("top-1 accuracy, 5th percentile", f"{100 * self.worst:.1f} %", of_run[FINGER_TOUCHES]),
+                ("top-1 accuracy, multi-sines", value, f"{of_run[MULTI_SINES]}, as-built sensors"),
             )
         return (
             ("top-1 accuracy, as-built sensors", made, of),
             *sines,
-            ("top-1 accuracy, nominal sensor", f"{100 * self.nominal:.1f} %", self.touches),
+            ("top-1 accuracy, nominal sensor", f"{100 * self.nominal:.1f} %", of_run[self.touches]),
             ("hardest pair", f"{first} and {second}", f"{self.level:.2g} dB, {self.phase:.2g} degrees apart"),
-            ("smallest detectable force", f"{number(1e9 * self.force)} nN", f"rms, at point {self.weakest}"),
+            ("noise-equivalent force", force_in_words(self.force), f"{within}, at point {self.weakest}"),
             ("cost", f"{self.cost:.2f} USD", "materials of one array, assumed prices"),
             ("fidelity, hardest pair and force", self.fidelity.name, self.fidelity.why),
         )

@@ -14,4 +14,5 @@ from .words import (
     remedy_in_words as remedy_in_words,
     rule_rows as rule_rows,
     value_in_words as value_in_words,
+    worse_lines as worse_lines,
 )

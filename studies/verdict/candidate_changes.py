@@ -225,7 +225,8 @@ def _microphones(design: ArrayDesign) -> _Words:
             if abs(pitch - straight) > 1e-6:
                 values["tube.length"] = round(pitch - design.resonator.cavity_diameter, 6)
             values["layout.pitch"] = None
-        yield f"{count} microphones in place of {now}, {each} to {each + bool(more)} points between two", values
+        between = f"{each} to {each + 1}" if more else f"{each}"
+        yield f"{count} microphones in place of {now}, {between} points between two", values
 
 
 def _columns(design: ArrayDesign) -> _Words:

@@ -103,8 +103,8 @@ def _slow(levels: TapLevels) -> Measured:
         return NOT_JUDGED
     low, high = SLOW
     words = (
-        f"points {levels.alike[0]} and {levels.alike[1]} are nearly alike from {low:g} to {high:g} Hz, which is where "
-        f"presses are: their ratios of microphones differ by only {100 * levels.slow:.1f} %"
+        f"points {levels.alike[0]} and {levels.alike[1]} are nearly alike from {low:g} to {high:g} Hz, the band of "
+        f"slow presses: their ratios of microphones differ by only {100 * levels.slow:.1f} %"
     )
     return Measured(float(levels.slow), words, levels.alike)
 

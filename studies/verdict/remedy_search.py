@@ -13,6 +13,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
 from studies.metrics.scatter_detection import scatter_detection
+from studies.output.display import Report
 from studies.verdict.candidate_changes import LAST, Change, changes_of
 from studies.verdict.measured import Measured
 from studies.verdict.measuring import measure
@@ -86,23 +87,29 @@ class Remedies:
         self._changes: dict[str, tuple[Change, ...]] = {}
         self._figures: dict[tuple[str, str], dict[str, Measured]] = {}
 
-    def best(self, name: str) -> Remedy | None:
+    def best(self, name: str, *, may_be_marginal: bool = False, progress: Report | None = None) -> Remedy | None:
         """Remedy of a rule; None if no change that was tried helps it without making another rule worse.
 
         Args:
             name: name of the rule.
+            may_be_marginal: whether other rules may become marginal.
+            progress: called with what is tried and the fraction done, 0 to 1.
         """
+        report = progress or (lambda message, fraction: None)
         rule, before = rule_named(name), self._values[name].value
         if rule.outcome(before) == OUTCOMES[0]:
             return None
         changes = [change for choice in CHOICES_OF[name] for change in self._of_choice(choice)]
+        report(f"{name}: {len(changes)} changes", 0.0)
         closer = self._closer(rule, changes)
         best: tuple[tuple[float, ...], Remedy] | None = None
-        for change, values in zip(closer, self._measured(closer, [each.name for each in RULES]), strict=True):
+        for number, change in enumerate(closer):
+            report(f"{name}: the best {len(closer)} of {len(changes)} changes", (number + 1) / (len(closer) + 1))
+            values = self._measured([change], [each.name for each in RULES])[0]
             after = values[name].value
             gain = rule.gain(before, after)
             least = _LEAST_ACCURACY if name in ACCURACY_RULES else _LEAST * max(abs(before), 1e-6)
-            if not gain > least or self._breaks(values, name):
+            if not gain > least or self._breaks(values, name, may_be_marginal):
                 continue
             outcome = rule.outcome(after)
             every = sum(OUTCOMES.index(values[each.name].outcome(each)) for each in RULES)
@@ -117,10 +124,12 @@ class Remedies:
             self._changes[choice] = changes_of(self._design, (choice,))
         return self._changes[choice]
 
-    def _breaks(self, values: Mapping[str, Measured], name: str) -> bool:
-        """True if another rule has a worse outcome than before."""
+    def _breaks(self, values: Mapping[str, Measured], name: str, may_be_marginal: bool) -> bool:
+        """True if another rule has a worse outcome than before, beside marginal where that is allowed."""
+        least = OUTCOMES.index("marginal") if may_be_marginal else 0
         return any(
-            OUTCOMES.index(values[rule.name].outcome(rule)) > OUTCOMES.index(self._values[rule.name].outcome(rule))
+            OUTCOMES.index(values[rule.name].outcome(rule))
+            > max(OUTCOMES.index(self._values[rule.name].outcome(rule)), least)
             for rule in RULES
             if rule.name != name
         )

@@ -14,14 +14,17 @@ from geometry.ground.shown import Shown
 from geometry.layout.size import array_size
 from geometry.schema.target import Target
 from studies.metrics.build import cost
+from studies.output.display import Report
 from studies.verdict.accuracies import TOUCHES
 from studies.verdict.measured import Measured
 from studies.verdict.measuring import Drawn, measure
 from studies.verdict.remedy_search import Remedies, Remedy
-from studies.verdict.rules import OUTCOMES, RULES, SHOWN, Outcome, VerdictRule, worst
+from studies.verdict.rules import OUTCOMES, RULES, SHOWN, Outcome, VerdictRule, rule_named, worst
 
 #: Rules to which the drawn parts add.
 _OF_DRAWN = ("buildable", "printable")
+#: Rule that a fix keeps first.
+_BUYABLE = rule_named("buyable")
 #: Changes that :meth:`Verdict.fixed` makes at most.
 _MOST_CHANGES = 8
 
@@ -92,10 +95,28 @@ class Verdict(Shown):
         found = resolve_design(design)
         self.design = found if target is None else found.model_copy(update={"target": target})
         self._drawn = drawn
+        self._progress: Report | None = None
+
+    def compute(self, progress: Report, *, fixes: bool = False) -> None:
+        """Compute the reasons with their remedies now, because they can take minutes for a large design.
+
+        Args:
+            progress: called with what is computed and the fraction done, 0 to 1.
+            fixes: whether to compute the fixes, too.
+        """
+        self._progress = progress
+        try:
+            len(self.reasons)
+            if fixes:
+                len(self.fixes)
+        finally:
+            self._progress = None
 
     @cached_property
     def values(self) -> Mapping[str, Measured]:
         """Figures of all rules by name; the value of a rule that does not apply is NaN."""
+        if self._progress is not None:
+            self._progress("figures of all rules", 0.0)
         return measure([self.design], drawn=self._drawn)[0]
 
     @property
@@ -106,10 +127,15 @@ class Verdict(Shown):
     @cached_property
     def reasons(self) -> tuple[Reason, ...]:
         """Rules that the design breaks, the worst first; the first three with a remedy where there is one."""
-        return tuple(
-            self._reason(rule, self._search.best(rule.name) if place < SHOWN else None)
-            for place, rule in enumerate(self.broken)
-        )
+        remedies = dict(zip(self.broken, self._remedies(self._progress), strict=False))
+        return tuple(self._reason(rule, remedies.get(rule)) for rule in self.broken)
+
+    def _remedies(self, report: Report | None) -> list[Remedy | None]:
+        """Remedies of the first reasons."""
+        found, count = list[Remedy | None](), min(SHOWN, len(self.broken))
+        for place, rule in enumerate(self.broken[:SHOWN]):
+            found.append(self._search.best(rule.name, progress=_part(report, place, count)))
+        return found
 
     @cached_property
     def _search(self) -> Remedies:
@@ -153,8 +179,9 @@ class Verdict(Shown):
     def fixed(self) -> ArrayDesign:
         """The design with remedies applied, one after the other, until it works or none is left.
 
-        Each remedy is computed anew for the design that the changes before it gave, and the one that leaves the fewest
-        broken rules is taken. The number of points and the printer stay as they are.
+        A design that cannot be bought is first changed to the nearest parts that can, even if an accuracy becomes
+        marginal by it. Each other remedy is computed anew for the design that the changes before it gave, and the one
+        that leaves the fewest broken rules is taken. The number of points and the printer stay as they are.
         """
         return self._fixed[1]
 
@@ -162,14 +189,22 @@ class Verdict(Shown):
     def _fixed(self) -> tuple[tuple[Remedy, ...], ArrayDesign]:
         now, made = self, list[Remedy]()
         while len(made) < _MOST_CHANGES:
-            tried = (now._search.best(rule.name) for rule in now.broken[:SHOWN])
-            useful = (each for each in tried if each is not None and not each.changes_order)
-            remedy = min(useful, key=lambda each: each.remaining, default=None)
+            remedy = now._bought() or now._next(_part(self._progress, len(made), _MOST_CHANGES))
             if remedy is None:
                 break
             made.append(remedy)
             now = Verdict(now.design.with_values(remedy.changes))
         return tuple(made), now.design
+
+    def _bought(self) -> Remedy | None:
+        """Change to parts that can be bought; None if the design has them, or no change gives them."""
+        remedy = self._search.best("buyable", may_be_marginal=True) if _BUYABLE in self.broken else None
+        return remedy if remedy is not None and remedy.outcome == OUTCOMES[0] else None
+
+    def _next(self, report: Report | None) -> Remedy | None:
+        """The remedy that leaves the fewest broken rules and keeps what was asked for."""
+        useful = (each for each in self._remedies(report) if each is not None and not each.changes_order)
+        return min(useful, key=lambda each: each.remaining, default=None)
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
@@ -205,6 +240,13 @@ class Verdict(Shown):
         return Reason(
             rule.name, found.outcome(rule), found.words, found.value, rule.works, rule.unit, found.points, remedy
         )
+
+
+def _part(report: Report | None, place: int, count: int) -> Report | None:
+    """Report of one of several parts of a job; None without one of the job."""
+    if report is None:
+        return None
+    return lambda message, fraction: report(message, (place + fraction) / count)
 
 
 def _or_none(value: float) -> float | None:

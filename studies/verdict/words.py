@@ -15,6 +15,16 @@ if TYPE_CHECKING:
     from studies.verdict.verdict import Verdict
 
 
+#: Figures that get worse by less than this fraction are not worth a word.
+_WORSE = 0.05
+#: Outcome of one rule after a remedy, in words that cannot be read as the verdict on the design.
+_AFTER = {
+    "works": "keeps the rule",
+    "marginal": "the rule is then marginal",
+    "does not work": "still breaks the rule",
+}
+
+
 def value_in_words(rule: VerdictRule, value: float) -> str:
     """Value of a rule's figure with its unit."""
     if rule.name in ACCURACY_RULES or rule.name in ("coverage", "buyable"):
@@ -28,7 +38,7 @@ def remedy_in_words(rule: str, remedy: Remedy) -> str:
         return f"{remedy.words}: the parts can then be bought"
     own = rule_named(rule)
     before, after = (value_in_words(own, value) for value in remedy.gain)
-    return f"{remedy.words}: {before} becomes {after} ({remedy.outcome})"
+    return f"{remedy.words}: {before} becomes {after} ({_AFTER[remedy.outcome]})"
 
 
 def reason_lines(verdict: Verdict) -> Iterator[str]:
@@ -40,6 +50,19 @@ def reason_lines(verdict: Verdict) -> Iterator[str]:
     more = verdict.reasons[SHOWN:]
     if more:
         yield f"- also: {', '.join(reason.rule for reason in more)}"
+
+
+def worse_lines(before: Verdict, after: Verdict) -> Iterator[str]:
+    """Lines on the rules whose figures a change made worse by more than a twentieth.
+
+    Args:
+        before: verdict on the design before the change.
+        after: verdict on the changed design.
+    """
+    for rule in RULES:
+        old, new = before.values[rule.name].value, after.values[rule.name].value
+        if rule.gain(old, new) < -_WORSE * abs(old):
+            yield f"worse by the change: {rule.name}, {value_in_words(rule, old)} becomes {value_in_words(rule, new)}"
 
 
 def figure_rows(verdict: Verdict) -> tuple[tuple[str, str, str], ...]:

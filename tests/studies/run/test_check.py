@@ -7,7 +7,9 @@ from geometry import prototype
 from geometry.ground.refusal import Kind, Refusal
 from geometry.layout.overlaps import OverlapError
 from geometry.pictures import mold_cut, viewer, views
+from geometry.stock import VARIABLE
 from studies.cli.terminal_tables import show_check
+from studies.metrics import coverage
 from studies.run.check import check_design
 from studies.run.part_folder import export_parts
 from studies.run.pipeline import run_design
@@ -64,6 +66,22 @@ def test_cells_too_large_for_a_mesh_are_lumped_and_the_check_says_why(monkeypatc
     assert found.fidelities[-1].startswith("navier-stokes, the default: not for this design: resonator 50 x 20 mm")
     show_check(found)
     assert f"transfer functions are {found.fidelity.words}" in capsys.readouterr().out
+
+
+def test_coverage_is_that_of_the_contact_of_the_target(monkeypatch):
+    monkeypatch.setattr("studies.run.check.is_installed", lambda extra: False)
+    design = prototype("array-2x6").with_values({"target.contact_radius": 3.0})
+    found = check_design(design, quality=False)
+    assert found.coverage == coverage(design, 3.0)
+    assert "a contact of 3 mm radius" in found.covered
+
+
+def test_a_wrong_file_of_parts_is_refused_before_any_work(monkeypatch, tmp_path):
+    (tmp_path / "bad.toml").write_text("[[spring]]\n")
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "bad.toml"))
+    monkeypatch.setattr("studies.run.check.lay_out", lambda *_: pytest.fail("work was done"))
+    with pytest.raises(Refusal):
+        check_design(prototype("array-2x6"))
 
 
 @pytest.mark.slow

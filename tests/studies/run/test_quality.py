@@ -15,6 +15,7 @@ from geometry import prototype
 from studies.metrics import as_built_accuracy
 from studies.run import quality
 from studies.run.quality import design_quality, draw_quality
+from studies.verdict import force_in_words
 
 
 def test_the_figures_are_those_of_the_metrics(tmp_path):
@@ -36,6 +37,10 @@ def test_touches_of_a_run_are_predicted_and_not_multi_sines_alone():
     found = design_quality(small_design())
     assert found.touches == "taps and presses"
     rows = {what: value for what, value, _ in found.lines}
+    remarks = {what: remark for what, _, remark in found.lines}
+    for what in ("as-built sensors", "5th percentile", "nominal sensor"):
+        assert "taps and presses of a run, 0.03 to 30 Pa in the cavity" in remarks[f"top-1 accuracy, {what}"]
+    assert rows["noise-equivalent force"] == force_in_words(found.force)
     assert rows["top-1 accuracy, multi-sines"] == f"{100 * found.predicted.multi_sines.mean:.1f} %"
     assert found.accuracy.startswith("taps and presses: ")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -22,11 +23,14 @@ from studies.verdict import (
     RULES,
     Drawn,
     Remedies,
+    Remedy,
     Verdict,
     measure,
     points_in_words,
     reason_lines,
+    remedy_in_words,
     rule_rows,
+    worse_lines,
 )
 from studies.verdict.candidate_changes import CHOICES, changes_of
 from studies.verdict.part_rules import stiffened
@@ -208,3 +212,53 @@ def test_a_membrane_that_stretches_yields_less_than_a_plate() -> None:
     deflection = stiffened(2.0, 0.5)
     assert deflection + 0.443 * deflection**3 / 0.25 == pytest.approx(2.0)
     assert deflection < 1.2
+
+
+def test_a_fix_buys_the_nearest_parts_first_even_if_an_accuracy_becomes_marginal(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    design = ARRAY.with_values({"membrane.thickness": 0.96})
+    real = measure([design.with_values({"membrane.thickness": 1.0})])[0]
+
+    def measured(designs, rules=tuple(rule.name for rule in RULES), **about):
+        """The figures with an accuracy that only the design as it was keeps."""
+        found = measure(designs, rules, **about)
+        for own, values in zip(designs, found, strict=True):
+            if "taps" in values and own.membrane.thickness != 0.96:
+                values["taps"] = replace(real["taps"], value=0.94)
+        return found
+
+    for module in ("verdict", "remedy_search"):
+        monkeypatch.setattr(f"studies.verdict.{module}.measure", measured)
+    verdict = Verdict(design)
+    assert [rule.name for rule in verdict.broken] == ["buyable"]
+    assert verdict.reasons[0].remedy is None
+    assert verdict.fixes[0].changes == {"membrane.thickness": 1.0}
+
+
+def test_progress_names_each_rule_whose_remedies_are_tried_and_only_rises() -> None:
+    told: list[tuple[str, float]] = []
+    verdict = Verdict(broken("fits"))
+    verdict.compute(lambda message, fraction: told.append((message, fraction)))
+    assert told[0] == ("figures of all rules", 0.0)
+    assert any(message.startswith("fits: ") for message, _ in told)
+    assert [fraction for _, fraction in told] == sorted(fraction for _, fraction in told)
+    assert told[-1][1] <= 1
+
+
+def test_a_remedy_says_what_becomes_of_its_rule_and_not_of_the_design() -> None:
+    remedy = Remedy({}, "a change", (8.0, 83.8), "works", 2)
+    assert remedy_in_words("heard", remedy) == "a change: 8 dB becomes 83.8 dB (keeps the rule)"
+
+
+def test_equal_parts_of_a_chain_are_one_number() -> None:
+    words = [change.words for change in changes_of(ARRAY, ("microphones",))]
+    assert "3 microphones in place of 2, 6 points between two" in words
+    assert "6 microphones in place of 2, 2 to 3 points between two" in words
+
+
+def test_figures_that_a_fix_makes_worse_are_said() -> None:
+    sparse = Verdict(ARRAY.with_values({"tube.length": 25.0}))
+    lines = list(worse_lines(Verdict(ARRAY), sparse))
+    assert any(line.startswith("worse by the change: coverage, ") for line in lines)
+    assert not list(worse_lines(sparse, sparse))
