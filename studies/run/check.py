@@ -49,6 +49,8 @@ from studies.run.validity import Validity, model_validity
 from studies.verdict.measuring import Drawn
 from studies.verdict.verdict import Verdict
 
+#: Warnings on limits that the check lists under validity.
+_LISTED = "entrance loss of a tube|membrane: "
 #: Frequencies of the estimated attenuation, Hz.
 ATTENUATION_AT = (1.0, 10.0, 100.0)
 #: Largest difference of lumped from Navier-Stokes transfer functions as `run` measured it: percent, degrees.
@@ -251,7 +253,8 @@ def check_design(
         with steps("Verdict and remedies") as report:
             found = replace(found, verdict=_verdict(found, report))
     if judge:
-        with steps("How good it is") as report:
+        with steps("How good it is") as report, warnings.catch_warnings():
+            warnings.filterwarnings("ignore", _LISTED, UserWarning)
             found = replace(found, quality=design_quality(design, report))
     if path is not None:
         write_json(path, found.to_dict())
@@ -286,8 +289,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         layout = lay_out(design)
         found = overlaps(design, layout)
     with steps("Attenuation") as report, warnings.catch_warnings():
-        # the same limits are listed under validity
-        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
+        warnings.filterwarnings("ignore", _LISTED, UserWarning)
         fidelity = quick_fidelity(design, ATTENUATION_AT)
         library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity.name, progress=report)
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
@@ -358,7 +360,7 @@ def _of_atlas(design: ArrayDesign, cells: Sequence[Cell]) -> str:
         for cell in cells:
             check_cell(atlas, cell, np.array(BAND), air)
     except OutsideAtlas as error:
-        return f"not for this design: {error}"
+        return f"not for this design: {OutsideAtlas.of(error, remedy='').sentence()}"
     off = 100 * atlas.errors["transfer function by 1 + |ln H|"]
     band = f"1 to {atlas.known_up_to:g} Hz"
     return f"differs from navier-stokes by up to {off:.2g} % x (1 + |ln H|) on 40 random designs ({band})"
