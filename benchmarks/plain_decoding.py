@@ -67,6 +67,8 @@ class PlainTolerant:
         """Probability of each point, (n_point,), from (n_microphone, 250) Pa."""
         options = self._options
         x = _checked(signals, self.microphones) @ self._tables.reduce
+        loudest = 10 ** (options.believed_level / 10)
+        x = x * np.sqrt(min(1.0, loudest * options.temperature / max((x**2).mean(), 1e-30)))
         screened = _scores(x, self._tables)[0] / options.relative_temperature
         score = np.full(screened.shape, np.nan)
         for table in np.argsort(-screened)[: options.candidates]:

@@ -38,6 +38,7 @@ study = studies.Study(
         "tube.length": (11.0, 20.0),
         "resonator.cavity_height": (1.5, 5.0),
     },
+    stock="off",  # bores between those that can be bought, to learn from
     sampling="sobol",
     cases=4096,
     fidelity="atlas",
