@@ -88,7 +88,8 @@ class SharedFigures:
     @cached_property
     def _as_built_accuracies(self) -> list[AsBuiltAccuracy]:
         own = self.responses
-        return studies.metrics.as_built_accuracies(required(own.designs), force=None, sensors=SWEPT_SENSORS, known=own.discs)
+        designs = required(own.designs)
+        return studies.metrics.as_built_accuracies(designs, force=None, sensors=SWEPT_SENSORS, known=own.discs)
 
     @cached_property
     def sizes(self) -> Array:

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import acoustic_fem
+import studies.metrics
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 from acoustic_fem.library.noise_floor import detection_limits
 from acoustic_fem.quantities.checks import frequency_grid
@@ -27,7 +28,6 @@ from geometry.layout.arrangement import lay_out
 from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import Responses
 from studies.metrics.build import cost
-from studies.metrics.predicted_accuracy import AsBuiltAccuracy, as_built_accuracy
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.display import Report
@@ -38,6 +38,8 @@ from studies.verdict.words import force_in_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from studies.metrics.predicted_accuracy import AsBuiltAccuracy
 
 #: Touches of the accuracies, and those where the scatter is not known.
 FINGER_TOUCHES, MULTI_SINES = "taps and presses", "multi-sine touches"
@@ -218,7 +220,7 @@ def predicted_accuracy(design: ArrayDesign) -> AsBuiltAccuracy | None:
     count = math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2)
     count = max(_LEAST_SENSORS, min(SENSORS, count))
     try:
-        return as_built_accuracy(design, force=None, sensors=count)
+        return studies.metrics.as_built_accuracy(design, force=None, sensors=count)
     except UnknownScatterError:
         return None
 

@@ -43,7 +43,7 @@ def test_a_design_is_checked_without_its_parts_and_says_so(core: Path, tmp_path:
     found = json.loads((tmp_path / "found.json").read_text(encoding="utf-8"))
     assert found["printing"] is None
     assert found["quality"] is None
-    assert found["coverage"] == pytest.approx(0.66, abs=0.05)
+    assert found["coverage"] == pytest.approx(0.8, abs=0.05)
 
 
 @pytest.mark.slow
