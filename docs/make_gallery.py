@@ -79,8 +79,8 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
         blocks.append(f"### {name}\n\n{file}![In plan]({link})\n")
         print(rows[-1], flush=True)
     head = (
-        "| design | description | points | microphones | as built: mean (5th percentile) (%) | nominal (%) | hardest pair "
-        "| cost (USD) |\n|---|---|---|---|---|---|---|---|"
+        "| design | description | points | microphones | as built: mean (5th percentile) (%) | nominal (%) "
+        "| hardest pair | cost (USD) |\n|---|---|---|---|---|---|---|---|"
     )
     split = len(ours)
     parts = ["\n".join([head, *rows]), "## Designs of ours", *blocks[:split], "## Prototypes", *blocks[split:]]
