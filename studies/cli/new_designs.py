@@ -17,6 +17,7 @@ from studies.cli.terminal_tables import say, show, table_of, tell
 from studies.proposals.design_writing import check_choice, new_design, new_path, write_proposal
 from studies.proposals.designer_question import PLACES, question
 from studies.run.starting import copy_prototype
+from studies.verdict.words import force_in_words
 
 if TYPE_CHECKING:
     from studies.proposals.proposing import Proposals
@@ -160,7 +161,15 @@ def _show_proposals(found: Proposals) -> None:
     if not found.designs:
         return
     table = table_of(
-        "", "strength", "points", "size (mm)", "force (N)", "taps (%)", "cost (USD)", "verdict", numbers=(0, 2, 4, 5, 6)
+        "",
+        "strength",
+        "points",
+        "size (mm)",
+        "smallest force",
+        "taps (%)",
+        "cost (USD)",
+        "verdict",
+        numbers=(0, 2, 4, 5, 6),
     )
     for number, each in enumerate(found.designs, 1):
         figures = each.verdict.figures
@@ -169,7 +178,7 @@ def _show_proposals(found: Proposals) -> None:
             each.strength,
             str(each.design.point_count),
             " x ".join(f"{side:.1f}" for side in figures.size),
-            f"{figures.smallest_force:.2g}",
+            force_in_words(figures.smallest_force),
             f"{100 * figures.taps:.1f}",
             f"{figures.cost:.2f}",
             each.verdict.outcome,

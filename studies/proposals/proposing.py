@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -9,13 +10,13 @@ from functools import cached_property
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Kind, Refusal, Text
+from geometry.ground.refusal import Field, Kind, Refusal, Text
 from geometry.ground.shown import Shown
 from studies.proposals.design_search import Found, Progress, search, thorough
 from studies.proposals.designer_question import SHOWN, Question, question
 from studies.proposals.most_points import most_points
 from studies.proposals.other_questions import Alternative, alternatives
-from studies.verdict import Verdict
+from studies.verdict import Verdict, force_in_words
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -36,7 +37,7 @@ class Proposal(Shown):
             "strength": self.strength,
             "points": design.point_count,
             "size (mm)": " x ".join(f"{side:.1f}" for side in figures.size),
-            "smallest force (N)": f"{figures.smallest_force:.2g}",
+            "smallest force": force_in_words(figures.smallest_force),
             "as-built taps": f"{figures.taps:.1%}",
             "cost (USD)": f"{figures.cost:.2f}",
         }
@@ -73,6 +74,8 @@ class Proposals(Shown):
         if self.works:
             return ""
         if not self.designs:
+            if self._is_too_narrow:
+                return f"{self.question.around:g} mm around is {self._diameter:.0f} mm wide without the shells"
             return "no design of these points, this room and this printer can be built"
         verdict = self.designs[0].verdict
         return verdict.values[verdict.broken[0].name].words
@@ -85,13 +88,29 @@ class Proposals(Shown):
             pieces += [*([", or "] if pieces else ["try "]), *each.text]
         return tuple(pieces)
 
+    @property
+    def _diameter(self) -> float:
+        """Diameter of what the array goes around, mm; 0 where it is flat."""
+        return (self.question.around or 0.0) / math.pi
+
+    @property
+    def _is_too_narrow(self) -> bool:
+        """True where the size is below the diameter, so that there is no ring, and no part of a turn has room."""
+        size = self.question.size
+        return not self.designs and size is not None and max(size) < self._diameter
+
     def refusal(self) -> Refusal:
         """The error of a question that no design answers."""
         asked = self.question
+        if self._is_too_narrow:
+            assert asked.size is not None
+            problem = f"is too small: {self.problem}, and a part of a turn has no room for the points"
+            size = f"{asked.size[0]:g}x{asked.size[1]:g}"
+            remedy = ("leave out ", Field("size"), ", or ", Field("around"))
+            return Refusal(problem, kind=Kind.CONFLICT, field="size", value=size, remedy=remedy)
         value = "most" if asked.points is None else asked.points
-        return Refusal(
-            f"cannot work so: {self.problem}", kind=Kind.CONFLICT, field="points", value=value, remedy=self.remedy
-        )
+        problem = f"has no design that works: {self.problem}"
+        return Refusal(problem, kind=Kind.CONFLICT, field="points", value=value, remedy=self.remedy)
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
@@ -135,6 +154,8 @@ def propose(asked: Question, name: str, progress: Progress | None = None) -> Pro
             found = search(asked, name, asked.points, thorough(asked.points), told)
         designs = _chosen(found)
         if designs and designs[0].verdict.outcome == "works":
+            return Proposals(asked, designs, ())
+        if Proposals(asked, designs, ())._is_too_narrow:
             return Proposals(asked, designs, ())
         broken = [rule.name for rule in designs[0].verdict.broken] if designs else []
         return Proposals(asked, designs, alternatives(asked, name, told, broken))

@@ -111,6 +111,11 @@ def test_drawn_designs_leave_walls_that_can_be_printed_around_every_socket():
     assert min(smallest_wall(design) for design, _ in drawn) >= find_process(asked.printer).wall.limit
 
 
+def test_a_size_below_the_diameter_without_room_for_a_part_of_a_turn_is_refused_by_its_name(tmp_path):
+    with refused(Kind.CONFLICT, "size", "30x30"):
+        studies.new_design("mine", tmp_path / "mine.toml", around=160, size="30x30")
+
+
 def test_numbers_of_points_that_have_room_are_full_grids():
     counts = grid_counts(question(points="most", size="30x30"))
     assert 16 in counts
