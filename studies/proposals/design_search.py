@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -30,6 +31,8 @@ QUICK = ("slow", "separate", "bottoming", "printable", "coverage", "affordable")
 _LOSS, _PER_DECIBEL = 20.0, 0.01
 #: Error beyond which the verdict is known before it is computed.
 _HOPELESS = 0.7
+#: Fraction of a round that drawing takes, for the progress.
+_DRAWING = 0.4
 #: Number of points beyond which fewer designs are tried.
 _MANY = 48
 
@@ -106,6 +109,10 @@ class Screened:
 Progress = Callable[[str, float], None]
 
 
+def silent(step: str, fraction: float) -> None:
+    """Progress that nobody is told."""
+
+
 def search(asked: Question, name: str, points: int, effort: Effort, progress: Progress) -> list[Found]:
     """Designs of a number of points with their verdicts, the best first; empty where none can be built.
 
@@ -119,25 +126,33 @@ def search(asked: Question, name: str, points: int, effort: Effort, progress: Pr
     layouts = [Candidates(asked, name, grid) for grid in grids(asked, points)]
     found: list[Found] = []
     for number in range(effort.rounds):
-        progress(f"{points} points, round {number + 1} of {effort.rounds}", number / effort.rounds)
+        told = partial(
+            _told, progress, f"{points} points, round {number + 1} of {effort.rounds}", number, effort.rounds
+        )
         hopeless = False
         if number == 0:
-            pool = _first(layouts, effort.draws)
+            pool = _first(layouts, effort.draws, told)
             if not pool:
                 return []
             hopeless = is_hopeless(pool[0])
         else:
             best = found[0]
+            told("designs like the best", 0.0)
             own = next(each for each in layouts if each.grid == best.grid)
             pool = screened(own, own.drawn(effort.near, [each.sizes for each in found[:2]]))
         pool.sort(key=lambda each: each.merit)
-        found += _judged(pool, 1 if hopeless else effort.judged, found)
+        found += _judged(pool, 1 if hopeless else effort.judged, found, told)
         found.sort(key=lambda each: each.merit)
         enough = found and found[0].verdict.outcome == "works" and number + 1 >= min(2, effort.rounds)
         if not found or enough or hopeless:
             break
     progress(f"{points} points", 1.0)
     return found
+
+
+def _told(progress: Progress, name: str, number: int, rounds: int, step: str, fraction: float) -> None:
+    """Report a step of a round, from 0, with the fraction of the round that is done."""
+    progress(f"{name}: {step}", (number + fraction) / rounds)
 
 
 def look(asked: Question, name: str, points: int, draws: int) -> Screened | None:
@@ -157,12 +172,13 @@ def is_hopeless(best: Screened) -> bool:
     return failed + marginal > 0 or error > _HOPELESS
 
 
-def _first(layouts: Sequence[Candidates], draws: int) -> list[Screened]:
+def _first(layouts: Sequence[Candidates], draws: int, progress: Progress = silent) -> list[Screened]:
     """Designs of the layouts, the best first; of later layouts only if those of the first are not promising."""
     pool: list[Screened] = []
     for place, layout in enumerate(layouts):
         if pool and not is_hopeless(min(pool, key=lambda each: each.merit)):
             break  # the layout most like the room will do
+        progress(f"designs of layout {place + 1}", _DRAWING * place / len(layouts))
         pool += screened(layout, layout.drawn(draws if place == 0 else draws // 4))
     return sorted(pool, key=lambda each: each.merit)
 
@@ -193,7 +209,7 @@ def _longest_line(design: ArrayDesign) -> ArrayDesign:
     return design.model_copy(update={"microphones": line.between, "lines": (line,)})
 
 
-def _judged(pool: Iterable[Screened], count: int, before: Sequence[Found]) -> list[Found]:
+def _judged(pool: Iterable[Screened], count: int, before: Sequence[Found], progress: Progress = silent) -> list[Found]:
     """The first of a pool that can be built and differ from each other, with their verdicts."""
     found: list[Found] = []
     known = {_mark(each.design) for each in before}
@@ -203,7 +219,10 @@ def _judged(pool: Iterable[Screened], count: int, before: Sequence[Found]) -> li
         if _mark(each.design) in known or not can_be_built(each.design):
             continue
         known.add(_mark(each.design))
-        found.append(Found(each.design, Verdict(each.design), each.sizes, each.grid))
+        progress(f"verdict {len(found) + 1} of {count}", _DRAWING + (1 - _DRAWING) * len(found) / count)
+        verdict = Verdict(each.design)
+        verdict.values  # noqa: B018  computed here, so that the progress is that of the work
+        found.append(Found(each.design, verdict, each.sizes, each.grid))
     return found
 
 

@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from geometry.schema.print_processes import find_process
-from studies.proposals.design_search import LEAN, Found, Progress, search, thorough
+from studies.proposals.design_search import LEAN, Found, Progress, search, silent, thorough
 from studies.proposals.designer_question import Question
 
 #: Smallest cavity, mm, and smallest tube between two shells beyond their walls, mm, that are counted on.
@@ -29,7 +29,7 @@ def most_points(asked: Question, name: str, progress: Progress) -> list[Found]:
     while high - low > 1:
         middle = (low + high) // 2
         progress(f"{counts[middle]} points", (middle + 1) / (len(counts) + 1))
-        tried = search(replace(asked, points=counts[middle]), name, counts[middle], LEAN, _silent)
+        tried = search(replace(asked, points=counts[middle]), name, counts[middle], LEAN, silent)
         if tried and tried[0].verdict.outcome == "works":
             low, found = middle, tried
         else:
@@ -59,7 +59,3 @@ def grid_counts(asked: Question) -> list[int]:
         if c * r >= asked.microphones and abs(math.log(c / r / aspect)) <= math.log(1.6)
     }
     return sorted(count for count in counts if count <= 400) or [max(asked.microphones, 2)]
-
-
-def _silent(step: str, fraction: float) -> None:
-    """Progress of one of several searches, which report it themselves."""

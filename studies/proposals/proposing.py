@@ -12,7 +12,7 @@ from typing import Any
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Field, Kind, Refusal, Text
 from geometry.ground.shown import Shown
-from studies.proposals.design_search import Found, Progress, search, thorough
+from studies.proposals.design_search import Found, Progress, search, silent, thorough
 from studies.proposals.designer_question import SHOWN, Question, question
 from studies.proposals.most_points import most_points
 from studies.proposals.other_questions import Alternative, alternatives
@@ -144,7 +144,7 @@ def propose_designs(name: str = "design", *, progress: Progress | None = None, *
 
 def propose(asked: Question, name: str, progress: Progress | None = None) -> Proposals:
     """The answer to a question; arguments as for :func:`propose_designs`."""
-    told = progress or _silent
+    told = progress or silent
     with warnings.catch_warnings():
         # check gives these warnings for the design that is chosen
         warnings.filterwarnings("ignore", "entrance loss", UserWarning)
@@ -188,7 +188,3 @@ def _chosen(found: Sequence[Found]) -> tuple[Proposal, ...]:
         Proposal(each.design, each.verdict, ", ".join(own) or ("fewest problems" if each is best else "next best"))
         for each, own in strengths.items()
     )
-
-
-def _silent(step: str, fraction: float) -> None:
-    """Progress that is not shown."""

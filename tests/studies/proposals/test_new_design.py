@@ -79,7 +79,9 @@ def test_a_new_design_works_can_be_built_and_bought_and_fits(tmp_path):
     length, width, _ = array_size(made)
     assert length <= 40.01
     assert width <= 20.01
-    assert told
+    steps, done = zip(*told, strict=True)
+    assert any("round 1" in step and "verdict 2" in step for step in steps)
+    assert list(done) == sorted(done)
 
 
 @pytest.mark.physics
