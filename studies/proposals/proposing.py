@@ -174,13 +174,15 @@ def _chosen(found: Sequence[Found]) -> tuple[Proposal, ...]:
         "most accurate": lambda each: -each.accuracy,
         "cheapest": lambda each: each.verdict.figures.cost,
         "lightest touch": lambda each: each.verdict.figures.smallest_force,
-        "thinnest": lambda each: each.verdict.figures.size[2],
     }
     strengths: dict[Found, list[str]] = {best: []}
     for strength, figure in wishes.items():
         pick = min((best, *equal), key=figure)  # the first of equal ones
         if pick in strengths or len(strengths) < SHOWN:
             strengths.setdefault(pick, []).append(strength)
+    if len(strengths) < SHOWN:
+        thinnest = min((best, *equal), key=lambda each: each.verdict.figures.size[2])
+        strengths.setdefault(thinnest, ["thinnest"])
     for each in equal:
         if len(strengths) < SHOWN:
             strengths.setdefault(each, [])

@@ -17,7 +17,7 @@ def quick(monkeypatch):
 
 @pytest.mark.physics
 def test_the_verb_shows_proposals_and_writes_the_first(command, tmp_path):
-    told = command("new", "mine", "--size", "40x20", "--points", 8, "--out", tmp_path / "mine.toml")
+    told = command("new", "mine", "--size", "60x30", "--points", 8, "--out", tmp_path / "mine.toml")
     assert told.code == 0, told.err
     assert "most accurate" in told.out
     assert "acoustic-fem check" in told.out
@@ -27,7 +27,7 @@ def test_the_verb_shows_proposals_and_writes_the_first(command, tmp_path):
 
 @pytest.mark.physics
 def test_the_verb_asks_on_a_terminal_and_a_wrong_answer_is_asked_again(command, tmp_path, monkeypatch):
-    answers = iter(["moon", "flat", "40 by 20", "40x20", "0", "8", 2, 7, 2])
+    answers = iter(["moon", "flat", "40 by 20", "60x30", "0", "8", 2, 7, 2])
     questions = []
 
     def prompt(words, default, type):
@@ -42,10 +42,10 @@ def test_the_verb_asks_on_a_terminal_and_a_wrong_answer_is_asked_again(command, 
     assert "size = '40 by 20'" in told.err
     assert [words.split("?")[0] for words in questions] == [
         *["Where does it go (flat, fingertip, wrist, hand)"] * 2, *["Length x width, mm"] * 2,
-        *["How many points"] * 2, "How many microphones", *["Which one (1 to 2)"] * 2,
+        *["How many points"] * 2, "How many microphones", *["Design to write (1 to 2)"] * 2,
     ]  # fmt: skip
     design = geometry.load_design(tmp_path / "mine.toml")
-    assert (design.point_count, design.target.size) == (8, (40.0, 20.0))
+    assert (design.point_count, design.target.size) == (8, (60.0, 30.0))
 
 
 @pytest.mark.parametrize(
