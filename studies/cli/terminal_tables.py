@@ -19,7 +19,7 @@ from geometry.layout.cutting import cutting_list
 from geometry.plan.wiring_graph import WiringCounts
 from geometry.schema.declared_fields import fields_of
 from studies.output.display import number
-from studies.verdict import figure_rows, reason_lines
+from studies.verdict import SHOWN, figure_rows, reason_lines
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -179,7 +179,8 @@ def show_check(found: DesignCheck) -> None:
     if found.verdict is not None:
         show_verdict(found.verdict)
     say(f"{found.design.name}: {found.buildability}")
-    _show_first(found.problems, "- {}")
+    if not _is_stated(found):
+        _show_first(found.overlaps or found.misfits, "- {}")
     if found.mend:
         _tell_wrapped(f"- {found.mend}")
     _show_unjudged(found)
@@ -234,6 +235,12 @@ def show_verdict(verdict: Verdict) -> None:
     for row in figure_rows(verdict):
         table.add_row(*row)
     show_narrow(table)
+
+
+def _is_stated(found: DesignCheck) -> bool:
+    """True if a reason of the verdict is the only problem; a table lists those of the print rules."""
+    shown = () if found.verdict is None else found.verdict.broken[:SHOWN]
+    return len(found.overlaps or found.misfits) == 1 and any(rule.name == "buildable" for rule in shown)
 
 
 def _show_unjudged(found: DesignCheck) -> None:

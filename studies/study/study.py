@@ -13,10 +13,9 @@ import numpy as np
 import tomlkit
 from numpy.typing import NDArray
 
-from acoustic_fem import atlas
-from acoustic_fem.atlas import cell_atlas
+from acoustic_fem.atlas import cell_atlas, outside_atlas
 from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS, Fidelity
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS, MANY_DESIGNS, ONE_DESIGN, Fidelity
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.array_design import validated
 from geometry.design.design_file import prototype, prototype_names, write_design
@@ -170,7 +169,7 @@ class Study(Shown):
             self.name, self.description = file.name, file.description
             self.base, self.axes, self.sampling = base, axes, file.sampling
             self.constraints = tuple(parse_constraint(each, base) for each in file.constraints)
-            self.fidelity = file.fidelity or atlas.quick_fidelity(base, frequency).name
+            self.fidelity = file.fidelity or (ONE_DESIGN if outside_atlas(base, frequency) else MANY_DESIGNS)
             self.cases, self.seed = case_count(file), file.seed
             self.frequency, self.metrics = frequency, _metrics(file.metrics, frequency)
             self.keep, self.precision = file.keep, file.precision
