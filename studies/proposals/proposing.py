@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -14,9 +14,10 @@ from geometry.ground.refusal import Field, Kind, Refusal, Text
 from geometry.ground.shown import Shown
 from studies.proposals.design_search import Found, Progress, search, silent, thorough
 from studies.proposals.designer_question import SHOWN, Question, question
+from studies.proposals.drawn_designs import drawn_findings
 from studies.proposals.most_points import most_points
 from studies.proposals.other_questions import Alternative, alternatives
-from studies.verdict import Verdict, force_in_words
+from studies.verdict import Drawn, Verdict, force_in_words
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -152,13 +153,37 @@ def propose(asked: Question, name: str, progress: Progress | None = None) -> Pro
             found = most_points(asked, name, told)
         else:
             found = search(asked, name, asked.points, thorough(asked.points), told)
-        designs = _chosen(found)
+        designs = _chosen(_sound(found, told))
         if designs and designs[0].verdict.outcome == "works":
             return Proposals(asked, designs, ())
         if Proposals(asked, designs, ())._is_too_narrow:
             return Proposals(asked, designs, ())
         broken = [rule.name for rule in designs[0].verdict.broken] if designs else []
         return Proposals(asked, designs, alternatives(asked, name, told, broken))
+
+
+def _sound(found: Sequence[Found], progress: Progress) -> list[Found]:
+    """Found designs without those that would be proposed and that do not go together as drawn, the best first.
+
+    Drawing takes seconds, so that only designs that would be proposed and work by closed forms are drawn. Where all
+    are unsound, the best one stays with a verdict that says so.
+    """
+    left, unsound = list(found), list[tuple[Found, Drawn]]()
+    drawn: set[int] = set()
+    while new := [
+        each.design for each in _chosen(left) if each.verdict.outcome == "works" and id(each.design) not in drawn
+    ]:
+        progress(f"parts of design {len(drawn) + 1}", 1.0)
+        drawn.add(id(new[0]))
+        findings = drawn_findings(new[0])
+        if findings != Drawn():
+            (bad,) = (each for each in left if each.design is new[0])
+            left.remove(bad)
+            unsound.append((bad, findings))
+    if left or not unsound:
+        return left
+    best, findings = unsound[0]
+    return [replace(best, verdict=Verdict(best.design, drawn=findings))]
 
 
 def _chosen(found: Sequence[Found]) -> tuple[Proposal, ...]:

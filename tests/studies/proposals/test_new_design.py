@@ -17,9 +17,10 @@ from studies.proposals.candidates import Candidates
 from studies.proposals.design_search import Effort, Found
 from studies.proposals.design_writing import write_proposal
 from studies.proposals.designer_question import question
+from studies.proposals.drawn_designs import drawn_findings
 from studies.proposals.grids import grids
 from studies.proposals.most_points import grid_counts
-from studies.verdict import Measured
+from studies.verdict import Drawn, Measured
 
 #: Enough for a small array.
 SMALL = Effort(draws=40, judged=2, near=20, rounds=2)
@@ -61,6 +62,33 @@ def test_every_strength_is_true_of_all_that_are_proposed():
     assert [each.strength for each in proposing._chosen([sure, sharp])] == [
         "cheapest, lightest touch", "most accurate",
     ]  # fmt: skip
+
+
+def test_a_design_whose_drawn_parts_do_not_go_together_is_not_proposed(monkeypatch):
+    first, second = proposal("works", 0.99, 4.0, 2e-5, 8.0), proposal("works", 0.97, 6.0, 1e-6, 9.0)
+    bad = {id(first.design)}
+    monkeypatch.setattr(
+        proposing, "drawn_findings", lambda design: Drawn(("in the way",)) if id(design) in bad else Drawn()
+    )
+    told = []
+    assert proposing._sound([first, second], lambda *step: told.append(step)) == [second]
+    assert len(told) == 2
+    design = geometry.prototype("array-2x6")
+    bad.add(id(design))
+    alone = Found(design, first.verdict, {}, None)
+    (only,) = proposing._sound([alone], lambda *step: None)
+    assert only.verdict.outcome == "does not work"
+    assert only.verdict.values["buildable"].value == 1
+
+
+@pytest.mark.physics
+def test_findings_on_drawn_parts_are_those_of_a_check():
+    design = geometry.prototype("array-2x6")
+    assert drawn_findings(design) == Drawn()
+    seat = {"microphone.chamber_height": 2.18, "microphone.wall_thickness": 2.0, "microphone_tube.outer_diameter": 1.62}
+    (found,) = drawn_findings(design.with_values(seat)).failures
+    assert (found.part, found.rule) == ("microphone-housing", "thinnest wall")
+    assert found.value == pytest.approx(0.1)
 
 
 @pytest.mark.physics
