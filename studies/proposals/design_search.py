@@ -110,7 +110,7 @@ Progress = Callable[[str, float], None]
 
 
 def silent(step: str, fraction: float) -> None:
-    """Progress that nobody is told."""
+    """Report no progress."""
 
 
 def search(asked: Question, name: str, points: int, effort: Effort, progress: Progress) -> list[Found]:

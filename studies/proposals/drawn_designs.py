@@ -13,9 +13,9 @@ from studies.verdict import Drawn
 
 
 def drawn_findings(design: ArrayDesign) -> Drawn:
-    """What keeps the drawn parts of a design from being put together, and failed print rules of shells and housings.
+    """Misfits of the drawn parts of a design, and failed print rules of its shells and housings.
 
-    Nothing where the extra ``cad`` is not installed, without which no part can be drawn.
+    There are no findings where the extra ``cad`` is not installed, because no part can be drawn without it.
     """
     if not is_installed("cad"):
         return Drawn()
