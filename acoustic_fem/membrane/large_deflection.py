@@ -107,6 +107,7 @@ class SoftPatch:
     """Radius of the patch on the relaxed face, m, 0.02 to 0.9 radii of the opening; None: a quarter of it."""
 
 
+#: Body that presses on a membrane.
 Indenter: TypeAlias = Sphere | FlatPunch | SoftPatch
 
 

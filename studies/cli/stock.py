@@ -16,8 +16,8 @@ from studies.cli.terminal_tables import say
 
 def stock(
     kind: Annotated[
-        str, typer.Argument(metavar="[KIND]", help=f"Kind of part: {', '.join(KINDS)}. Default: all.")
-    ] = "",
+        str | None, typer.Argument(metavar="[KIND]", help=f"Kind of part: {', '.join(KINDS)}. Default: all.")
+    ] = None,
     design: Annotated[
         str | None,
         typer.Option(metavar="DESIGN", help="List the parts of this design, and what of it cannot be bought."),

@@ -33,7 +33,9 @@ class StockListing(Shown):
         return {"parts": [part.to_dict() for part in self.parts]} if self.fit is None else self.fit.to_dict()
 
 
-def list_stock(kind: str = "", *, design: DesignLike | None = None, out: PathLike | None = None) -> StockListing:
+def list_stock(
+    kind: str | None = None, *, design: DesignLike | None = None, out: PathLike | None = None
+) -> StockListing:
     """Parts that can be bought: all, those of a kind, or those that a design takes.
 
     Args:
@@ -51,7 +53,7 @@ def list_stock(kind: str = "", *, design: DesignLike | None = None, out: PathLik
         problem = "cannot be given together with a design"
         raise Refusal(problem, kind=Kind.CONFLICT, field="kind", value=kind, remedy="give one of the two")
     if design is None:
-        found = StockListing(sold.listed(kind))
+        found = StockListing(sold.listed(kind or ""))
     else:
         fit = sold.fit(design)
         found = StockListing(tuple(fit.parts.values()), fit)

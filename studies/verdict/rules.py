@@ -14,6 +14,7 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.field_errors import nearest
 from geometry.schema.print_processes import Relation
 
+#: Outcome of a verdict, from best to worst.
 Outcome = Literal["works", "marginal", "does not work"]
 OUTCOMES: tuple[Outcome, ...] = ("works", "marginal", "does not work")
 """Outcomes of a rule and of a verdict, from the best to the worst."""
@@ -74,6 +75,7 @@ _DRAWN = "the layout, and the parts where the extra cad is installed"
 _TOUCHES = "transfer functions (closed forms), noise of the air and of the microphones, force and contact of the target"
 _SENSORS = "as-built sensors drawn from the tolerances of a workshop, and the default decoder without calibration"
 
+#: Rules of the verdict, in the order of the page on it.
 RULES: tuple[VerdictRule, ...] = (
     VerdictRule(
         "buildable", "parts that overlap, tubes bent too far and parts that do not go together", "1", "at most", 0, 0,

@@ -37,7 +37,9 @@ def tapped(array: ArrayResponse, places: np.ndarray, radius: float) -> np.ndarra
     time = np.arange(250) / 1e3
     force = 5e-3 * np.where((time > 0.1) & (time < 0.12), np.sin(np.pi * (time - 0.1) / 0.02) ** 2, 0.0)
     taps = [Contact(time, np.tile(place, (250, 1)), force, radius) for place in places]
-    return np.stack([record(each, array, microphone_noise=1e-3, sample=k).signals for k, each in enumerate(taps)])
+    return np.stack(
+        [record(each, array, microphone_noise=1e-3, sample=k, linear=True).signals for k, each in enumerate(taps)]
+    )
 
 
 @pytest.fixture(scope="module")

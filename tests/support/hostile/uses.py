@@ -42,7 +42,12 @@ def design_with(field: str, value: str) -> Change:
         place = held
         *above, last = field.split(".")
         for step in above:
-            place = place[int(step)] if isinstance(place, list) else place.setdefault(step, tomlkit.table())
+            if isinstance(place, list):
+                if not place:
+                    place.append(tomlkit.inline_table())
+                place = place[int(step)]
+            else:
+                place = place.setdefault(step, tomlkit.table())
         place[last] = tomlkit.value(value)
         path.write_text(tomlkit.dumps(held), encoding="utf-8")
 
