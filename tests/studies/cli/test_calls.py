@@ -32,7 +32,7 @@ ROOT = Path(__file__).parents[3]
 #: Verb -> what it calls, where it finds it.
 CALLS = {
     "studio": "studies.serve_studio",
-    "new": "studies.cli.new_designs.question",
+    "new": "studies.cli.new_designs.new_design",
     "check": "studies.check_design",
     "compare": "studies.compare",
     "stock": "studies.list_stock",
@@ -63,6 +63,8 @@ CALLS = {
     "best": "studies.best_designs",
     "prototypes": "studies.cli.new_designs.copy_prototype",
 }
+#: Verb -> what it calls with its options, where it shows something between the parts of its call.
+CALLED = {"new": "studies.cli.new_designs.question"}
 #: Verb -> the words that it needs.
 WORDS = {
     "studio": "row.toml",
@@ -168,7 +170,7 @@ def test_every_verb_has_a_documented_call_that_can_be_imported() -> None:
 def test_a_verb_without_options_has_the_defaults_of_its_call(
     command: Callable[..., str], place: Path, monkeypatch: pytest.MonkeyPatch, verb: str
 ) -> None:
-    words, target = WORDS[verb], CALLS[verb]
+    words, target = WORDS[verb], CALLED.get(verb, CALLS[verb])
     module, _, name = target.rpartition(".")
     call = getattr(import_module(module), name)
     given: list[inspect.BoundArguments] = []
