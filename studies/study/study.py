@@ -13,7 +13,7 @@ import numpy as np
 import tomlkit
 from numpy.typing import NDArray
 
-from acoustic_fem.atlas import cell_atlas, outside_atlas
+import acoustic_fem.atlas
 from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, MANY_DESIGNS, ONE_DESIGN, Fidelity
 from geometry import ArrayDesign, DesignError, load_design
@@ -169,7 +169,9 @@ class Study(Shown):
             self.name, self.description = file.name, file.description
             self.base, self.axes, self.sampling = base, axes, file.sampling
             self.constraints = tuple(parse_constraint(each, base) for each in file.constraints)
-            self.fidelity = file.fidelity or (ONE_DESIGN if outside_atlas(base, frequency) else MANY_DESIGNS)
+            self.fidelity = file.fidelity or (
+                ONE_DESIGN if acoustic_fem.atlas.outside_atlas(base, frequency) else MANY_DESIGNS
+            )
             self.cases, self.seed = case_count(file), file.seed
             self.frequency, self.metrics = frequency, _metrics(file.metrics, frequency)
             self.keep, self.precision = file.keep, file.precision
@@ -266,7 +268,7 @@ class Study(Shown):
         """Digest of the table of the atlas that is installed; empty at other fidelities."""
         if self.fidelity != "atlas":
             return ""
-        return cell_atlas().digest
+        return acoustic_fem.atlas.cell_atlas().digest
 
     @property
     def solid_fidelity(self) -> Fidelity:
