@@ -84,8 +84,7 @@ def binned_hypotheses(
     shapes = np.concatenate([shapes, whole], 1).reshape(points, changes.shape[1], options.shapes, *size)
     prior = np.full(changes.shape[1], (1 - tolerant.prior_as_designed) / groups.shape[1])
     prior[-1] = tolerant.prior_as_designed
-    matrix = to_bins
-    return BinnedHypotheses(nominal[:, None] * np.exp(changes @ matrix), shapes @ matrix, np.log(prior))
+    return BinnedHypotheses(nominal[:, None] * np.exp(changes @ to_bins), shapes @ to_bins, np.log(prior))
 
 
 def scores(

@@ -18,7 +18,7 @@ SECONDS = 6.0
 _FEWER, _SIZES, _COUNTS = (0.8, 0.64, 0.5, 0.36, 0.25, 0.16), (1.25, 0.8, 1.6, 0.6, 0.45), (3, 4, 6, 8, 11, 16)
 #: Designs that are looked at for each question, and the error up to which the best of them is given a verdict.
 _DRAWS, _PROMISING = 24, 0.15
-#: Answers that are told.
+#: Number of answers that a refusal states.
 _TOLD = 2
 
 #: Rules that only another room or another touch can mend.
