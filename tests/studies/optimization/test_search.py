@@ -211,7 +211,7 @@ def test_a_search_is_not_continued_with_another_table_of_the_atlas(
     problem, digest = read_optimization(few), acoustic_fem.atlas.cell_atlas().digest
     first = search_designs(problem, tmp_path)
     table = replace(acoustic_fem.atlas.cell_atlas(), digest="0123456789ab")
-    monkeypatch.setattr("studies.study.study.cell_atlas", lambda: table)
+    monkeypatch.setattr("acoustic_fem.atlas.cell_atlas", lambda: table)
     with pytest.raises(StudyError) as error:
         search_designs(problem, tmp_path)
     assert str(error.value) == (

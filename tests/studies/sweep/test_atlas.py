@@ -68,7 +68,7 @@ def test_a_sweep_is_not_continued_with_another_table(tmp_path, monkeypatch):
     run_sweep(study, store, workers=1)
     assert run_sweep(study, store, workers=1).summary.computed == 0
     table = cell_atlas()
-    monkeypatch.setattr("studies.study.study.cell_atlas", lambda: replace(table, digest="0123456789ab"))
+    monkeypatch.setattr("acoustic_fem.atlas.cell_atlas", lambda: replace(table, digest="0123456789ab"))
     with refused(Kind.MISMATCH, file=store, error=StudyError) as error:
         run_sweep(study, store, workers=1)
     assert f"its cells are of table {table.digest} of the atlas, not of 0123456789ab" in str(error.value)
