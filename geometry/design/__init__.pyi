@@ -8,6 +8,7 @@ from .design_file import (
     value_of as value_of,
     write_design as write_design,
 )
+from .places_file import save_places as save_places
 from .shell_rules import (
     FOOT_EDGE as FOOT_EDGE,
     cavity_problems as cavity_problems,

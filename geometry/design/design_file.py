@@ -19,6 +19,7 @@ from tomlkit.items import AbstractTable, Item
 import geometry
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
+from geometry.design.places_file import names_places, with_places
 from geometry.ground.argument_checks import check_type
 from geometry.ground.refusal import Kind
 from geometry.ground.text_files import parse_toml, read_text
@@ -41,15 +42,16 @@ def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
         DesignError: no such file, not a text in UTF-8, not TOML, or not a valid design.
     """
     text = read_text(path, "a design file", DesignError)
-    return read_design(text, str(Path(path)))
+    return read_design(text, str(Path(path)), Path(path).parent)
 
 
-def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
+def read_design(text: str, source: str = "design.toml", folder: Path | None = None) -> ArrayDesign:
     """Read a design from the text of a file.
 
     Args:
         text: TOML.
         source: name of the file, for messages.
+        folder: where the file lies, and beside it that of its places if it names one.
 
     Raises:
         DesignError: not TOML, a study file, or not a valid design.
@@ -59,6 +61,8 @@ def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
         base = f"its base, {data['base']}," if isinstance(data["base"], str) else "its base"
         remedy = f"give {base} or pass the study to sweep or optimize"
         raise DesignError("is a study file, not a design", kind=Kind.WRONG_TYPE, file=source, remedy=remedy)
+    if names_places(data):
+        data = with_places(data, source, folder)
     return validated(data, source)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import partial
 
 from geometry.design import shell_rules
+from geometry.design.frozen_rules import length_rules, surface_rules
 from geometry.design.kind_rules import kind_rules, pattern_rules
 from geometry.design.layout_rules import area_rules, cylinder_rules, hand_rules, plane_rules
 from geometry.design.place_rules import places_rules, side_rules
@@ -39,6 +40,8 @@ def check_consistency(design: StatedArray) -> None:
     )
     for rule in (
         pattern_rules,
+        length_rules,
+        surface_rules,
         _materials,
         _soft_parts,
         *of_points,

@@ -15,7 +15,7 @@ _KIND_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 #: Fields of the stated parts that a kind has of its own.
 _OWN_FIELDS = {"cavity_height": "resonator.cavity_height", "membrane_thickness": "membrane.thickness"}
 #: Layouts that lay tubes of different lengths in one line.
-_GRADED_LAYOUTS = ("serpentine", "ring", "area", "places")
+GRADED_LAYOUTS = ("serpentine", "ring", "area", "places", "surface")
 
 Rule = Callable[["StatedArray"], Iterable[Refusal]]
 
@@ -46,11 +46,11 @@ def _pattern(design: StatedArray, field: str, line: Line) -> Iterator[Refusal]:
         if line.tube is not None:
             problem = f"is not allowed beside {field}.pattern.tubes, which names every tube of the line"
             yield conflict(f"{field}.tube", problem=problem)
-        if design.layout.kind not in _GRADED_LAYOUTS:
+        if design.layout.kind not in GRADED_LAYOUTS:
             yield conflict(
                 f"{field}.pattern.tubes",
                 problem=f"is not allowed for layout.kind = {design.layout.kind!r}, whose tubes have one length",
-                remedy=f"choose a layout.kind of: {', '.join(_GRADED_LAYOUTS)}",
+                remedy=f"choose a layout.kind of: {', '.join(GRADED_LAYOUTS)}",
             )
 
 

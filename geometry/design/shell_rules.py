@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
+from itertools import combinations
 
 from geometry.ground.refusal import Refusal
 from geometry.schema.array_fields import StatedArray
@@ -94,7 +96,7 @@ def shell_features(design: StatedArray) -> Iterator[Refusal]:
             unit="",
         )
     if shell.feet:
-        nearest = min(min(design.steps_of(line), default=design.pitch_of(line)) for line in design.lines)
+        nearest = nearest_step(design)
         apart = nearest - resonator.outer_diameter
         if 2 * shell.foot_length > apart and design.point_count > 1:
             yield conflict(
@@ -104,6 +106,14 @@ def shell_features(design: StatedArray) -> Iterator[Refusal]:
             )
         if printing.carrier != "none":
             yield conflict("printing.carrier", printing.carrier, "'none' for shells with feet (shell.feet)", unit="")
+
+
+def nearest_step(design: StatedArray) -> float:
+    """Smallest distance of neighbouring axes, mm: along the lines, of all points where places are frozen."""
+    if design.layout.frozen is None:
+        return min(min(design.steps_of(line), default=design.pitch_of(line)) for line in design.lines)
+    places = [point.at for point in design.layout.frozen.points]
+    return min((math.dist(one, other) for one, other in combinations(places, 2)), default=math.inf)
 
 
 def feature_problems(

@@ -10,6 +10,7 @@ from geometry.plan import area, hand, ring
 from geometry.schema.array_fields import StatedArray
 from geometry.schema.field_errors import conflict
 from geometry.schema.part_fields import SOCKET_COVER, STUB_LENGTH_IN_RADII
+from geometry.schema.ports import least_angle
 
 
 def tube_rules(design: StatedArray) -> Iterator[Refusal]:
@@ -126,6 +127,8 @@ def microphone_socket_rules(design: StatedArray) -> Iterator[Refusal]:
                 apart = hand.meeting_angle(design, name) or apart
             if design.layout.kind == "area":
                 apart = area.outside_angle(design, name) or apart
+            if design.layout.frozen is not None:
+                apart = least_angle(design.layout.frozen.microphones[index].ports)
             hole = max(tube.outer_diameter for tube in ends) / 2 + printing.glue_gap
             bore = max(tube.inner_diameter for tube in ends) / 2
             half = math.radians(min(apart, 360 - apart)) / 2

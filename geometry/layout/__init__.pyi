@@ -5,6 +5,7 @@ from .cutting import (
     cutting_list as cutting_list,
     spring_length as spring_length,
 )
+from .frozen_layout import frozen_values as frozen_values
 from .overlaps import (
     OverlapError as OverlapError,
     buildability_notes as buildability_notes,

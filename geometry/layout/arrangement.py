@@ -11,6 +11,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.typed import Array
 from geometry.layout.below import led_below
+from geometry.layout.frozen_layout import frozen_housings, frozen_layout
 from geometry.layout.lines_in_plan import End, Run, area_runs, hand_runs, place_runs, ring_runs, serpentine_runs
 from geometry.layout.placement import (
     ArrayLayout,
@@ -54,25 +55,34 @@ def lay_out(design: DesignLike) -> ArrayLayout:
     Two microphones on one line may lie at a side of the array, or below the shells: see
     :mod:`geometry.plan.tube_descent`.
 
+    ``surface``: every part stands on a body where ``layout.frozen`` states it. Tubes that have no stated course are
+    smooth curves of exactly their length (see :func:`geometry.plan.frozen.smooth_courses`).
+
     Parts that could not be built as drawn are listed by :func:`geometry.layout.overlaps.buildability_notes`.
 
     Raises:
         DesignError: not a design, or a microphone tube that is too short to lead below the shells.
     """
     design = resolve_design(design)
-    housings, runs, bows = _housed(design)
-    tubes = _tubes(design, runs, bows, housings)
+    if design.layout.frozen is not None:
+        return frozen_layout(design, design.layout.frozen)
+    housings, surface, runs, bows = _housed(design)
+    tubes = _tubes(design, runs, bows, housings, surface)
     return ArrayLayout(housings.points, housings.microphones, housings.surface, tuple(tubes))
 
 
 def place_housings(design: DesignLike) -> Housings:
     """Shells and microphones placed as by :func:`lay_out`, without the courses of the tubes between them."""
     design = resolve_design(design)
+    if design.layout.frozen is not None:
+        return frozen_housings(design, design.layout.frozen)
     return _housed(design)[0]
 
 
 def point_axes(design: ArrayDesign) -> Array:
     """Axes of all points in plan, those of :func:`lay_out`; (n_point, 2) float64, mm."""
+    if design.layout.frozen is not None:
+        return np.array([point.plan for point in design.layout.frozen.points])
     return np.vstack([run.positions for run in _runs(design, surface_of(design))])
 
 
@@ -88,8 +98,8 @@ def _runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
     return builders[design.layout.kind](design, surface)
 
 
-def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]]:
-    """The housings, the lines they lie on, and how far each tube between the points of a line bows, degrees."""
+def _housed(design: ArrayDesign) -> tuple[Housings, Plane | Cylinder, list[Run], list[list[float]]]:
+    """The housings, what they stand on, their lines, and how far each tube between points bows, degrees."""
     surface = surface_of(design)
     runs = _runs(design, surface)
     if design.layout.microphone_side == "below":
@@ -100,7 +110,7 @@ def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]
     points: list[PointPlacement] = []
     for index, run in enumerate(runs):
         points += _points(index, run, bows[index], design.tubes_of(design.lines[index]), len(points))
-    return Housings(tuple(points), tuple(microphones), surface), runs, bows
+    return Housings(tuple(points), tuple(microphones), surface), surface, runs, bows
 
 
 # -- microphones --------------------------------------------------------------------------------------
@@ -213,10 +223,10 @@ def _port(angle: float, tube: Tube) -> Port:
 
 # -- tubes --------------------------------------------------------------------------------------------
 def _tubes(
-    design: ArrayDesign, runs: list[Run], bows: list[list[float]], housings: Housings
+    design: ArrayDesign, runs: list[Run], bows: list[list[float]], housings: Housings, surface: Plane | Cylinder
 ) -> Iterator[TubePlacement]:
     cavity, outer = design.resonator.cavity_diameter / 2, design.resonator.outer_diameter / 2
-    microphones, surface = {each.name: each for each in housings.microphones}, housings.surface
+    microphones = {each.name: each for each in housings.microphones}
     for index, (line, run) in enumerate(zip(design.lines, runs, strict=True)):
         first, last = run.ends
         yield _microphone_tube(design, first, microphones[first.microphone], runs, surface)
@@ -240,7 +250,7 @@ def _microphone_tube(
 ) -> TubePlacement:
     """The tube of a line's end, always drawn from the line's first microphone towards its second."""
     line = design.lines[end.line]
-    tube = design.microphone_tube_of(line)
+    tube = design.end_tube_of(line, end.end)
     cavity, chamber = design.resonator.cavity_diameter / 2, design.microphone.chamber_diameter / 2
     centre = np.array(microphone.position)
     if end.descent is not None:

@@ -133,7 +133,7 @@ class _Plan:
         return replace(end, direction=direction, descent=way)
 
     def _tube(self, end: End) -> Tube:
-        return self.design.microphone_tube_of(self.design.lines[end.line])
+        return self.design.end_tube_of(self.design.lines[end.line], end.end)
 
     def _radius(self, end: End) -> float:
         """Radius of the quarter circles, mm: the smallest, but for rounding, which must not break the limit."""

@@ -90,11 +90,11 @@ def run_of(
         surface: what the shells stand on.
     """
     microphones = design.lines[line].between
-    around, along = _microphone_reach(design, line, surface)
-    ends = [
-        End(line, end, microphones[end], positions[-end], out[end], around if out[end] in (0.0, 180.0) else along)
-        for end in (0, 1)
-    ]
+    ends = []
+    for end in (0, 1):
+        around, along = _microphone_reach(design, line, end, surface)
+        reach = around if out[end] in (0.0, 180.0) else along
+        ends.append(End(line, end, microphones[end], positions[-end], out[end], reach))
     return Run(positions, sides, (ends[0], ends[1]))
 
 
@@ -161,7 +161,8 @@ def ring_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
         else:
             from_middle = np.arange(line.points) - (line.points - 1) / 2
             along_side = np.asarray(from_middle * design.pitch_of(line), np.float64)
-        positions = middle + np.outer(along_side, along)
+        first, last = (design.microphone_reach_of(line, end) for end in (0, 1))
+        positions = middle + np.outer(along_side + (first - last) / 2, along)
         outward = float(middle @ unit(direction + 90)) > 0
         sides = (1 if outward else -1,) * (line.points - 1)
         runs.append(run_of(design, index, positions, sides, ((direction + 180) % 360, direction), surface))
@@ -178,14 +179,14 @@ def _pitch_around(design: ArrayDesign, line: int, surface: Plane | Cylinder) -> 
     return radius * wound_turn(length, (inner, inner), (outer, outer), radius)
 
 
-def _microphone_reach(design: ArrayDesign, line: int, surface: Plane | Cylinder) -> tuple[float, float]:
-    """Distances from the last point of a line to its microphone in plan: along x and in every other direction, mm."""
-    straight = design.microphone_reach_of(design.lines[line])
+def _microphone_reach(design: ArrayDesign, line: int, end: int, surface: Plane | Cylinder) -> tuple[float, float]:
+    """Distances from an end of a line to its microphone in plan: along x and in every other direction, mm."""
+    straight = design.microphone_reach_of(design.lines[line], end)
     if not isinstance(surface, Cylinder):
         return straight, straight
     inner = (design.resonator.cavity_diameter / 2, design.microphone.chamber_diameter / 2)
     outer = (design.resonator.outer_diameter / 2, inner[1] + design.microphone.wall_thickness)
-    length, radius = design.microphone_tube_of(design.lines[line]).length, surface.port_radius
+    length, radius = design.end_tube_of(design.lines[line], end).length, surface.port_radius
     return radius * wound_turn(length, inner, outer, radius), straight
 
 

@@ -8,7 +8,7 @@ from typing import Literal
 
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.typed import Array
-from geometry.plan.cylinder import Cylinder, Frame, Plane
+from geometry.plan.cylinder import Frame, Surface
 from geometry.schema.part_fields import Tube
 from geometry.schema.ports import ANGLE_STEP, Port, in_common_rotation
 
@@ -95,9 +95,11 @@ class TubePlacement:
     tube: Tube
     """The tube as the design states it."""
     path: Array
-    """Axis of the bore in plan, (n, 3) float64, mm: x, y and the height above the cavities' floors."""
+    """Axis of the bore in plan, (n, 3) float64, mm: x, y and the height above the cavities' floors; straight from axis
+    to axis where places are frozen.
+    """
     course: Array
-    """Axis of the bore in space, (n, 3) float64, mm: the path, but for arrays on a cylinder."""
+    """Axis of the bore in space, (n, 3) float64, mm: the path, but for arrays on a cylinder or a body."""
     schematic: bool = False
     """True where the path is drawn to show what it joins; its length is then not the tube's."""
 
@@ -115,7 +117,7 @@ class Housings:
     """Every sensing point, in the order of the numbers."""
     microphones: tuple[MicrophonePlacement, ...]
     """Every microphone, in the order of the design."""
-    surface: Plane | Cylinder
+    surface: Surface
     """Surface that the shells stand on."""
 
     def frame(self, placement: PointPlacement | MicrophonePlacement) -> Frame:

@@ -40,7 +40,7 @@ def is_wide_apart(design: ArrayDesign) -> bool:
         if len(set(lengths)) > 1 and line.points > design.layout.columns:
             return False  # rows of a graded line make no grid
         shortest = resonator.cavity_diameter + min(lengths, default=design.tube_of(line).length)
-        if shortest < mesh or design.microphone_reach_of(line) < shell + housing:
+        if shortest < mesh or min(design.microphone_reach_of(line, end) for end in (0, 1)) < shell + housing:
             return False
         if tube > resonator.outer_diameter / 2 / math.sqrt(2):
             return False

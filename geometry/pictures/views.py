@@ -27,7 +27,7 @@ from geometry.pictures.canvas import (
     polydata,
     save_picture,
 )
-from geometry.plan.cylinder import Cylinder
+from geometry.plan.cylinder import Plane
 from geometry.plan.routing import unit
 from geometry.solids.membrane import membranes_of
 
@@ -114,7 +114,7 @@ def top_view(
 def _add_pitch(plotter: pv.Plotter, model: ArrayModel, height: float, pixel: float) -> None:
     """Dimension between two neighbours of the first line, below them or beside them."""
     points = model.design.lines[0].points
-    if points < 2 or isinstance(model.layout.surface, Cylinder):
+    if points < 2 or not isinstance(model.layout.surface, Plane):
         return
     begin = min(2, points - 2)  # away from the name of the first microphone
     first, second = (np.array([*point.position, height]) for point in model.layout.points[begin : begin + 2])
@@ -162,7 +162,7 @@ def exploded_view(
     plotter = open_plotter(size)
     _add_parts(plotter, model, {kind: step * level for kind, level in _LEVELS.items()})
     aside = 0.03 * width
-    if isinstance(model.layout.surface, Cylinder):
+    if not isinstance(model.layout.surface, Plane):
         aside += step * max(_LEVELS.values())  # its layers spread sideways too
     start = (float(high[0]), float(low[1]) - aside) if tall else (float(low[0]) - aside, float(low[1]))
     names, anchors = [], []

@@ -5,9 +5,11 @@ from .cylinder import (
     Cylinder as Cylinder,
     Frame as Frame,
     Plane as Plane,
+    Surface as Surface,
     surface_of as surface_of,
     wound_turn as wound_turn,
 )
+from .frozen import FrozenSurface as FrozenSurface, frame_of as frame_of, smooth_courses as smooth_courses
 from .hand import finger_positions as finger_positions, meeting_at as meeting_at
 from .routing import (
     bearing as bearing,

@@ -127,11 +127,12 @@ def shortest_reach(design: StatedArray) -> tuple[float, str]:
 
 def _ends(design: StatedArray, positions: list[Array], microphone: str) -> list[tuple[Array, float]]:
     """Last points of the lines that end at a microphone, and how far its tubes reach from them, mm."""
-    return [
-        (points[-line.between.index(microphone)], design.microphone_reach_of(line))
+    ends = [
+        (line, points, line.between.index(microphone))
         for line, points in zip(design.lines, positions, strict=True)
         if microphone in line.between
     ]
+    return [(points[-end], design.microphone_reach_of(line, end)) for line, points, end in ends]
 
 
 def _circle(columns: int, rows: int) -> list[Cell]:

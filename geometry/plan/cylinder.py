@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
@@ -42,6 +43,16 @@ class Frame:
     def seen(self, points: Array) -> Array:
         """Coordinates in the frame, (n, 3) float64, mm, of points (n, 3) float64 in space, mm."""
         return np.asarray((points - np.asarray(self.origin)) @ np.asarray(self.axes).T)
+
+
+class Surface(Protocol):
+    """A surface on which the parts of an array stand, looked up by their places in the plan."""
+
+    def frame(self, x: float, y: float) -> Frame:
+        """The place of a part whose axis meets the floors of the cavities at (x, y) of the plan, mm."""
+
+    def outwards(self, point: Array) -> Array:
+        """Unit vector away from the surface at a point (3,) in space, mm: (3,) float64."""
 
 
 @dataclass(frozen=True)

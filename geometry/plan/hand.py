@@ -81,6 +81,6 @@ def meeting_at(design: StatedArray, positions: list[Array], microphone: str) -> 
     if len(ends) != 2:
         return None
     points = [points[-line.between.index(microphone)] for line, points in ends]
-    reach = [design.microphone_reach_of(line) for line, _ in ends]
+    reach = [design.microphone_reach_of(line, line.between.index(microphone)) for line, _ in ends]
     places = meetings(points[0], points[1], reach[0], reach[1])
     return min(places, key=lambda place: float(np.linalg.norm(place)), default=None)

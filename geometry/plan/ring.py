@@ -23,7 +23,7 @@ def side_lengths(design: StatedArray) -> tuple[float | None, ...]:
     for line in design.lines:
         first, second = (place[name] for name in line.between)
         start = first if (second - first) % len(place) == 1 else second
-        sides[start] = design.span_of(line) + 2 * design.microphone_reach_of(line)
+        sides[start] = design.span_of(line) + sum(design.microphone_reach_of(line, end) for end in (0, 1))
     return tuple(sides)
 
 

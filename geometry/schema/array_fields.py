@@ -10,6 +10,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field
 
 from geometry.schema.field_errors import Count, Degree, Millimetre, Number, Section
+from geometry.schema.frozen_fields import FrozenPlaces
 from geometry.schema.kinds import PLAIN, Pattern, PointKind
 from geometry.schema.manufacture import Molding, Printing
 from geometry.schema.materials import MATERIALS, Material
@@ -29,6 +30,13 @@ class Line(Section):
         default=None, description="tube to its microphones, if it differs from the design's"
     )
     pattern: Pattern | None = Field(default=None, description="kinds of its points and tubes, if they differ")
+    lengths: tuple[Millimetre, ...] | None = Field(
+        default=None,
+        max_length=1001,
+        description="length of each of its tubes from its first microphone to its second, one more than points; "
+        "default: those of the tubes",
+        json_schema_extra={"unit": "mm"},
+    )
 
 
 class PointPlace(Section):
@@ -48,12 +56,11 @@ class PointPlace(Section):
 class Layout(Section):
     """Arrangement of the resonators."""
 
-    kind: Literal["serpentine", "ring", "area", "cylinder", "hand", "places"] = Field(
+    kind: Literal["serpentine", "ring", "area", "cylinder", "hand", "places", "surface"] = Field(
         description="serpentine: rows of `columns` points, one block per line; ring: lines are the sides of a "
-        "polygon, microphones its corners; area: all lines one after the other along one path over rows of "
-        "`columns` points, microphones around them; cylinder: a serpentine wound on a cylinder, rows around it; hand: "
-        "fingers of "
-        "`columns` points that fan out from the wrist; places: every point where `places` states it"
+        "polygon, microphones its corners; area: all lines one after the other over rows of `columns` points; "
+        "cylinder: a serpentine wound on a cylinder; hand: fingers of `columns` points that fan out from the wrist; "
+        "places, surface: every point where it is stated"
     )
     columns: Count = Field(
         default=1000, ge=1, le=1000, description="points per row of a serpentine or an area, or per finger"
@@ -75,6 +82,11 @@ class Layout(Section):
     )
     places: tuple[PointPlace, ...] = Field(
         default=(), max_length=1000, description="place of every point, in their order; for kind = 'places' only"
+    )
+    frozen: FrozenPlaces | None = Field(
+        default=None,
+        description="places of all parts on a body; for kind = 'surface' only. A file gives `places`, the name of the "
+        "file that holds them, instead",
     )
     microphone_side: Literal["ends", "left", "right", "front", "back", "below"] = Field(
         default="ends",
@@ -223,8 +235,12 @@ class StatedArray(Section):
         return line.tube or self.tube
 
     def microphone_tube_of(self, line: Line) -> Tube:
-        """Tube from the ends of a line to its microphones."""
+        """Tube from the ends of a line to its microphones; its length is theirs where the line states no lengths."""
         return line.microphone_tube or self.microphone_tube
+
+    def end_tube_of(self, line: Line, end: int) -> Tube:
+        """Tube from an end of a line, 0 or 1, to its microphone."""
+        return self.tube_at(line, line.points if end else 0)
 
     def tube_kind_at(self, line: Line, segment: int) -> str:
         """Name of the kind of tube that a pattern gives at a place of a line, as :meth:`tube_at`; else empty."""
@@ -236,43 +252,51 @@ class StatedArray(Section):
     def tube_at(self, line: Line, segment: int) -> Tube:
         """Tube of a line that has so many of its points before it: 0 and all of them lead to its microphones."""
         if segment in (0, line.points):
-            return self.microphone_tube_of(line)
-        kind = self.tube_kind_at(line, segment)
-        return self.tube_of(line) if kind == PLAIN else self.tube_kinds[kind]
+            tube = self.microphone_tube_of(line)
+        else:
+            kind = self.tube_kind_at(line, segment)
+            tube = self.tube_of(line) if kind == PLAIN else self.tube_kinds[kind]
+        return tube if line.lengths is None else tube.model_copy(update={"length": line.lengths[segment]})
 
     def segments_of(self, line: Line) -> tuple[Tube, ...]:
         """Tubes between the points of a line, in its order: one less than points."""
-        if line.pattern is None or line.pattern.tubes is None:
+        if line.lengths is None and (line.pattern is None or line.pattern.tubes is None):
             return (self.tube_of(line),) * (line.points - 1)
         return tuple(self.tube_at(line, segment) for segment in range(1, line.points))
 
     def segment_counts_of(self, line: Line) -> tuple[tuple[Tube, int], ...]:
-        """The different ones of :meth:`segments_of` by kind, each with how many there are."""
+        """The different ones of :meth:`segments_of` by kind and stated length, each with how many there are."""
         if line.points == 1:
             return ()
+        if line.lengths is not None:
+            return tuple(Counter(self.segments_of(line)).items())
         if line.pattern is None or line.pattern.tubes is None:
             return ((self.tube_of(line), line.points - 1),)
         counts = Counter(self.tube_kind_at(line, segment) for segment in range(1, line.points))
         return tuple((self.tube_kinds[kind], count) for kind, count in counts.items())
 
     def inner_tubes_of(self, line: Line) -> tuple[Tube, ...]:
-        """The different ones of :meth:`segments_of` by kind."""
+        """The different ones of :meth:`segments_of` by kind and stated length."""
         return tuple(tube for tube, _ in self.segment_counts_of(line))
 
     @property
     def tubes(self) -> tuple[Tube, ...]:
         """Tubes that the array uses, one per kind and line: those between points, then those to microphones."""
         inner = [tube for line in self.lines for tube in self.inner_tubes_of(line)]
-        return (*inner, *(self.microphone_tube_of(line) for line in self.lines))
+        outer = (
+            self.end_tube_of(line, end) for line in self.lines for end in ((0,) if line.lengths is None else (0, 1))
+        )
+        return (*inner, *outer)
 
     def tubes_of(self, line: Line) -> tuple[Tube, ...]:
         """Tubes of a line from its first microphone to its second: one more than points."""
-        outer = self.microphone_tube_of(line)
-        return (outer, *self.segments_of(line), outer)
+        return (self.end_tube_of(line, 0), *self.segments_of(line), self.end_tube_of(line, 1))
 
     def tube_fields_of(self, number: int) -> tuple[str, ...]:
         """Dotted names of where the design states the tubes of a line, by its index, as :meth:`tubes_of` has them."""
         line = self.lines[number]
+        if line.lengths is not None:
+            return tuple(f"lines.{number}.lengths.{segment}" for segment in range(line.points + 1))
         outer = "microphone_tube" if line.microphone_tube is None else f"lines.{number}.microphone_tube"
         inner = "tube" if line.tube is None else f"lines.{number}.tube"
         kinds = (self.tube_kind_at(line, segment) for segment in range(1, line.points))
@@ -295,7 +319,7 @@ class StatedArray(Section):
         longest = max((tube.length for tube in self.inner_tubes_of(line)), default=self.tube_of(line).length)
         return self.layout.pitch or self.resonator.cavity_diameter + longest
 
-    def microphone_reach_of(self, line: Line) -> float:
-        """Distance of the axes of a line's last point and its microphone's chamber if the tube is straight, mm."""
-        length = self.microphone_tube_of(line).length
+    def microphone_reach_of(self, line: Line, end: int) -> float:
+        """Distance of the axes of the point at an end of a line, 0 or 1, and its microphone if the tube is straight, mm."""
+        length = self.end_tube_of(line, end).length
         return self.resonator.cavity_diameter / 2 + length + self.microphone.chamber_diameter / 2

@@ -121,6 +121,12 @@ def largest_gap(angles: Sequence[float]) -> tuple[float, float]:
     return (start + width / 2) % 360, width
 
 
+def least_angle(angles: Sequence[float]) -> float:
+    """Smallest angle between neighbouring directions, at least two of them, degrees."""
+    ranked = sorted(angle % 360 for angle in angles)
+    return min((after - before) % 360 for before, after in zip(ranked, ranked[1:] + ranked[:1], strict=True))
+
+
 def foot_directions(ports: Sequence[float], count: int) -> list[float]:
     """Directions of mounting feet, degrees, each in the middle of the widest gap that ports and feet before it leave.
 

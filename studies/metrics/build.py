@@ -170,7 +170,7 @@ def _port(design: ArrayDesign, tube: Tube, wall: float) -> float:
 
 def _tubes(design: ArrayDesign) -> Iterator[tuple[Tube, int]]:
     for line in design.lines:
-        yield design.microphone_tube_of(line), 2
+        yield from Counter(design.end_tube_of(line, end) for end in (0, 1)).items()
         yield from design.segment_counts_of(line)
 
 

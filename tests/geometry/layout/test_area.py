@@ -60,7 +60,7 @@ def test_lines_follow_each_other_and_every_microphone_lies_where_its_tubes_reach
             line = design.lines[port.line]
             ends = [point for point in layout.points if point.line == port.line]
             reach = math.dist(microphone.position, ends[-port.end].position)
-            assert reach == pytest.approx(design.microphone_reach_of(line), abs=1e-6)
+            assert reach == pytest.approx(design.microphone_reach_of(line, 0), abs=1e-6)
 
 
 SHORT = {"length": 9.0, "inner_diameter": 0.44, "outer_diameter": 0.9, "wire_diameter": 0.08}

@@ -358,7 +358,7 @@ def test_points_of_a_hand_lie_along_fingers_that_fan_out_from_the_wrist():
     # The microphone of two lines lies in the palm, as far from both ends as their straight tubes reach.
     middle = layout.microphones[1].position
     for end in (points[5], points[6]):
-        assert math.dist(middle, end) == pytest.approx(design.microphone_reach_of(design.lines[0]))
+        assert math.dist(middle, end) == pytest.approx(design.microphone_reach_of(design.lines[0], 0))
     assert np.linalg.norm(middle) < 80
     # Bows over the fingertips lie outside of all points.
     over = next(tube for tube in layout.tubes if tube.label == "tube 4 of line 1")
