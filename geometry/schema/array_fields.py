@@ -320,6 +320,6 @@ class StatedArray(Section):
         return self.layout.pitch or self.resonator.cavity_diameter + longest
 
     def microphone_reach_of(self, line: Line, end: int) -> float:
-        """Distance of the axes of the point at an end of a line, 0 or 1, and its microphone if the tube is straight, mm."""
+        """Distance of the axes of the point at an end of a line, 0 or 1, and its microphone if the tube is straight."""
         length = self.end_tube_of(line, end).length
         return self.resonator.cavity_diameter / 2 + length + self.microphone.chamber_diameter / 2

@@ -1,4 +1,4 @@
-"""Places of all parts of an array on a body, as a design holds them: where each is, how it stands, where tubes leave."""
+"""Places of all parts of an array on a body, as a design holds them: where each is and how it stands."""
 
 from __future__ import annotations
 

@@ -230,7 +230,7 @@ CASES = {
     "one port too few": lambda d: d.with_values({"layout.frozen.points.2.ports": [0.0]}),
     "no normal": lambda d: d.with_values({"layout.frozen.points.2.normal": [0.0, 0.0, 0.0]}),
     "a direction along the normal": lambda d: d.with_values({"layout.frozen.points.2.x": [0.0, 0.0, 2.0]}),
-    "two parts at one place": lambda d: d.with_values({"layout.frozen.points.2.plan": list(d.layout.frozen.points[1].plan)}),
+    "two parts at one place": lambda d: d.with_values({"layout.frozen.points.2.plan": [18.5, 0.0]}),
     "a course of another length": lambda d: d.with_values({"lines.0.lengths": [13.5] * 13}),
     "a tube too short": lambda d: without_courses(d, **{"lines.0.lengths": [12.5] * 5 + [10.0] + [12.5] * 7}),
     "a text in no folder": lambda d: read_design("name = 'a'\n[layout]\nplaces = 'b.json'\n"),
