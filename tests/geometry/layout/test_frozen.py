@@ -33,8 +33,8 @@ def level(response):
     return 20 * np.log10(np.abs(response.transfer_function.values))
 
 
-def difference(design, fidelity):
-    one, other = (acoustic_fem.solve(each, BAND, fidelity=fidelity) for each in (design, frozen(design)))
+def difference(design, fidelity, band=BAND):
+    one, other = (acoustic_fem.solve(each, band, fidelity=fidelity) for each in (design, frozen(design)))
     return float(np.abs(level(one) - level(other)).max())
 
 
@@ -48,7 +48,8 @@ def test_a_frozen_layout_sounds_as_the_layout_that_was_frozen(name, fidelity):
 @pytest.mark.parametrize("fidelity", ["helmholtz", "navier-stokes"])
 def test_a_frozen_layout_sounds_as_before_in_three_dimensions(fidelity):
     with coarse_cells():
-        assert difference(ARRAY.with_values({"layout.pitch": 15.0}), fidelity) < 1e-12
+        small = ARRAY.with_values({"lines.0.points": 3, "layout.pitch": 15.0})
+        assert difference(small, fidelity, BAND[:2]) < 1e-12
 
 
 @pytest.mark.parametrize("name", ["array-2x6", "fingertip-3x4", "glove", "large-area-64"])
