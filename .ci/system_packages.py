@@ -2,8 +2,8 @@
 
 Needs only Python's own library, as it runs before anything is installed. Installs with apt-get where it may
 (Debian or Ubuntu, as root); otherwise prints the one line to type and ends with exit code 1. With --tests it also
-installs, where it may, the browser that drives the studio's page, and compiler and emulator of microcontrollers;
-without them those tests are skipped.
+installs, where it may, the browser that drives the studio's page, compiler and emulator of microcontrollers, and other
+programs that read our files; without them those tests are skipped.
 """
 
 from __future__ import annotations
@@ -28,6 +28,9 @@ TEST_TOOLS = {
     "chromium": ("chromium",),
     "arm-none-eabi-gcc": ("gcc-arm-none-eabi", "libnewlib-arm-none-eabi"),
     "qemu-system-arm": ("qemu-system-arm",),
+    "octave-cli": ("octave", "octave-netcdf"),
+    "ngspice": ("ngspice",),
+    "prusa-slicer": ("prusa-slicer",),
 }
 
 

@@ -6,9 +6,11 @@ import json
 import os
 from collections.abc import Iterable
 from dataclasses import asdict, fields
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
+import h5py
 import numpy as np
 import xarray as xr
 
@@ -40,6 +42,8 @@ _LAYOUT_VERSION = 1
 ATTRIBUTES = ("fidelity", "design_toml", "medium", "provenance")
 CHECKSUMS = "checksums"
 """Attribute of a data set: SHA-256 of each of its attributes and variables by name, as JSON."""
+#: Bytes of an attribute that HDF5 stores in the header of its object, which takes 64 kB.
+_LONGEST_TEXT = 60_000
 _DEVIATION = "transfer_function_deviation"
 _COORDINATES = ("point", "line", "place", "microphone", "frequency")
 
@@ -59,14 +63,31 @@ def write_netcdf(library: Library, path: Path) -> None:
         LibraryError: the file cannot be written.
     """
     dataset = dataset_of(library, (*VARIABLES, "force_response"))
-    checked: dict[Any, dict[str, Any]] = {name: {"fletcher32": True} for name in dataset.data_vars}
+    # CF allows no fill value on a coordinate; Octave reads text as arrays of characters only
+    encoding: dict[Any, dict[str, Any]] = {name: {"fletcher32": True} for name in dataset.data_vars}
+    encoding |= {name: {"_FillValue": None} for name, values in dataset.coords.items() if values.dtype.kind == "f"}
+    encoding |= {name: {"dtype": "S1"} for name, values in dataset.coords.items() if values.dtype.kind in "OU"}
     try:
         with whole_file(path) as beside:
             # in memory: HDF5 ends the process where the disk is full
-            beside.write_bytes(dataset.to_netcdf(engine="h5netcdf", format="NETCDF4", encoding=checked))
+            content = BytesIO(dataset.to_netcdf(engine="h5netcdf", format="NETCDF4", encoding=encoding))
+            _fix_length_of_texts(content)
+            beside.write_bytes(content.getbuffer())
             seal_file(beside)
     except OSError as error:
         raise LibraryError(f"cannot be written: {error.strerror or error}", kind=Kind.UNREADABLE, file=path) from None
+
+
+def _fix_length_of_texts(content: BytesIO) -> None:
+    """Make the text attributes of a file arrays of characters, since Octave reads none of variable length.
+
+    A text above :data:`_LONGEST_TEXT` stays as it is: HDF5 keeps a longer attribute only if its length varies.
+    """
+    with h5py.File(content, "r+") as file:
+        for owner in (file, *file.values()):
+            for name, text in list(owner.attrs.items()):
+                if isinstance(text, str) and 0 < len(encoded := text.encode()) <= _LONGEST_TEXT:
+                    owner.attrs.create(name, np.array(encoded, h5py.string_dtype("utf-8", len(encoded))))
 
 
 def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.Dataset:
@@ -86,6 +107,7 @@ def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.
         attrs={
             "Conventions": "CF-1.11",
             "title": _TITLE,
+            "history": _history(library),
             "layout_version": _LAYOUT_VERSION,
             "fidelity": library.fidelity,
             "time_convention": "exp(+j omega t)",
@@ -95,6 +117,12 @@ def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.
         },
     )
     return with_checksums(dataset)
+
+
+def _history(library: Library) -> str:
+    """Line of CF's history: when, and by which program."""
+    made = library.provenance
+    return f"{made.get('created', 'at an unknown time')}: {library.fidelity}, acoustic-fem {made.get('code_version')}"
 
 
 def with_checksums(dataset: xr.Dataset) -> xr.Dataset:

@@ -10,11 +10,14 @@ from numpy.typing import ArrayLike
 
 from geometry.ground.argument_checks import check_range, positive_numbers, real_numbers, wrong_type
 from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.text_files import read_text
 from geometry.ground.typed import Array
 
 _BAND = (1e-3, 2e3)
 """Lowest and highest frequency of a grid, Hz."""
-
+#: Endings of files that list frequencies.
+_LISTS = (".txt", ".csv")
+_MOST_FREQUENCIES = 100_000
 
 MOST_PORTS = 50
 """Most ports of a cell: each takes a solve of its own at every frequency."""
@@ -53,16 +56,19 @@ def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float,
 
 
 FrequencyLike: TypeAlias = ArrayLike | str
-"""An argument ``frequency``: numbers in Hz, or the text ``FIRST:LAST:COUNT`` for evenly spaced ones."""
+"""An argument ``frequency``: numbers in Hz, or a text. The text ``FIRST:LAST:COUNT`` gives evenly spaced frequencies,
+``log:FIRST:LAST:COUNT`` those of a constant ratio, and one that ends with ``.txt`` or ``.csv`` is a file that lists
+them.
+"""
 
 
 def frequencies(frequency: FrequencyLike) -> Array:
-    """The frequencies as an array, same shape as given, float64, Hz, in any order; those of a text are evenly spaced.
+    """The frequencies as an array, same shape as given, float64, Hz, in any order.
 
     Raises:
-        Refusal: not real numbers, not finite or not above 0; a text of another form.
+        Refusal: not real numbers, not finite or not above 0; a text of another form; a list that cannot be read.
     """
-    given = _evenly_spaced(frequency) if isinstance(frequency, str) else frequency
+    given = _stated(frequency) if isinstance(frequency, str) else frequency
     return positive_numbers("frequency", given, "Hz")
 
 
@@ -73,13 +79,13 @@ def frequency_grid(frequency: FrequencyLike) -> Array:
     frequency falls.
 
     Args:
-        frequency: (n_freq,) Hz, or the text ``FIRST:LAST:COUNT`` for evenly spaced ones, such as ``"1:500:500"``.
+        frequency: (n_freq,) Hz, or a text of :data:`FrequencyLike`, such as ``"1:500:500"`` or ``"log:1:500:100"``.
 
     Raises:
         Refusal: not real numbers, empty, not 1-D, not ascending, not finite or out of range, with the value; a text of
-            another form.
+            another form; a list that cannot be read.
     """
-    grid = _evenly_spaced(frequency) if isinstance(frequency, str) else real_numbers("frequency", frequency)
+    grid = _stated(frequency) if isinstance(frequency, str) else real_numbers("frequency", frequency)
     if grid.ndim != 1 or grid.size == 0:
         raise wrong_type("frequency", f"has shape {grid.shape}; it must be a 1-D array of at least one value in Hz")
     low, high = _BAND
@@ -92,13 +98,43 @@ def frequency_grid(frequency: FrequencyLike) -> Array:
     return grid
 
 
-def _evenly_spaced(text: str) -> Array:
-    allowed = "FIRST:LAST:COUNT in Hz, such as 1:100:64, with COUNT from 1 to 100000"
+def _stated(text: str) -> Array:
+    """The frequencies that a text names, in Hz."""
+    if text.lower().endswith(_LISTS):
+        return _listed(text)
+    spacing, _, rest = text.rpartition("log:")
+    allowed = (
+        "FIRST:LAST:COUNT or log:FIRST:LAST:COUNT in Hz with COUNT from 1 to 100000, or a .txt or .csv file that lists "
+        "frequencies"
+    )
     try:
-        first, last, count = text.split(":")
+        if spacing:
+            raise ValueError
+        first, last, count = rest.split(":")
         start, stop, number = float(first), float(last), int(count)
     except ValueError:
         raise Refusal(kind=Kind.WRONG_TYPE, field="frequency", value=text, allowed=allowed) from None
-    if not 1 <= number <= 100_000:
+    if not 1 <= number <= _MOST_FREQUENCIES:
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="frequency", value=text, allowed=allowed)
-    return np.linspace(start, stop, number)
+    if rest == text:
+        return np.linspace(start, stop, number)
+    if not (start > 0 and stop > 0):
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="frequency", value=text, allowed="FIRST and LAST above 0 Hz")
+    return np.geomspace(start, stop, number)
+
+
+def _listed(path: str) -> Array:
+    """The numbers in a text file, separated by white space or commas; what follows # in a line is a remark."""
+    text = read_text(path, "a list of frequencies", Refusal)
+    words = " ".join(line.partition("#")[0] for line in text.splitlines()).replace(",", " ").split()
+    if not 1 <= len(words) <= _MOST_FREQUENCIES:
+        problem = f"holds {counted(len(words), 'frequency')}; it must hold 1 to {_MOST_FREQUENCIES}"
+        raise Refusal(problem, kind=Kind.OUT_OF_RANGE, file=path)
+    values = np.empty(len(words))
+    for k, word in enumerate(words):
+        try:
+            values[k] = float(word)
+        except ValueError:
+            allowed = "numbers in Hz, separated by white space or commas"
+            raise Refusal(kind=Kind.WRONG_TYPE, file=path, field="frequency", value=word, allowed=allowed) from None
+    return values

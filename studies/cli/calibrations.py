@@ -218,7 +218,7 @@ def recalibrate(
 
 
 def convert(
-    library: Annotated[Path, typer.Argument(metavar="LIBRARY", help="Library: .nc, .sofa, .npz or .csv.")],
+    library: Annotated[Path, typer.Argument(metavar="LIBRARY", help="Library: .nc, .sofa, .npz, .mat or .csv.")],
     out: Annotated[
         Path, typer.Option(help="File to write; its suffix is the format. A measured library is never overwritten.")
     ],

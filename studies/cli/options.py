@@ -23,7 +23,8 @@ Answer = TypeVar("Answer", str, int, float)
 
 Design = Annotated[str, typer.Argument(metavar="DESIGN", help="Design file, or the name of a prototype.")]
 LibraryFile = Annotated[
-    Path, typer.Argument(metavar="LIBRARY", help="Library from solve, run or calibrate: .nc, .sofa, .npz or .csv.")
+    Path,
+    typer.Argument(metavar="LIBRARY", help="Library of solve, run or calibrate: .nc, .sofa, .npz, .mat, .csv."),
 ]
 Noise = Annotated[
     float | None,
@@ -31,7 +32,14 @@ Noise = Annotated[
         help="White noise of the microphones, Pa rms over 0 to 500 Hz. Default: that of the design's microphone."
     ),
 ]
-Frequencies = Annotated[str, typer.Option(metavar="FIRST:LAST:COUNT", help="Frequencies in Hz, evenly spaced.")]
+Frequencies = Annotated[
+    str,
+    typer.Option(
+        metavar="GRID",
+        help="Frequencies in Hz: FIRST:LAST:COUNT, evenly spaced; log:FIRST:LAST:COUNT, of a constant ratio; "
+        "or a .txt or .csv file that lists them.",
+    ),
+]
 Tolerances = Annotated[
     Path | None,
     typer.Option(help="TOML file of your workshop's tolerances: docs/tolerances.md. Default: assumed ones."),

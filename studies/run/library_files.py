@@ -63,7 +63,7 @@ def convert_library(library: PathLike, out: PathLike) -> Library:
     """Library that was read from a file and written in another format, with all digits.
 
     Args:
-        library: the file to read: netCDF (``.nc``), SOFA (``.sofa``), ``.npz`` or ``.csv``.
+        library: the file to read: netCDF (``.nc``), SOFA (``.sofa``), ``.npz``, ``.mat`` or ``.csv``.
         out: the file to write, with another of these suffixes; a measured library is never overwritten.
 
     Raises:

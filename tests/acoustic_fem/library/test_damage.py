@@ -10,6 +10,7 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 import pytest
+import scipy.io
 from damage import damaged
 
 import acoustic_fem
@@ -163,6 +164,10 @@ def test_a_file_without_checksums_is_refused_by_name(
         with np.load(path) as content:
             arrays = {name: content[name] for name in content.files if name != "checksums"}
         np.savez(path, **arrays)
+    elif suffix == ".mat":
+        content = scipy.io.loadmat(path)
+        arrays = {name: values for name, values in content.items() if not name.startswith("__") and name != "checksums"}
+        scipy.io.savemat(path, arrays, long_field_names=True)
     else:
         with netCDF4.Dataset(path, "a") as file:
             file.delncattr("checksums" if suffix == ".nc" else "Checksums")

@@ -28,7 +28,7 @@ def test_a_library_is_read_without_a_layout_and_solved_with_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     laid_out, measured = [], []
-    for module in ("library.network_responses", "library.exchange"):
+    for module in ("library.network_responses", "library.sofa_file"):
         monkeypatch.setattr(
             f"acoustic_fem.{module}.place_housings",
             lambda design: (laid_out.append(design.name), place_housings(design))[1],

@@ -44,7 +44,7 @@ def localizer(library: Library, tmp_path_factory: pytest.TempPathFactory) -> Pat
     return folder / "localizer"
 
 
-@pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".csv"])
+@pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".mat", ".csv"])
 def test_every_verb_reads_what_convert_writes(
     library: Library, localizer: Path, tmp_path: Path, suffix: str, recwarn: pytest.WarningsRecorder
 ) -> None:
@@ -70,10 +70,10 @@ def test_the_other_verbs_have_the_same_reader(
     for name in ("library.txt", "touches.csv"):
         Path(name).write_bytes(b"\0\1\2\3")
     refused = CliRunner().invoke(app, [*arguments, "--out", "made"])
-    assert str(refused.exception) == "library.txt: holds neither netCDF, SOFA, NPZ nor CSV: it is not a library"
+    assert str(refused.exception) == "library.txt: holds neither netCDF, SOFA, NPZ, MAT nor CSV: it is not a library"
 
 
-@pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".csv"])
+@pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".mat", ".csv"])
 def test_a_measured_library_is_not_replaced_but_a_computed_one_is(
     library: Library, tmp_path: Path, suffix: str
 ) -> None:
