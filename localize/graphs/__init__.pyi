@@ -1,2 +1,6 @@
 from .description import GraphDescription as GraphDescription, LocalizerError as LocalizerError
-from .onnx_localizer import KEY as KEY, OnnxLocalizer as OnnxLocalizer
+from .onnx_localizer import (
+    KEY as KEY,
+    ConvertedGraphWarning as ConvertedGraphWarning,
+    OnnxLocalizer as OnnxLocalizer,
+)

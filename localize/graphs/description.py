@@ -65,6 +65,20 @@ class ArrayDescription(Strict):
         return self
 
 
+class StreamDescription(Strict):
+    """What a stream does before and beside the graph, for a program that has only the file."""
+
+    high_pass: Annotated[float, Field(gt=0, le=500)]
+    """Corner of the Butterworth high-pass that samples pass before frames are cut, Hz."""
+    high_pass_order: Annotated[int, Field(ge=1, le=20)]
+    high_pass_sections: Annotated[list[Annotated[list[float], Field(min_length=6, max_length=6)]], Field(max_length=10)]
+    """The same as sections of second order: numerator and denominator of each, at the sample rate of the graph."""
+    hop: Annotated[int, Field(ge=1, le=FRAME)]
+    """Number of samples from one frame to the next."""
+    silence: Annotated[float, Field(ge=0)]
+    """Level of a frame below which it holds no touch, Pa rms."""
+
+
 class GraphDescription(ArrayDescription):
     """Description in the metadata of an ONNX file."""
 
@@ -75,7 +89,9 @@ class GraphDescription(ArrayDescription):
     frame: int
     unit: str
     noise_rms: Annotated[float, Field(ge=0, le=100)]
+    stream: StreamDescription | None = None
     opset: Count
+    ir_version: Count | None = None
     versions: dict[str, Any]
     sha256: Digest | None = None
 

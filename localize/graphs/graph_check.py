@@ -24,8 +24,8 @@ INPUT, OUTPUTS = "frames", ("probability", "log_probability")
 BATCH = 64
 """Number of frames that are decoded at once."""
 OPERATORS = frozenset((
-    "Abs", "Add", "And", "ArgMax", "Atan", "AveragePool", "Cast", "Clip", "Concat", "Conv", "Div", "Equal", "Exp",
-    "Expand", "Gather", "GatherElements", "GatherND", "Gelu", "Gemm", "Greater", "IsNaN", "Less", "Log",
+    "Abs", "Add", "And", "ArgMax", "Atan", "AveragePool", "Cast", "Clip", "Concat", "Conv", "Div", "Equal", "Erf",
+    "Exp", "Expand", "Gather", "GatherElements", "GatherND", "Gelu", "Gemm", "Greater", "IsNaN", "Less", "Log",
     "LogSoftmax", "MatMul", "Max", "Min", "Mul", "Neg", "NonZero", "Or", "Pow", "Reciprocal", "ReduceLogSumExp",
     "ReduceMax", "ReduceMean", "ReduceSum", "Relu", "Reshape", "ScatterND", "Shape", "Slice", "Softmax", "Sqrt",
     "Squeeze", "Sub", "Transpose", "Unsqueeze", "Where"

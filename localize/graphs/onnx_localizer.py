@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.file_checks import library_reads, read_bytes
 from geometry.ground.record import is_sealed
 from geometry.ground.refusal import Kind, Refusal
@@ -33,6 +34,12 @@ FORMAT = "acoustic-fem onnx"
 VERSION = 1
 KEY = "acoustic-fem"
 """Key of the JSON text among the metadata of a file."""
+PRODUCER = "acoustic-fem"
+"""Name of the program that every file states; a program that converts graphs puts its own, or another opset."""
+
+
+class ConvertedGraphWarning(UserWarning):
+    """Another program converted a graph, so its checksum cannot say whether it is whole."""
 
 
 class OnnxLocalizer(Locator):
@@ -141,11 +148,32 @@ def _read_description(model: ModelProto, path: str | os.PathLike[str]) -> GraphD
     values = parse_json(texts[0], str(path), LocalizerError)
     check_format(values, FORMAT, VERSION, path, LocalizerError)
     stated = described(GraphDescription, texts[0], path, LocalizerError)
-    if stated.sha256 is not None and not is_sealed(values, bare_graph(model)):
+    if stated.sha256 is None or is_sealed(values, bare_graph(model)):
+        return stated
+    converted = _conversion(model, stated)
+    if not converted:
         raise LocalizerError(
             "is changed or damaged: its checksum differs from the one in it", kind=Kind.DAMAGED, file=path
         )
+    warn_caller(
+        f"{path}: another program converted the graph ({converted}), so its checksum does not hold; compare a few "
+        "probabilities with those of the original",
+        ConvertedGraphWarning,
+    )
     return stated
+
+
+def _conversion(model: ModelProto, stated: GraphDescription) -> str:
+    """What shows that another program converted a graph; empty where nothing does."""
+    opset = max((each.version for each in model.opset_import if not each.domain), default=0)
+    for what, found, written in (
+        ("opset", opset, stated.opset),
+        ("version of the format", model.ir_version, stated.ir_version),
+        ("producer", model.producer_name, PRODUCER),
+    ):
+        if written is not None and found != written:
+            return f"its {what} is {found}, not {written}"
+    return ""
 
 
 def bare_graph(model: ModelProto) -> bytes:

@@ -2,8 +2,8 @@
 
 Both kinds have the same input, ``frames`` (n, n_microphone, 250) float32 in Pa at 1 kHz, and the same outputs,
 ``probability`` and ``log_probability``, (n, n_point) float32. The file also holds the other facts that a runtime needs,
-as JSON under the key ``acoustic-fem``: points, microphones, sample rate, frame, noise, and the versions that it was
-made with.
+as JSON under the key ``acoustic-fem``: points, microphones, sample rate, frame, what a stream does with its samples
+before it cuts frames, noise, and the versions that it was made with.
 
 A network's graph holds its features. The model-based decoder's graph computes the likelihood of
 :mod:`localize.decoders.bayes`. Likelihoods are differences of large numbers, a million times larger than what decides
@@ -26,14 +26,18 @@ import torch
 from torch import Tensor, nn
 
 from acoustic_fem.library.provenance import versions
+from geometry.ground.argument_checks import check_range
 from geometry.ground.record import sealed
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import whole_file
 from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.likelihood import DecoderTables
 from localize.graphs.graph_check import INPUT, OUTPUTS
-from localize.graphs.onnx_localizer import FORMAT, KEY, VERSION, bare_graph
+from localize.graphs.onnx_localizer import FORMAT, KEY, PRODUCER, VERSION, bare_graph
 from localize.learned.localizer import Localizer
+from localize.live.events import HOP
+from localize.live.front_end import ORDER, high_pass_sections
+from localize.live.stream_options import HIGH_PASS, StreamOptions
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
 from localize.signals.stimulus import SAMPLE_RATE
@@ -42,18 +46,27 @@ if TYPE_CHECKING:
     from onnx import ModelProto
 
 OPSET = 20
+"""Version of ONNX's operators where none is given."""
+OPSETS = (18, 23)
+"""Lowest and highest version that is written."""
 
 
-def export_onnx(localizer: Locator, path: str | os.PathLike[str]) -> None:
+def export_onnx(
+    localizer: Locator, path: str | os.PathLike[str], *, opset: int | None = None, ir_version: int | None = None
+) -> None:
     """Write a trained network or a model-based decoder as one ONNX file.
 
     Args:
         localizer: a network of :func:`localize.train`, or a :class:`localize.BayesDecoder`.
         path: of the file, such as ``localizer.onnx``; it is there whole or not at all.
+        opset: version of ONNX's operators, 18 to 23, for a runtime that knows no later ones; 20 by default.
+        ir_version: version of the file format, from the lowest that ``opset`` allows, which is the default, to the
+            newest of the installed onnx.
 
     Raises:
-        Refusal: a localizer that no graph can hold, such as :class:`localize.TolerantDecoder`, which fits deviations
-            to each frame, or :class:`localize.DriftDecoder`, which follows its sensor from touch to touch.
+        Refusal: an opset or a version of the format that cannot be written; a localizer that no graph can hold, such as
+            :class:`localize.TolerantDecoder`, which fits deviations to each frame, or :class:`localize.DriftDecoder`,
+            which follows its sensor from touch to touch.
     """
     if localizer.no_graph:
         problem = f"cannot be written as a graph: {localizer.no_graph}"
@@ -63,11 +76,18 @@ def export_onnx(localizer: Locator, path: str | os.PathLike[str]) -> None:
     else:
         assert isinstance(localizer, LibraryDecoder)
         graph = DecoderGraph(localizer)
-    model = _translated(graph.eval(), len(localizer.microphones))
-    model.producer_name = "acoustic-fem"
+    opset = OPSET if opset is None else int(check_range("opset", opset, *OPSETS, whole=True))
+    versions_of_format = _ir_versions(opset)
+    if ir_version is not None:
+        check_range("ir_version", ir_version, *versions_of_format, whole=True, why=f"for opset {opset}")
+    model = _translated(graph.eval(), len(localizer.microphones), opset)
+    model.ir_version = versions_of_format[0] if ir_version is None else ir_version
+    description = {**_description(localizer, opset), "ir_version": model.ir_version}
+    model.producer_name, model.producer_version = PRODUCER, description["versions"]["code_version"]
+    _explain(model, description)
     del model.metadata_props[:]
     entry = model.metadata_props.add()
-    entry.key, entry.value = KEY, json.dumps(sealed(_description(localizer), bare_graph(model)))
+    entry.key, entry.value = KEY, json.dumps(sealed(description, bare_graph(model)))
     with whole_file(Path(path)) as beside:
         beside.write_bytes(model.SerializeToString())
 
@@ -181,7 +201,28 @@ def _vertex(values: Tensor) -> Tensor:
     return torch.where(is_top, middle + rise, values.amax(-1, keepdim=True)).squeeze(-1)
 
 
-def _translated(graph: nn.Module, microphones: int) -> ModelProto:
+def _ir_versions(opset: int) -> tuple[int, int]:
+    """Lowest version of the file format that an opset allows, and the newest of the installed onnx."""
+    import onnx
+
+    return onnx.helper.find_min_ir_version_for([onnx.helper.make_opsetid("", opset)]), onnx.IR_VERSION
+
+
+def _explain(model: ModelProto, description: dict[str, Any]) -> None:
+    """Say in the graph itself what its values are, for a reader who has only the file."""
+    microphones = ", ".join(description["microphones"])
+    stream = description["stream"]
+    for value in model.graph.input:
+        value.doc_string = (
+            f"(n, {len(description['microphones'])}, {FRAME}) pressure in Pa at {SAMPLE_RATE:g} Hz of the microphones "
+            f"{microphones}, behind a Butterworth high-pass of order {stream['high_pass_order']} at "
+            f"{stream['high_pass']:g} Hz; frames below {stream['silence']:g} Pa rms hold no touch"
+        )
+    for value, what in zip(model.graph.output, ("probability", "natural logarithm of the probability"), strict=True):
+        value.doc_string = f"(n, {len(description['line'])}) {what} of each point, from point 1"
+
+
+def _translated(graph: nn.Module, microphones: int, opset: int) -> ModelProto:
     """By torch's exporter, the batch left open."""
     # It warns of operators of a package that is not installed and not used here, and of its own old habits.
     logging.getLogger("torch.onnx._internal.exporter._registration").setLevel(logging.ERROR)
@@ -193,7 +234,7 @@ def _translated(graph: nn.Module, microphones: int) -> ModelProto:
             (frames,),
             input_names=[INPUT],
             output_names=[*OUTPUTS],
-            opset_version=OPSET,
+            opset_version=opset,
             dynamo=True,
             dynamic_shapes={"frames": {0: torch.export.Dim("n")}},
             verbose=False,
@@ -203,8 +244,9 @@ def _translated(graph: nn.Module, microphones: int) -> ModelProto:
     return program.model_proto
 
 
-def _description(localizer: Locator) -> dict[str, Any]:
+def _description(localizer: Locator, opset: int) -> dict[str, Any]:
     """Description that a file carries."""
+    options = StreamOptions()
     return {
         "format": FORMAT,
         "version": VERSION,
@@ -217,7 +259,14 @@ def _description(localizer: Locator) -> dict[str, Any]:
         "frame": FRAME,
         "unit": "Pa",
         "noise_rms": localizer.noise_rms,
-        "opset": OPSET,
+        "stream": {
+            "high_pass": HIGH_PASS,
+            "high_pass_order": ORDER,
+            "high_pass_sections": high_pass_sections(HIGH_PASS).tolist(),
+            "hop": HOP,
+            "silence": max(options.silence * localizer.noise_rms, options.least_silence),
+        },
+        "opset": opset,
         "versions": versions(0, ("numpy", "onnx", "onnxscript", "scipy", "torch")),
         "provenance": dict(localizer.provenance),
     }

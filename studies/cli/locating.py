@@ -86,6 +86,14 @@ def onnx(
     out: Annotated[Path, typer.Option(help="File to write, such as localizer.onnx.")],
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
+    opset: Annotated[
+        int | None,
+        typer.Option(help="Version of ONNX's operators, 18 to 23: lower it for an old runtime. Default: 20."),
+    ] = None,
+    ir: Annotated[
+        int | None,
+        typer.Option(help="Version of the file format. Default: the lowest that the operators allow."),
+    ] = None,
 ) -> None:
     """Export a localizer as one ONNX graph.
 
@@ -93,7 +101,9 @@ def onnx(
 
     Example: [bold]acoustic-fem onnx localizer --out localizer.onnx[/bold]
     """
-    written = studies.export_decoder(model, out, microphone_noise=noise_choice(noise), ambient=ambient)
+    written = studies.export_decoder(
+        model, out, microphone_noise=noise_choice(noise), ambient=ambient, opset=opset, ir_version=ir
+    )
     tell(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"

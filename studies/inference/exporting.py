@@ -33,6 +33,8 @@ def export_decoder(
     *,
     microphone_noise: NoiseChoice = "design",
     ambient: float | None = None,
+    opset: int | None = None,
+    ir_version: int | None = None,
 ) -> ExportedDecoder:
     """Write a localizer as one ONNX graph. It maps 250 samples of each microphone to the probability of each point.
 
@@ -42,6 +44,8 @@ def export_decoder(
         microphone_noise: white noise of the microphones that the decoder of a library assumes, Pa rms over 0 to 500 Hz,
             or "design" for that of the design's microphone.
         ambient: highest level of room sound that the decoder of a library assumes, dB SPL; by default a quiet room.
+        opset: version of ONNX's operators, 18 to 23; 20 by default.
+        ir_version: version of the file format; by default the lowest that ``opset`` allows.
 
     Raises:
         Refusal: a file that cannot be written or read, or a noise or sound for a trained localizer.
@@ -51,5 +55,5 @@ def export_decoder(
     found = opened_as_designed(model, Decoding(microphone_noise=microphone_noise, ambient=ambient))
     if path.suffix.lower() != ".onnx":
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="out", value=str(path), allowed="a name that ends in .onnx")
-    localize.export_onnx(found.locator, path)
+    localize.export_onnx(found.locator, path, opset=opset, ir_version=ir_version)
     return ExportedDecoder(path, found.locator.point_count, found.locator.microphones, found.assumptions)

@@ -8,6 +8,7 @@ import numpy as np
 import onnx
 import onnxruntime
 import pytest
+import scipy.signal
 import torch
 from rc_line import rc_line
 from refusals import refused
@@ -16,6 +17,7 @@ import localize
 from geometry import Kind
 from localize.graphs import KEY
 from localize.graphs.graph_check import fault_of_graph
+from localize.graphs.onnx_localizer import ConvertedGraphWarning
 from localize.learned.onnx import OPSET
 
 QUICK = localize.TrainingPlan(seconds_per_point=10, epochs=2, microphone_noise=1e-2)
@@ -98,6 +100,9 @@ def test_a_file_is_valid_and_says_what_it_is(array, pair):
     assert (said["line"], said["place"]) == ([0] * 20, list(range(20)))
     assert (said["sample_rate"], said["frame"], said["unit"]) == (1000.0, 250, "Pa")
     assert said["noise_rms"] == pytest.approx(1e-2)
+    assert model.producer_version == said["versions"]["code_version"]
+    for value in (*model.graph.input, *model.graph.output):
+        assert "point" in value.doc_string or "high-pass" in value.doc_string
     assert said["versions"]["libraries"]["onnx"] == onnx.__version__
     assert said["provenance"]["made by"] == "tests/support/rc_line.py"
     assert fault_of_graph(model) is None  # and it runs in this process
@@ -131,3 +136,69 @@ def test_files_that_are_no_localizers_are_refused_by_name(pair, tmp_path):
     onnx.save(model, tmp_path / "bare.onnx")
     with refused(Kind.UNREADABLE, file="bare.onnx", error=localize.LocalizerError):
         localize.OnnxLocalizer(tmp_path / "bare.onnx")
+
+
+def test_the_file_says_what_a_stream_does_before_the_graph(array, pair):
+    """A program that has only the file hears a recording as our own stream does."""
+    localizer, path = pair
+    (entry,) = onnx.load(path).metadata_props
+    stream = json.loads(entry.value)["stream"]
+    signal = localize.TouchGenerator(array, 3, "evaluation", 1e-2).samples(4, 1).signals[0].numpy()
+    filtered = scipy.signal.sosfilt(np.array(stream["high_pass_sections"]), signal.astype(float), axis=-1)
+    frame = filtered[None, :, -250:].astype(np.float32)
+    session = onnxruntime.InferenceSession(path, providers=["CPUExecutionProvider"])
+    (probability,) = session.run(["probability"], {"frames": frame})
+    assert probability[0].argmax() == localizer.locate(frame)[0].argmax() == 4
+    assert (stream["hop"], stream["high_pass"], stream["high_pass_order"]) == (16, 3.0, 2)
+    assert np.sqrt(np.mean(frame**2)) > stream["silence"] > localizer.noise_rms
+
+
+def test_silence_gives_probabilities(pair):
+    _, path = pair
+    session = onnxruntime.InferenceSession(path, providers=["CPUExecutionProvider"])
+    frames = np.zeros((3, 2, 250), np.float32)
+    frames[1], frames[2, 0] = 1.0, 1e-3
+    probability, logarithm = session.run(["probability", "log_probability"], {"frames": frames})
+    assert np.isfinite(logarithm).all()
+    assert np.allclose(probability.sum(-1), 1, atol=1e-5)
+
+
+@pytest.mark.parametrize(("opset", "ir_version"), [(18, None), (21, None), (20, 10)])
+def test_an_older_runtime_gets_its_own_opset(array, pair, tmp_path, opset, ir_version):
+    localizer, _ = pair
+    path = tmp_path / "other.onnx"
+    localize.export_onnx(localizer, path, opset=opset, ir_version=ir_version)
+    model = onnx.load(path)
+    onnx.checker.check_model(model, full_check=True)
+    assert [entry.version for entry in model.opset_import] == [opset]
+    lowest = onnx.helper.find_min_ir_version_for([onnx.helper.make_opsetid("", opset)])
+    assert model.ir_version == (ir_version or lowest)
+    assert fault_of_graph(model) is None
+    frames = touches(array, 1e-2, 20)
+    assert np.abs(localize.OnnxLocalizer(path).locate(frames) - localizer.locate(frames)).max() < 2e-4
+
+
+@pytest.mark.parametrize("value", [{"opset": 17}, {"opset": 24}, {"ir_version": 3}, {"opset": 20, "ir_version": 99}])
+def test_versions_out_of_range_are_refused(pair, tmp_path, value):
+    localizer, _ = pair
+    with refused(Kind.OUT_OF_RANGE, field=list(value)[-1]):
+        localize.export_onnx(localizer, tmp_path / "a.onnx", **value)
+
+
+def test_a_graph_that_another_program_converted_is_accepted_with_a_warning(array, pair, tmp_path):
+    localizer, path = pair
+    converted = onnx.version_converter.convert_version(onnx.load(path), 21)
+    (entry,) = onnx.load(path).metadata_props
+    del converted.metadata_props[:]
+    converted.metadata_props.add(key=entry.key, value=entry.value)
+    onnx.save(converted, tmp_path / "converted.onnx")
+    with pytest.warns(ConvertedGraphWarning, match="converted"):
+        read = localize.OnnxLocalizer(tmp_path / "converted.onnx")
+    frames = touches(array, 1e-2, 20)
+    assert np.abs(read.locate(frames) - localizer.locate(frames)).max() < 2e-4
+    # the same opset and producer, and other weights: damage
+    damaged = onnx.load(path)
+    damaged.graph.initializer[0].raw_data = bytes(len(damaged.graph.initializer[0].raw_data))
+    onnx.save(damaged, tmp_path / "damaged.onnx")
+    with refused(Kind.DAMAGED, file="damaged.onnx", error=localize.LocalizerError):
+        localize.OnnxLocalizer(tmp_path / "damaged.onnx")
