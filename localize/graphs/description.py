@@ -66,7 +66,7 @@ class ArrayDescription(Strict):
 
 
 class StreamDescription(Strict):
-    """What a stream does before and beside the graph, for a program that has only the file."""
+    """Treatment of samples before the graph, as a stream does it, for a program that has only the file."""
 
     high_pass: Annotated[float, Field(gt=0, le=500)]
     """Corner of the Butterworth high-pass that samples pass before frames are cut, Hz."""

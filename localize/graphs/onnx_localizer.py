@@ -164,7 +164,7 @@ def _read_description(model: ModelProto, path: str | os.PathLike[str]) -> GraphD
 
 
 def _conversion(model: ModelProto, stated: GraphDescription) -> str:
-    """What shows that another program converted a graph; empty where nothing does."""
+    """Sign that another program converted a graph, in words; empty where there is none."""
     opset = max((each.version for each in model.opset_import if not each.domain), default=0)
     for what, found, written in (
         ("opset", opset, stated.opset),
