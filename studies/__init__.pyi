@@ -6,6 +6,7 @@ from . import (
     evaluation as evaluation,
     findings as findings,
     inference as inference,
+    kit as kit,
     metrics as metrics,
     optimization as optimization,
     output as output,
@@ -52,6 +53,7 @@ from .inference.recorded import (
     locate_recording as locate_recording,
 )
 from .inference.tracked import TrackedRecording as TrackedRecording, track_recording as track_recording
+from .kit.making import MadeParts as MadeParts, export_parts as export_parts
 from .optimization.problem import load_optimization as load_optimization
 from .output.display import Display as Display
 from .proposals.design_writing import new_design as new_design
@@ -59,7 +61,6 @@ from .proposals.proposing import Proposal as Proposal, Proposals as Proposals, p
 from .run.check import DesignCheck as DesignCheck, check_design as check_design
 from .run.file_list import FolderCheck as FolderCheck, verify_run as verify_run
 from .run.library_files import convert_library as convert_library, solve_library as solve_library
-from .run.part_folder import MadeParts as MadeParts, export_parts as export_parts
 from .run.pipeline import run_design as run_design
 from .run.quality import DesignQuality as DesignQuality
 from .run.run_result import RunResult as RunResult

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.numpy_or_torch import namespace
@@ -67,18 +68,37 @@ class Priors(PartScatter):
             check_range(f"priors.{field.name}", getattr(self, field.name), least, most)
 
 
+@dataclass(frozen=True, eq=False)
+class KnownParts:
+    """Knowledge of the membranes of one sensor from its build: they differ from nominal, and are known better."""
+
+    compliance: Array
+    """Logarithm of the compliance of each membrane by the nominal one at the same modulus, (n_point,) float64."""
+    compliance_deviation: Array
+    """Standard deviation of that logarithm, what scatters at the point beside included, (n_point,) float64."""
+    batch: NDArray[np.int64]
+    """Batch of silicone of each membrane, (n_point,), from 0."""
+    names: tuple[str, ...]
+    """Name of each batch."""
+    modulus: Array
+    """Logarithm of the modulus of each batch by the nominal one, (n_batch,) float64."""
+    modulus_deviation: Array
+    """Standard deviation of that logarithm, (n_batch,) float64."""
+
+
 class UpdatedModel:
     """The family of sensors among which the made one is looked for.
 
     Args:
         nominal: library of the nominal design, of any fidelity.
         priors: of the parameters.
+        known: knowledge of the membranes from the build; by default all are nominal and of one batch.
 
     Raises:
         Refusal: a design that the lumped batch does not take.
     """
 
-    def __init__(self, nominal: Library, priors: Priors | None = None) -> None:
+    def __init__(self, nominal: Library, priors: Priors | None = None, known: KnownParts | None = None) -> None:
         design: ArrayDesign = nominal.design
         self.library, self.priors = nominal, priors or Priors()
         self.frequency = nominal.frequency
@@ -92,7 +112,7 @@ class UpdatedModel:
         self.sizes: Mapping[str, int] = {
             "bore": tubes,
             "compliance": points,
-            "modulus": 1,
+            "modulus": 1 if known is None else len(known.names),
             "loss": 1,
             "gain": microphones,
             "corner": microphones,
@@ -105,7 +125,7 @@ class UpdatedModel:
         self.names = (
             *(f"bore of {name}" for name in self.topology.tube_names),
             *(f"compliance of point {number + 1}" for number in range(points)),
-            "modulus of all membranes",
+            *_modulus_names(known),
             "loss factor of all membranes",
             *(f"gain of microphone {name}" for name in design.microphones),
             *(f"high-pass of microphone {name}" for name in design.microphones),
@@ -119,6 +139,18 @@ class UpdatedModel:
         h = nominal.transfer_function.transpose("point", "microphone", "frequency").values
         #: (count,) logarithm of a parameter's factor per standard deviation of its prior.
         self.scale = np.array([getattr(self.priors, group) for group in self.groups], np.float64)
+        #: (count,) logarithm of a parameter's factor that is expected before anything was measured.
+        self.mean = np.zeros(self.count)
+        self._batch = np.zeros(points, np.int64)
+        if known is not None:
+            of_membranes = {
+                "compliance": (known.compliance, known.compliance_deviation),
+                "modulus": (known.modulus, known.modulus_deviation),
+            }
+            for group, (mean, deviation) in of_membranes.items():
+                own = [number for number, name in enumerate(self.groups) if name == group]
+                self.mean[own], self.scale[own] = mean, deviation
+            self._batch = known.batch
         self._ratio = h / self._lumped(np.zeros((1, self.count)))[0]
 
     @property
@@ -135,19 +167,21 @@ class UpdatedModel:
         Returns:
             (n_sensor, n_point, n_microphone, n_freq) complex128, Pa/Pa.
         """
-        return self._lumped(u) * namespace(u).asarray(self._ratio)
-
-    def _lumped(self, u: Any) -> Any:
         xp = namespace(u)
+        return self._lumped(xp.asarray(self.mean) + xp.asarray(self.scale) * u) * xp.asarray(self._ratio)
+
+    def _lumped(self, logarithms: Any) -> Any:
+        """Transfer functions of the lumped network for logarithms of the factors of its parameters."""
+        xp = namespace(logarithms)
         nominal = self.nominal_parameters.map(xp.asarray)
         factor: dict[str, Any] = {}
         first = 0
         for name, size in self.sizes.items():
             if not size:
                 continue
-            factor[name] = xp.exp(getattr(self.priors, name) * u[:, first : first + size])
+            factor[name] = xp.exp(logarithms[:, first : first + size])
             first += size
-        stiffness = factor["modulus"]
+        stiffness = factor["modulus"][:, self._batch]
         parameters = replace(
             nominal,
             tube_radius=nominal.tube_radius * factor["bore"],
@@ -177,6 +211,13 @@ class UpdatedModel:
         steps = _STEP * np.eye(self.count)
         h = self.transfer_function(np.concatenate([u + steps, u - steps]))
         return np.asarray((h[: self.count] - h[self.count :]) / (2 * _STEP))
+
+
+def _modulus_names(known: KnownParts | None) -> tuple[str, ...]:
+    """Names of the moduli: one of all membranes, or one of each batch."""
+    if known is None or len(known.names) == 1:
+        return ("modulus of all membranes",)
+    return tuple(f"modulus of batch {name}" for name in known.names)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -215,7 +256,8 @@ class Posterior:
         """Factor by which each parameter differs from nominal, and the standard deviation of its logarithm."""
         scale = self.model.scale
         known = np.sqrt(np.diag(self.covariance))
-        values = zip(self.model.names, np.exp(scale * self.parameters), scale * known, strict=True)
+        factors = np.exp(self.model.mean + scale * self.parameters)
+        values = zip(self.model.names, factors, scale * known, strict=True)
         return {name: (float(value), float(deviation)) for name, value, deviation in values}
 
     @property

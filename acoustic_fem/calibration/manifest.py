@@ -3,6 +3,7 @@
 ::
 
     design = "array-2x6"          # a prototype, or a design file beside the manifest
+    record = "record.toml"        # of the build, as `acoustic-fem parts` writes it: measured thicknesses, batches
     response = "reference.csv"    # of the calibration microphone: frequency (Hz), dB and degrees; by default flat
     [channels]                    # of WAV files and matrices, from 1; by default in this order
     reference = 1                 # the calibration microphone at the touched cavity
@@ -29,6 +30,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field, PlainValidator
 from pydantic_core import PydanticCustomError
 
+from acoustic_fem.calibration.build_record import BuildRecord, read_record
 from acoustic_fem.calibration.reference_response import ReferenceResponse, read_response
 from acoustic_fem.sound.estimate import Estimator
 from geometry.design.array_design import ArrayDesign
@@ -71,6 +73,7 @@ class _File(BaseModel):
     started_late: dict[str, Annotated[_Number, Field(ge=-60, le=60)]] = {}
     clock_ppm: dict[str, Annotated[_Number, Field(ge=-1000, le=1000)]] = {}
     response: Annotated[str, Field(min_length=1)] | None = None
+    record: Annotated[str, Field(min_length=1)] | None = None
     estimator: Estimator = "H1"
     least_coherence: Annotated[_Number, Field(ge=0, lt=1)] = 0.9
 
@@ -98,6 +101,8 @@ class Manifest:
     estimated against the reference."""
     response: ReferenceResponse | None = None
     """Response of the calibration microphone; None for a flat one."""
+    record: BuildRecord | None = None
+    """Record of the build; None where the manifest names none."""
 
 
 def read_manifest(path: Path) -> Manifest:
@@ -105,6 +110,7 @@ def read_manifest(path: Path) -> Manifest:
 
     Raises:
         ManifestError: it cannot be read, is not TOML, lacks a field, or holds an unknown or impossible one.
+        Refusal: the response or the record cannot be read, or the record is of another design.
         DesignError: the design is neither a prototype nor a valid design file.
     """
     path = Path(path)
@@ -160,4 +166,5 @@ def read_manifest(path: Path) -> Manifest:
         file.least_coherence,
         {name: file.clock_ppm[name] for name in names if name in file.clock_ppm},
         None if file.response is None else read_response(path.parent / file.response),
+        None if file.record is None else read_record(path.parent / file.record, design),
     )

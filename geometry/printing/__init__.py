@@ -1,6 +1,6 @@
 """Can it be printed: measures, rules, pose, plates, report.
 
-Stands on: assembly, design, formats, ground, schema, solids.
+Stands on: assembly, design, formats, ground, molds, schema, solids.
 """
 
 import lazy_loader

@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from geometry.formats.three_mf import Body, read_3mf, write_3mf
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_file
+from geometry.molds.mold import MoldKind
 from geometry.printing.pose import Pose, find_pose
 from geometry.schema.print_processes import PrintProcess
 
@@ -54,7 +55,8 @@ def export_plates(
 ) -> Plates:
     """Write ``folder/plate-1.3mf``, ...: every printed part as often as it is needed, in rows, none over another.
 
-    Each shape is stored once however often it lies there, in its own coordinates, and laid on the plate, z = 0, in the
+    Parts of molds come first, on plates of their own, ``plate-1-molds.3mf``: a mold serves many arrays, and its
+    membranes cure while the array is printed. Each shape is stored once however often it lies there, in its own coordinates, and laid on the plate, z = 0, in the
     pose in which the report judges it.
 
     Args:
@@ -67,7 +69,8 @@ def export_plates(
         Refusal: nothing is printed, or nothing fits.
     """
     known = part_set(parts)
-    copies: list[tuple[SharedShape, Pose]] = []
+    molds: list[tuple[SharedShape, Pose]] = []
+    others: list[tuple[SharedShape, Pose]] = []
     too_large: list[str] = []
     for shape in tessellate_distinct(parts) if shapes is None else shapes:
         if known.origin(shape.names[0]) != "printed":
@@ -76,13 +79,15 @@ def export_plates(
         if not pose.fits:
             too_large += shape.names
             continue
+        copies = molds if known.kinds.get(shape.names[0]) in get_args(MoldKind) else others
         copies += [(shape, pose)] * sum(known.counts.get(name, 1) for name in shape.names)
-    if not copies:
+    if not molds and not others:
         problem = f"none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}"
         raise Refusal(problem, kind=Kind.UNSUITABLE)
-    copies.sort(key=lambda copy: -copy[1].size[1])
     plates = []
-    for number, placed in enumerate(_packed(copies, process), start=1):
+    jobs = [("-molds", placed) for placed in _packed(molds, process)]
+    jobs += [("", placed) for placed in _packed(others, process)]
+    for number, (suffix, placed) in enumerate(jobs, start=1):
         distinct = {shape.names[0]: shape for shape, _ in placed}
         bodies = [
             Body(
@@ -93,7 +98,7 @@ def export_plates(
             )
             for name, shape in distinct.items()
         ]
-        path = Path(folder) / f"plate-{number}.3mf"
+        path = Path(folder) / f"plate-{number}{suffix}.3mf"
         with whole_file(path) as beside:
             write_3mf(bodies, path.stem, beside, design_toml=known.design_toml)
             if (read := sorted(read_3mf(beside))) != sorted(distinct):
@@ -112,9 +117,9 @@ def _packed(copies: list[tuple[SharedShape, Pose]], process: PrintProcess) -> li
     A margin of SPACING stays free for a brim and supports, except beside a part that needs it.
     """
     width, depth, _ = process.build_volume
-    plates: list[Placed] = [[]]
+    plates: list[Placed] = [[]] if copies else []
     x = y = row = 0.0
-    for shape, pose in copies:
+    for shape, pose in sorted(copies, key=lambda copy: -copy[1].size[1]):
         size = pose.size
         if x > 0 and x + size[0] > width - 2 * SPACING:
             x, y, row = 0.0, y + row + SPACING, 0.0

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
     from geometry.printing.printability import PrintReport
     from studies.run.check import DesignCheck
-    from studies.run.part_folder import MadeParts
+    from studies.kit.making import MadeParts
     from studies.run.quality import DesignQuality
     from studies.verdict import Verdict
 

@@ -355,7 +355,8 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
 
 @contextmanager
 def replaced_files(folder: Path, list_name: str = FILES) -> Iterator[Path]:
-    """Empty folder whose files move into ``folder`` when all went well, and are removed when not.
+    """Empty folder whose files, also those in its folders, move into ``folder`` when all went well, and are removed when
+    not.
 
     Files of an earlier call are removed, so that no folder holds files of two designs; files of others stay. Both are
     told apart by a list: whenever a call is stopped, it names all that calls have put there.
@@ -370,7 +371,8 @@ def replaced_files(folder: Path, list_name: str = FILES) -> Iterator[Path]:
     fresh, listed = _beside_list(folder, list_name), folder / list_name
     earlier = set(read_text(listed, "a list of files", Refusal).splitlines()) if listed.exists() else set()
     for name in sorted(earlier):
-        if name in ("", ".", "..") or Path(name).name != name:
+        inside = Path(name).as_posix() == name and ".." not in Path(name).parts and name not in ("", ".")
+        if not (inside and (folder / name).parent.resolve().is_relative_to(folder.resolve())):
             problem = f"must be the name of a file in {folder}"
             raise Refusal(problem, kind=Kind.UNSUITABLE, file=listed, value=name, remedy="correct or remove the list")
     folder.mkdir(parents=True, exist_ok=True)
@@ -379,15 +381,35 @@ def replaced_files(folder: Path, list_name: str = FILES) -> Iterator[Path]:
     try:
         with _called_as_in(folder, fresh):
             yield fresh
-        names = {path.name for path in fresh.iterdir()} | {list_name}
+        made = (path for path in fresh.rglob("*") if not path.is_dir())
+        names = {path.relative_to(fresh).as_posix() for path in made} | {list_name}
+        _check_inside(folder, names)
         _write_list(listed, earlier | names)
         for name in names - {list_name}:
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
             os.replace(fresh / name, folder / name)
         for name in earlier - names:
             (folder / name).unlink(missing_ok=True)
+        _remove_empty(folder, earlier - names)
         _write_list(listed, names)
     finally:
         _remove(fresh)
+
+
+def _check_inside(folder: Path, names: Iterable[str]) -> None:
+    """Refuse to write through a link out of the folder, or into a file that has the name of a folder."""
+    for place in sorted({(folder / name).parent for name in names}):
+        if not place.resolve().is_relative_to(folder.resolve()) or (place.exists() and not place.is_dir()):
+            problem = "must be a folder, because files are written into it"
+            raise Refusal(problem, kind=Kind.EXISTS, file=place, remedy="move it to another folder")
+
+
+def _remove_empty(folder: Path, names: Iterable[str]) -> None:
+    """Remove folders in which files of an earlier call lay, if nothing is in them any more."""
+    emptied = {above for name in names for above in (folder / name).parents if above != folder}
+    for place in sorted(emptied & set(folder.rglob("*")), key=lambda path: -len(path.parts)):
+        if not any(place.iterdir()):
+            place.rmdir()
 
 
 def _beside_list(folder: Path, list_name: str) -> Path:

@@ -13,7 +13,7 @@ from geometry.design.design_file import save_design
 from geometry.ground.argument_checks import check_choice
 from studies.panels.cad_panel import CallbackDisplay
 from studies.run.library_files import convert_library, solve_library
-from studies.run.part_folder import export_parts
+from studies.kit.making import export_parts
 from studies.run.pipeline import run_design
 
 

@@ -1,6 +1,6 @@
 """One design: checked, solved, its parts, or all through the whole chain, and the report.
 
-Stands on: evaluation, metrics, output, verdict.
+Stands on: evaluation, kit, metrics, output, verdict.
 """
 
 import lazy_loader

@@ -2,7 +2,6 @@ from .check import DesignCheck as DesignCheck, check_design as check_design
 from .file_list import FolderCheck as FolderCheck, verify_run as verify_run
 from .findings import accuracy_rows as accuracy_rows, summary as summary
 from .library_files import cell_lines as cell_lines, convert_library as convert_library, solve_library as solve_library
-from .part_folder import MadeParts as MadeParts, export_parts as export_parts
 from .pipeline import run_design as run_design
 from .quality import DesignQuality as DesignQuality, design_quality as design_quality, draw_quality as draw_quality
 from .starting import copy_prototype as copy_prototype

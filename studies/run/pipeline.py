@@ -48,7 +48,7 @@ from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.file_list import write_file_list
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
-from studies.run.part_folder import ALL_THE_SAME
+from studies.kit.making import ALL_THE_SAME
 from studies.run.run_report import write_report
 from studies.run.run_result import RunResult
 from studies.run.validity import model_validity

@@ -30,7 +30,7 @@ from studies.output.display import Display
 from studies.output.folders import check_new_file, claimed_file
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
 from studies.test_rig.calibration_figures import draw_calibration
-from studies.test_rig.priors import fit_priors, model_deviation
+from studies.test_rig.priors import fit_priors, known_parts, model_deviation
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -82,7 +82,8 @@ def calibrate_sensor(
 
     Bad recordings are left out and listed. The transfer functions of points without a good recording are computed with
     dimensions of the parts that are fitted to the measured points. If no sensor within the tolerances fits, these
-    points keep the transfer functions of the design.
+    points keep the transfer functions of the design. If the manifest names a record of the build, the fit starts from
+    the thicknesses and moduli that were measured there, and trusts them by their errors.
 
     Args:
         recordings: a manifest (TOML), or a folder with one called ``calibration.toml``.
@@ -120,7 +121,10 @@ def calibrate_sensor(
         fit, deviation = None, None
         if calibration.missing:
             with show.stage("Fit"):
-                fit = update(UpdatedModel(model, fit_priors(manifest.design, scatter)), calibration.estimates)
+                record = manifest.record
+                known = known_parts(manifest.design, record, scatter) if record and record.says_something else None
+                family = UpdatedModel(model, fit_priors(manifest.design, scatter), known)
+                fit = update(family, calibration.estimates)
                 deviation = model_deviation(manifest.design, grid, scatter)
         used = None if fit is None or fit.objection else fit
         library = calibration.library(model, deviation, used)

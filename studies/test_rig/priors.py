@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from acoustic_fem.calibration.fitted_model import Priors
+from acoustic_fem.calibration.build_record import BuildRecord
+from acoustic_fem.calibration.fitted_model import KnownParts, Priors
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
@@ -19,6 +20,8 @@ _PER_VOLUME = math.pi / (1.4 * 101325)
 """Compliance of a cylinder of air per its radius squared times its height, 1/Pa."""
 _DEVIATION_SENSORS, _PRIOR_SENSORS = 64, 256
 """Sensors drawn from the tolerances."""
+_LEAST_STEP = 0.02
+"""Least tolerance of thickness that discs are interpolated over, mm."""
 
 
 def model_deviation(design: ArrayDesign, frequency: Array, tolerances: Sequence[Tolerance] = TOLERANCES) -> Array:
@@ -65,3 +68,57 @@ def fit_priors(design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES
 def _prior(deviation: float) -> float:
     """At least a thousandth: what does not scatter is not known better than that."""
     return float(np.clip(deviation, 1e-3, 1.0))
+
+
+def known_parts(
+    design: ArrayDesign, record: BuildRecord, tolerances: Sequence[Tolerance] = TOLERANCES
+) -> KnownParts:
+    """Knowledge of the membranes of a sensor from the record of its build.
+
+    A membrane whose thickness was measured has the compliance of that thickness, and scatters by the error of the
+    measurement in place of the tolerance of thickness. A batch whose modulus was measured has that modulus; others keep
+    the tolerance of a batch.
+
+    Args:
+        design: the nominal array.
+        record: of the build.
+        tolerances: of manufacturing.
+    """
+    count = design.point_count
+    mean = np.zeros(count)
+    usual = fit_priors(design, tolerances)
+    deviation = np.full(count, usual.compliance)
+    if record.thickness:
+        measured = np.array(sorted(record.thickness)) - 1
+        mean[measured] = _compliance_of_thickness(design, record)
+        error = Tolerance("membrane_thickness", record.thickness_error, "absolute", "the record of the build")
+        others = [each for each in tolerances if each.quantity != "membrane_thickness"]
+        deviation[measured] = fit_priors(design, [*others, error]).compliance
+    stated = design.material(design.membrane.material).youngs_modulus
+    batch = np.zeros(count, np.int64)
+    for number, each in enumerate(record.batches):
+        batch[np.array(each.points) - 1] = number
+    return KnownParts(
+        mean,
+        deviation,
+        batch,
+        tuple(each.name for each in record.batches),
+        np.array([0.0 if each.modulus is None else math.log(each.modulus / stated) for each in record.batches]),
+        np.array([usual.modulus if each.modulus is None else each.modulus_error for each in record.batches]),
+    )
+
+
+def _compliance_of_thickness(design: ArrayDesign, record: BuildRecord) -> Array:
+    """Logarithm of the compliance of measured membranes by that of the design, in the order of their points,
+    (n_measured,) float64.
+    """
+    points = np.array(sorted(record.thickness)) - 1
+    designed = [design.of_kind(design.kinds[design.kind_of_point[point]]).membrane.thickness for point in points]
+    off = np.array([record.thickness[int(point) + 1] for point in points]) - designed
+    # The interpolation of discs covers three deviations of the tolerance that it is made for.
+    step = max(float(np.abs(off).max()) / 2, _LEAST_STEP)
+    scattered = ScatteredDesign(design, [Tolerance("membrane_thickness", step, "absolute", "the record of the build")])
+    draws = {name: np.zeros_like(value) for name, value in scattered.draws(0, 1, 0).items()}
+    draws["membrane_thickness"][0, points] = off / step
+    made, nominal = scattered.parameters(draws).membrane_compliance, scattered.nominal.membrane_compliance
+    return np.asarray(np.log(made / nominal)[0, points])

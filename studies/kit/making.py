@@ -1,4 +1,4 @@
-"""Everything that it takes to make an array, in one folder."""
+"""Kit of one design in a folder of its own: the call behind ``acoustic-fem parts``."""
 
 from __future__ import annotations
 
@@ -6,15 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import geometry
-from geometry import export, print_report
-from geometry.assembly.bill import Bill, bill_of_materials, write_bill
+from geometry.assembly.bill import Bill
 from geometry.assembly.fit import misfits
-from geometry.assembly.model import ArrayModel, array_model
-from geometry.assembly.order_table import write_assembly_table
+from geometry.assembly.model import array_model
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
-from geometry.formats.part_files import FORMATS, ExportedFile, tessellate_distinct
+from geometry.formats.part_files import FORMATS, ExportedFile
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Field
 from geometry.ground.shown import Shown
@@ -23,12 +20,12 @@ from geometry.ground.typed import PathLike
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.remedies import refuse_unbuildable
-from geometry.printing.plates import export_plates
 from geometry.printing.printability import PrintReport
-from geometry.printing.report_files import write_report
 from geometry.schema.field_errors import DesignError
 from geometry.schema.print_processes import PrintProcess, find_process, process_of
-from studies.output.display import Display, Report
+from studies.kit.kit_files import write_kit
+from studies.kit.order_list import OrderList
+from studies.output.display import Display
 from studies.output.folders import FILES, check_folder, claimed_folder, replaced_files
 
 #: Remedy where a design cannot be built.
@@ -37,10 +34,14 @@ ALL_THE_SAME = (Field("allow_overlaps"), " draws it all the same")
 
 @dataclass(frozen=True, repr=False)
 class MadeParts(Shown):
-    """Part files of an array in a folder, and the findings on them."""
+    """Kit of an array in a folder, and the findings on its parts."""
 
     design: ArrayDesign
     """Array that the parts are of."""
+    folder: Path
+    """Folder of the kit."""
+    manual: Path
+    """Build manual: a page to read or to print."""
     report: Path
     """Page with what the print rules say."""
     files: tuple[ExportedFile, ...]
@@ -49,6 +50,8 @@ class MadeParts(Shown):
     """Report of the print rules on the parts."""
     bill: Bill
     """Bill of materials."""
+    order: OrderList
+    """Order list: the bill with spares, tools, consumables and hours of work."""
     too_large: tuple[str, ...]
     """Names of the parts that fit on no plate."""
     notes: tuple[str, ...]
@@ -59,10 +62,13 @@ class MadeParts(Shown):
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
         return f"Parts of {self.design.name}", {
-            "folder": self.report.parent,
+            "folder": self.folder,
+            "manual": self.manual,
             "files": len(self.files),
             "printing": f"{self.printing.process.title}: {self.printing.verdict}",
             "materials": f"{self.bill.cost:.2f} {self.bill.currency}",
+            "all with spares and tools": f"{self.order.cost():.2f} {self.bill.currency}",
+            "work": f"{self.order.hours:.1f} h",
             "molds": f"{self.bill.tooling_cost:.2f} {self.bill.currency}",
             "on no plate": ", ".join(self.too_large),
             "misfits": "; ".join(self.misfits),
@@ -78,8 +84,7 @@ def export_parts(
     allow_overlaps: bool = False,
     display: Display | None = None,
 ) -> MadeParts:
-    """Parts of a design, drawn, exported and compared with the print rules, and the assembled array. Either all files
-    are written or none.
+    """Kit of a design: what to buy, print, cast, cut and build, with a manual. Either all files are written or none.
 
     Args:
         design: the array: a design, the path of its file, or the name of a prototype.
@@ -115,44 +120,17 @@ def export_parts(
         in_the_way = misfits(model)
         if in_the_way and not allow_overlaps:
             raise DesignError.of_notes(design.name, in_the_way, remedy=ALL_THE_SAME)
-        made = _make(model, fresh, formats, rules, in_the_way, report)
-    files = tuple(replace(file, path=folder / file.path.name) for file in made.files)
-    return replace(made, report=folder / made.report.name, files=files)
-
-
-def _make(
-    model: ArrayModel,
-    folder: Path,
-    formats: Sequence[str],
-    process: PrintProcess,
-    in_the_way: tuple[str, ...],
-    report: Report,
-) -> MadeParts:
-    design, parts = model.design, model.parts
-    shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.1 + 0.25 * done))
-    files = export(parts, folder, formats, progress=lambda part, done: report(part, 0.1 + 0.25 * done), shapes=shapes)
-    report("plates", 0.35)
-    plates = export_plates(parts, folder, process, shapes)
-    printing = print_report(
-        parts, process, design, lambda part, done: report(f"print rules of {part}", 0.45 + 0.2 * done), shapes
+        kit = write_kit(model, fresh, formats, rules, lambda what, done: report(what, 0.1 + 0.9 * done))
+    return MadeParts(
+        design=design,
+        folder=folder,
+        manual=folder / kit.manual.relative_to(fresh),
+        report=folder / kit.report.relative_to(fresh),
+        files=tuple(replace(file, path=folder / file.path.relative_to(fresh)) for file in kit.files),
+        printing=kit.printing,
+        bill=kit.order.bill,
+        order=kit.order,
+        too_large=kit.too_large,
+        notes=buildability_notes(design, layout),
+        misfits=in_the_way,
     )
-    _, page = write_report(printing, folder, design.name, files)
-    report("bill of materials", 0.65)
-    bill = bill_of_materials(design, parts, layout=model.layout)
-    write_bill(bill, folder)
-    report("assembly.step", 0.68)
-    write_assembly_table(model, folder)
-    geometry.formats.write_step(model, folder / "assembly.step")
-    report("array.glb", 0.78)
-    geometry.pictures.write_gltf(model, folder / "array.glb")
-    report("array.html", 0.82)
-    geometry.pictures.write_viewer(model, folder / "array.html")
-    report("top-view.png", 0.87)
-    geometry.pictures.top_view(model, folder / "top-view.png")
-    report("exploded-view.png", 0.91)
-    geometry.pictures.exploded_view(model, folder / "exploded-view.png")
-    report("mold-section.png", 0.96)
-    geometry.pictures.mold_section(model, folder / "mold-section.png")
-    report("done", 1.0)
-    notes = buildability_notes(design, model.layout)
-    return MadeParts(design, page, files, printing, bill, plates.too_large, notes, in_the_way)

@@ -1,0 +1,136 @@
+"""Files of a kit: a folder per job, written into an empty folder; what ``parts`` and ``run`` both write."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import geometry
+from geometry import export, print_report
+from geometry.assembly.bill import bill_of_materials, write_bill
+from geometry.assembly.model import ArrayModel
+from geometry.assembly.order_table import write_assembly_table
+from geometry.assembly.part_list import Origin
+from geometry.formats.part_files import ExportedFile, SharedShape, tessellate_distinct
+from geometry.ground.whole_files import write_text
+from geometry.printing.plates import Plates, export_plates
+from geometry.printing.printability import PrintReport
+from geometry.printing.report_files import write_report
+from geometry.schema.print_processes import PrintProcess
+from geometry.stock import Silicone, catalogue
+from studies.kit.cutting_template import write_cutting
+from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
+from studies.kit.manual import write_manual
+from studies.kit.order_list import OrderList, order_list
+from studies.kit.record_sheet import write_record
+from studies.kit.work_hours import work_of
+from studies.output.display import Report
+
+#: Folder of the files of each part, by where it comes from.
+_PLACES: dict[Origin, str] = {
+    "printed": f"{PRINT}/parts",
+    "cast": f"{CAST}/reference",
+    "bought": f"{BUILD}/reference",
+}
+
+
+@dataclass(frozen=True)
+class KitFiles:
+    """A kit that was written, and the findings on its parts."""
+
+    manual: Path
+    """Build manual."""
+    report: Path
+    """Page with what the print rules say."""
+    files: tuple[ExportedFile, ...]
+    """Files of single parts."""
+    printing: PrintReport
+    """Report of the print rules."""
+    order: OrderList
+    """Order list with the bill and the hours of work."""
+    too_large: tuple[str, ...]
+    """Names of the parts that fit on no plate."""
+
+
+def write_kit(
+    model: ArrayModel, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
+) -> KitFiles:
+    """Write the kit of an array.
+
+    Args:
+        model: the array.
+        folder: an empty folder that exists.
+        formats: formats of the files of each part.
+        process: printing process.
+        report: shows progress.
+    """
+    design, parts = model.design, model.parts
+    shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.25 * done))
+    files = _export_parts(model, folder, formats, shapes, report)
+    report("plates", 0.3)
+    plates = export_plates(parts, folder / PRINT, process, shapes)
+    printing = print_report(
+        parts, process, design, lambda part, done: report(f"print rules of {part}", 0.35 + 0.15 * done), shapes
+    )
+    _, page = write_report(printing, folder / PRINT, design.name, files)
+    report("order list", 0.5)
+    order = _write_orders(model, plates, process, folder / BUY)
+    report("cutting template", 0.52)
+    write_cutting(design, model.layout, _made(folder / CUT))
+    report("assembly.step", 0.55)
+    build = _made(folder / BUILD)
+    write_assembly_table(model, build)
+    geometry.formats.write_step(model, build / "assembly.step")
+    report("array.glb", 0.62)
+    geometry.pictures.write_gltf(model, build / "array.glb")
+    report("array.html", 0.64)
+    geometry.pictures.write_viewer(model, build / "array.html")
+    write_record(design, order.bill, build)
+    report("pictures", 0.68)
+    geometry.pictures.top_view(model, build / "top-view.png")
+    geometry.pictures.exploded_view(model, build / "exploded-view.png")
+    geometry.pictures.mold_section(model, _made(folder / CAST) / "mold-section.png")
+    manual = write_manual(
+        model, folder, plates, shapes, printing, order, process, lambda what, done: report(what, 0.75 + 0.25 * done)
+    )
+    report("done", 1.0)
+    return KitFiles(manual, page, files, printing, order, plates.too_large)
+
+
+def _export_parts(
+    model: ArrayModel, folder: Path, formats: Sequence[str], shapes: Sequence[SharedShape], report: Report
+) -> tuple[ExportedFile, ...]:
+    """Files of all parts, each in the folder of where it comes from."""
+    parts, files = model.parts, list[ExportedFile]()
+    for origin, place in _PLACES.items():
+        own = [shape for shape in shapes if parts.origin(shape.names[0]) == origin]
+        if own:
+            names = [name for shape in own for name in shape.names]
+            files += export(
+                parts.only(*names),
+                folder / place,
+                formats,
+                progress=lambda part, done: report(part, 0.25 * done),
+                shapes=own,
+            )
+    return tuple(files)
+
+
+def _write_orders(model: ArrayModel, plates: Plates, process: PrintProcess, folder: Path) -> OrderList:
+    """Write the order list, the hours of work and the bill."""
+    bill = bill_of_materials(model.design, model.parts, layout=model.layout)
+    silicone = catalogue().silicone(model.design).part
+    cure = silicone.cure_time if isinstance(silicone, Silicone) else 16.0
+    work = work_of(model, len(plates.plates), process, cure)
+    order = order_list(model.design, bill, work, process)
+    _made(folder)
+    write_text(folder / "order-list.csv", order.to_csv())
+    write_text(folder / "work-hours.csv", order.work_csv())
+    write_bill(bill, folder)
+    return order
+
+
+def _made(folder: Path) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
