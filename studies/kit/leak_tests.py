@@ -24,8 +24,8 @@ from geometry.ground.refusal import Refusal
 LARGEST_CORNER = 0.3
 #: Bore of the hose of the water gauge, m, and how long its level is watched, s.
 GAUGE_BORE, WATCHED = 2e-3, 30.0
-#: Pressures that are tried, Pa: the highest at which the membrane bulges by little.
-_PRESSURES = (5000.0, 2000.0, 1000.0, 500.0, 200.0, 100.0)
+#: Pressures that are tried, Pa: the highest at which the membrane bulges by little; 2 kPa are 204 mm of water.
+_PRESSURES = (2000.0, 1000.0, 500.0, 200.0, 100.0)
 #: Largest bulge in the middle by the radius of the opening, at which silicone is far from tearing.
 _LARGEST_BULGE = 0.15
 #: Pressure of a metre of water, Pa.

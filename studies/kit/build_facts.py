@@ -1,0 +1,174 @@
+"""Facts that the manual states about one design: casts, glues with their dangers, wiring of the microphones."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from geometry.assembly.bill import Bill
+from geometry.assembly.model import ArrayModel
+from geometry.design.array_design import ArrayDesign
+from geometry.molds.mold_plan import plan_mold
+from geometry.schema.print_processes import PrintProcess
+from geometry.solids.membrane import membranes_of
+from geometry.stock import Glue, Silicone, StockMicrophone, catalogue
+from studies.kit.work_hours import count_casts
+
+#: Dangers of a glue by a word of its chemistry: what it does, and what to wear.
+_GLUE_DANGERS = {
+    "cyanoacrylate": "Glues skin and eyelids within seconds, and its vapour irritates. Wear safety glasses, do not wear "
+    "cotton gloves, and open a window. Loosen glued skin with warm soapy water.",
+    "epoxy": "Can cause an allergy for life once it touches skin. Wear nitrile gloves and change them when they are "
+    "smeared.",
+    "ultraviolet": "Irritates skin and eyes before it is cured. Wear nitrile gloves, and glasses that stop ultraviolet "
+    "light while the lamp is on.",
+    "acetoxy": "Gives off vinegar while it cures. Open a window and keep it away from eyes. The vapour corrodes bare "
+    "copper, so let it cure before the microphones are mounted.",
+}
+_OTHER_GLUE = "Read the safety data sheet of the glue before you open it. Wear nitrile gloves and safety glasses."
+#: Dangers of what else is used.
+_RESIN = (
+    "Liquid resin irritates skin and can cause an allergy for life. Wear nitrile gloves and safety glasses until the "
+    "parts are cured. Isopropanol burns: no flame, no sparks, an open window. Cure rinsed resin in the sun before you "
+    "throw it away, and pour none into the drain."
+)
+_POWDER = "Parts come from a service. Blow powder out of the bores outdoors and wear a dust mask."
+_FILAMENT = "Let the nozzle cool before you reach into the printer."
+_SILICONE = (
+    "Platinum silicone is harmless to skin, but gloves of latex, sulphur and uncured resin keep it from curing. Wear "
+    "nitrile gloves and cure the mold well."
+)
+_SLEEVE = "The nozzle of a heat gun burns skin at once. Hold short pieces with tweezers and heat outdoors or at a window."
+_SPRING = "Cut ends of spring wire fly and pierce. Wear safety glasses and cut inside a bag or under a cloth."
+#: Signals of a microphone by its output, with the place that each goes to.
+_SIGNALS = {
+    "analog": (
+        ("VDD", "the supply that the data sheet states, with 100 nF to GND beside the package"),
+        ("GND", "ground; the metal of the package is ground too"),
+        ("OUT", "the input of the recorder, through a capacitor of at least 10 uF so that 3 Hz passes into 10 kOhm"),
+    ),
+    "PDM": (
+        ("VDD", "the supply that the data sheet states, with 100 nF to GND beside the package"),
+        ("GND", "ground"),
+        ("CLOCK", "the clock of the controller, common to all microphones"),
+        ("DATA", "a data input; two microphones share one line"),
+        ("SELECT", "GND for one microphone of a pair, VDD for the other"),
+    ),
+    "I2S": (
+        ("VDD", "the supply that the data sheet states, with 100 nF to GND beside the package"),
+        ("GND", "ground"),
+        ("SCK", "the bit clock of the controller, common to all microphones"),
+        ("WS", "the word clock, common to all microphones"),
+        ("SD", "a data input; two microphones share one line"),
+        ("L/R", "GND for one microphone of a pair, VDD for the other"),
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Cast:
+    """Casting of the membranes of one kind."""
+
+    membrane: str
+    """Name of the membrane."""
+    needed: int
+    """Membranes that the array takes."""
+    cavities: int
+    """Cavities of the mold."""
+    casts: int
+    """Casts of one mold."""
+    poured: float
+    """Silicone in the cavities of one cast, ml."""
+    mixed: float
+    """Silicone to mix for one cast, with what overflows and stays in the cup, ml."""
+    grams: float
+    """Mass of that, g."""
+    shims: tuple[str, ...]
+    """Names of the shims of the mold, and how much each raises the lid."""
+
+
+@dataclass(frozen=True)
+class Danger:
+    """Safety note on one material."""
+
+    name: str
+    """Name of the material."""
+    words: str
+    """What it does, and what to do."""
+
+
+@dataclass(frozen=True)
+class Wiring:
+    """Wiring of the microphones as far as the design and the catalogue state it."""
+
+    model: str
+    """Part number."""
+    output: str
+    """Output; empty if the catalogue lacks the part."""
+    port: str
+    """Side of the sound hole; empty if the catalogue lacks the part."""
+    signals: tuple[tuple[str, str], ...]
+    """Signals and where each goes."""
+    source: str
+    """Source of the figures of the microphone."""
+
+
+def casts_of(model: ArrayModel, bill: Bill) -> tuple[Cast, ...]:
+    """Casting of each kind of membrane: cavities, casts, and silicone of one cast."""
+    needed = Counter(part.part for part in model.placed if part.kind == "membrane")
+    numbers = count_casts(model)
+    return tuple(
+        _cast(model, name, alike, needed[name], numbers[name], bill) for name, alike in membranes_of(model.design).items()
+    )
+
+
+def _cast(model: ArrayModel, name: str, alike: ArrayDesign, needed: int, casts: int, bill: Bill) -> Cast:
+    silicone = catalogue().silicone(alike).part
+    density = silicone.density if isinstance(silicone, Silicone) else 1070.0
+    plan, volume = plan_mold(alike), model.parts[name].val().Volume() / 1000
+    poured = volume * plan.mold.scale**3 * len(plan.centres)
+    mixed = poured * bill.waste.silicone_factor
+    of_kind = name.removeprefix("membrane")
+    shims = [
+        f"mold-shim-{step}{of_kind} raises the lid by {step * plan.mold.shim_step:g} mm"
+        for step in range(1, alike.mold.shim_count + 1)
+        if f"mold-shim-{step}{of_kind}" in model.parts
+    ]
+    return Cast(name, needed, len(plan.centres), casts, poured, mixed, mixed * density / 1000, tuple(shims))
+
+
+def glue_of(bill: Bill, joint: str) -> Glue | None:
+    """Glue of a kind of joint: ``tube``, ``membrane`` or ``board``; None if the bill has no such joint."""
+    part = next((item.part for item in bill.items if item.item == f"glue of {joint} joints"), None)
+    return part if isinstance(part, Glue) else None
+
+
+def dangers_of(model: ArrayModel, bill: Bill, process: PrintProcess) -> tuple[Danger, ...]:
+    """Safety notes on every material of a build."""
+    return tuple(_dangers(model, bill, process))
+
+
+def _dangers(model: ArrayModel, bill: Bill, process: PrintProcess) -> Iterator[Danger]:
+    resin = next((item.bought_as for item in bill.items if item.use == "printed"), "resin")
+    of_process = {"mjf": _POWDER, "fdm": _FILAMENT}.get(process.name, _RESIN)
+    yield Danger(resin, of_process)
+    silicone = next((item.bought_as for item in bill.items if item.use == "cast"), "silicone")
+    yield Danger(silicone, _SILICONE)
+    tubes = [tube.tube for tube in model.layout.tubes]
+    if any(tube.bore != "smooth" for tube in tubes):
+        yield Danger("spring wire", _SPRING)
+    if any(item.part is not None and item.part.kind == "sleeve" for item in bill.items):
+        yield Danger("heat gun and sleeves", _SLEEVE)
+    glues = dict.fromkeys(filter(None, (glue_of(bill, joint) for joint in ("tube", "membrane", "board"))))
+    for glue in glues:
+        words = next((text for word, text in _GLUE_DANGERS.items() if word in glue.chemistry), _OTHER_GLUE)
+        yield Danger(f"{glue.name} ({glue.chemistry})", f"{words} {glue.note}".strip())
+
+
+def wiring_of(design: ArrayDesign) -> Wiring:
+    """Wiring of the microphones of a design."""
+    part = catalogue().microphone(design.microphone.model)
+    if not isinstance(part, StockMicrophone):
+        return Wiring(design.microphone.model, "", "", _SIGNALS["analog"], design.microphone.source)
+    return Wiring(part.part_number, part.output, part.port, _SIGNALS[part.output], part.source)

@@ -1,0 +1,214 @@
+"""The build manual: one HTML page that needs no network, to read on a screen or to print on A4 and Letter."""
+
+from __future__ import annotations
+
+import base64
+import math
+from collections.abc import Callable, Sequence
+from importlib import resources
+from pathlib import Path
+from typing import Any, TypeVar
+
+import studies
+from geometry.assembly.model import ArrayModel
+from geometry.assembly.order_table import AssemblyStep, assembly_steps
+from geometry.formats.part_files import SharedShape
+from geometry.ground.whole_files import write_text
+from geometry.printing.plates import Plates
+from geometry.printing.pose import find_pose
+from geometry.printing.printability import PrintReport
+from geometry.schema.print_processes import PrintProcess
+from geometry.solids.membrane import membrane_radius
+from geometry.stock import Silicone, Sleeve, catalogue
+from studies.kit import step_drawings, step_pictures
+from studies.kit.build_facts import casts_of, dangers_of, glue_of, wiring_of
+from studies.kit.cutting_template import template_strips
+from studies.kit.expected_signals import FREQUENCY, HOLE, LEAK_FREQUENCY, expected_signals
+from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
+from studies.kit.leak_tests import GAUGE_BORE, WATCHED, leak_tests
+from studies.kit.order_list import OrderList
+from studies.kit.questions import Facts, answers_of
+from studies.kit.work_hours import COUNTED
+from studies.output.display import Report
+
+_T = TypeVar("_T")
+#: Rows of a table that surely fit on one page, so that no table is cut.
+_ROWS = 22
+#: Points beside each other in a row of the record sheet.
+_ACROSS = 2
+
+
+def write_manual(
+    model: ArrayModel,
+    folder: Path,
+    plates: Plates,
+    shapes: Sequence[SharedShape],
+    printing: PrintReport,
+    order: OrderList,
+    process: PrintProcess,
+    report: Report,
+) -> Path:
+    """Write ``5-build/manual.html`` into the folder of a kit.
+
+    Args:
+        model: the array.
+        folder: of the kit.
+        plates: its plates.
+        shapes: facets of its parts.
+        printing: report of the print rules.
+        order: order list.
+        process: printing process.
+        report: shows progress.
+
+    Returns:
+        Path of the page.
+    """
+    import jinja2
+
+    environment = jinja2.Environment(
+        autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    environment.filters |= {"chunks": _chunks, "g3": lambda value: f"{value:.3g}", "signed": _signed}
+    text = (resources.files(studies) / "templates" / "manual.html").read_text(encoding="utf-8")
+    report("expected signals", 0.0)
+    facts = Facts(
+        model,
+        plates,
+        process,
+        printing.verdict,
+        order,
+        casts_of(model, order.bill),
+        template_strips(model.design, model.layout),
+        leak_tests(model.design),
+        expected_signals(model.design),
+        wiring_of(model.design),
+    )
+    page = environment.from_string(text).render(**_content(facts, shapes, report))
+    path = folder / BUILD / "manual.html"
+    write_text(path, page)
+    return path
+
+
+def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dict[str, Any]:
+    """Everything that the page shows."""
+    model, design, bill = facts.model, facts.model.design, facts.order.bill
+    silicone = catalogue().silicone(design).part
+    sleeves = [item.part for item in bill.items if isinstance(item.part, Sleeve)]
+    tubes = [tube.tube for tube in model.layout.tubes]
+    return {
+        "design": design,
+        "facts": facts,
+        "pictures": _pictures(facts, report),
+        "drawings": _drawings(facts),
+        "jobs": {"buy": BUY, "print": PRINT, "cast": CAST, "cut": CUT, "build": BUILD},
+        "answers": answers_of(facts),
+        "dangers": dangers_of(model, bill, facts.process),
+        "parts": _part_rows(facts, shapes),
+        "silicone": silicone if isinstance(silicone, Silicone) else None,
+        "glues": {joint: glue_of(bill, joint) for joint in ("tube", "membrane", "board")},
+        "sleeves": sleeves,
+        "bores": sorted({tube.inner_diameter for tube in tubes}),
+        "steps": assembly_steps(model),
+        "tube_words": _tube_words,
+        "labels": _labels(model),
+        "record": _record_rows(model),
+        "counted": COUNTED,
+        "watched": WATCHED,
+        "gauge": 1e3 * GAUGE_BORE,
+        "frequency": FREQUENCY,
+        "leak_frequency": LEAK_FREQUENCY,
+        "hole": 1e3 * HOLE,
+        "volts": 10 ** (design.microphone.sensitivity / 20),
+        "radius": membrane_radius(design.resonator, design.membrane),
+        "resin": facts.process.name in ("sla-resin", "dlp-fine"),
+        "casting": sum(cast.casts for cast in facts.casts),
+        "hours": {job: math.fsum(w.hours for w in facts.order.work if w.job == job) for job in (PRINT, CAST, CUT, BUILD)},
+    }
+
+
+def _pictures(facts: Facts, report: Report) -> dict[str, str]:
+    """Pictures of steps as addresses that hold them."""
+    model, plates = facts.model, facts.plates.plates
+    last = plates[-1]
+    drawn: dict[str, Callable[[], bytes]] = {
+        "molds": lambda: step_pictures.plate_picture(plates[0], facts.process),
+        "plate": lambda: step_pictures.plate_picture(last, facts.process),
+        "parts": lambda: step_pictures.parts_picture(model),
+        "mold": lambda: step_pictures.mold_picture(model),
+        "membrane": lambda: step_pictures.membrane_picture(model),
+        "joint": lambda: step_pictures.joint_picture(model),
+        "order": lambda: step_pictures.order_picture(model),
+        "microphone": lambda: step_pictures.microphone_picture(model),
+        "array": lambda: step_pictures.array_picture(model),
+    }
+    pictures = {}
+    for number, (name, draw) in enumerate(drawn.items()):
+        report(f"picture of the {name}", 0.1 + 0.9 * number / len(drawn))
+        pictures[name] = "data:image/png;base64," + base64.b64encode(draw()).decode("ascii")
+    return pictures
+
+
+def _drawings(facts: Facts) -> dict[str, str]:
+    """Drawings of steps as SVG."""
+    design = facts.model.design
+    return {
+        "membrane": step_drawings.membrane_drawing(design),
+        "cutting": step_drawings.cutting_drawing(facts.strips),
+        "socket": step_drawings.socket_drawing(
+            facts.model.layout.tubes[0].tube, design.printing.port_lip, design.printing.glue_gap
+        ),
+        "leak": step_drawings.leak_drawing(facts.leaks[0]),
+        "signals": step_drawings.signal_drawing(facts.signals),
+    }
+
+
+def _part_rows(facts: Facts, shapes: Sequence[SharedShape]) -> list[dict[str, Any]]:
+    """Printed parts with their number, and how they lie when they are printed."""
+    parts, rows = facts.model.parts, []
+    for shape in shapes:
+        if parts.origin(shape.names[0]) != "printed":
+            continue
+        pose = find_pose(shape.facets, facts.process).words
+        about = parts.parameters.get(shape.names[0], {}).get("ports", "")
+        count = sum(parts.counts[name] for name in shape.names)
+        rows.append({"name": ", ".join(shape.names), "count": count, "pose": pose, "ports": about})
+    return rows
+
+
+def _tube_words(step: AssemblyStep) -> str:
+    """Tube from a place to the next in words; empty at the end of a line."""
+    tube = step.tube
+    if tube is None:
+        return ""
+    bent = "" if tube.bend_radius == math.inf or tube.schematic else f", bent to {tube.bend_radius:.3g} mm"
+    return f"{tube.name}: sheath {tube.sheath_length:g} mm, spring {tube.spring_length:g} mm{bent}"
+
+
+def _labels(model: ArrayModel) -> list[str]:
+    """Words of the labels: points, microphones, and bags of parts."""
+    parts = model.parts
+    labels = [f"{point.number}" for point in model.layout.points]
+    labels += [f"mic {microphone.name}" for microphone in model.layout.microphones]
+    labels += [f"{parts.counts[name]} x {name}" for name in parts if parts.origin(name) == "printed" and parts.counts[name]]
+    return labels
+
+
+def _record_rows(model: ArrayModel) -> list[list[tuple[int, float]]]:
+    """Rows of the record sheet: number and designed thickness (mm) of points beside each other."""
+    design = model.design
+    points = [
+        (number, design.of_kind(design.kinds[kind]).membrane.thickness)
+        for number, kind in enumerate(design.kind_of_point, start=1)
+    ]
+    return [points[first : first + _ACROSS] for first in range(0, len(points), _ACROSS)]
+
+
+def _chunks(rows: Sequence[_T], size: int = _ROWS) -> list[Sequence[_T]]:
+    """Rows in tables that fit on a page each."""
+    count = max(1, math.ceil(len(rows) / size))
+    length = math.ceil(len(rows) / count)
+    return [rows[first : first + length] for first in range(0, len(rows), length)] if rows else []
+
+
+def _signed(value: float) -> str:
+    return f"{value:.1f}".replace("-", "\N{MINUS SIGN}")

@@ -1,0 +1,175 @@
+"""Pictures of the steps of a build, rendered from the solids of the design itself; each PNG as bytes."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+import pyvista as pv
+import trimesh
+
+import geometry
+from geometry.assembly.model import LOOKS, ArrayModel, PartKind
+from geometry.ground.typed import Array
+from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
+from geometry.printing.plates import Plate
+from geometry.schema.print_processes import PrintProcess
+from studies.output.figure_style import crop_picture
+
+#: Width and height of a picture before the white around it is cut away, pixels.
+_SIZE = (1100, 620)
+#: Colour of parts that have none of their own, and of the plate of a printer.
+_TOOL, _PLATE = "#d9c27a", "#e8ebee"
+#: View from the front and above.
+_FROM_ABOVE = (0.0, -1.0, 0.8)
+#: Words of a picture, pixels.
+_WORDS = 18
+#: Parts of the sheet of parts that stand in one row.
+_A_ROW = 5
+
+
+def _png(draw: Callable[[Path], object]) -> bytes:
+    """Bytes of a picture, without the white around it."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "picture.png"
+        draw(path)
+        crop_picture(path)
+        return path.read_bytes()
+
+
+def plate_picture(plate: Plate, process: PrintProcess) -> bytes:
+    """A plate of the printer with what lies on it, as its file has it."""
+    width, depth, _ = process.build_volume
+
+    def draw(path: Path) -> None:
+        plotter = open_plotter(_SIZE)
+        ground = pv.Plane(center=(width / 2, depth / 2, -0.2), i_size=width, j_size=depth)
+        plotter.add_mesh(ground, color=_PLATE, lighting=False)
+        scene = trimesh.load_scene(plate.path)
+        mesh = scene.to_geometry()
+        faces = pv.PolyData.from_regular_faces(np.asarray(mesh.vertices), np.asarray(mesh.faces))
+        plotter.add_mesh(faces, color=LOOKS["shell"][0], split_sharp_edges=True, smooth_shading=True)
+        aim(plotter, (0.0, -0.5, 1.0))
+        save_picture(plotter, path)
+
+    return _png(draw)
+
+
+def parts_picture(model: ArrayModel) -> bytes:
+    """Every distinct printed part of the array with its name and number, as it stands in its file."""
+    parts = model.parts
+    names = [name for name in parts if parts.kinds[name] in ("shell", "carrier", "housing") and parts.counts[name]]
+
+    def draw(path: Path) -> None:
+        plotter = open_plotter(_SIZE)
+        boxes = [parts[name].val().BoundingBox() for name in names]
+        step = 1.6 * max(max(box.xlen, box.ylen) for box in boxes)
+        for number, (name, box) in enumerate(zip(names, boxes, strict=True)):
+            row, column = divmod(number, _A_ROW)
+            middle = np.array([column * step, -1.3 * row * step, 0.0])
+            centre = np.array([box.xmin + box.xmax, box.ymin + box.ymax, 2 * box.zmin]) / 2
+            mesh = polydata(parts[name].val()).translate(middle - centre)
+            colour = LOOKS[parts.kinds[name]][0] if parts.kinds[name] in LOOKS else LOOKS["shell"][0]
+            plotter.add_mesh(mesh, color=colour, split_sharp_edges=True, smooth_shading=True)
+            anchor = (float(middle[0]), float(middle[1]) - 0.62 * step, 0.0)
+            draw_labels(plotter, [anchor], [f"{parts.counts[name]} x {name}"], 15, ("center", "top"))
+        aim(plotter, _FROM_ABOVE, left=0.12, right=0.12)
+        save_picture(plotter, path)
+
+    return _png(draw)
+
+
+def mold_picture(model: ArrayModel) -> bytes:
+    """The closed mold, cut through its cavities."""
+    return _png(lambda path: geometry.pictures.mold_section(model, path, (_SIZE[0], 480)))
+
+
+def order_picture(model: ArrayModel) -> bytes:
+    """The array from above with the numbers of its points and the names of its microphones."""
+    return _png(lambda path: geometry.pictures.top_view(model, path, (1300, 800)))
+
+
+def array_picture(model: ArrayModel) -> bytes:
+    """The finished array."""
+    return _png(lambda path: geometry.pictures.draw_array(model, path, (1300, 760)))
+
+
+def membrane_picture(model: ArrayModel) -> bytes:
+    """A shell with its membrane above the seat."""
+    point = model.layout.points[0].number
+    return _stack_picture(model, f"point {point}", ("shell", "membrane"), {"shell": "shell", "membrane": "membrane"})
+
+
+def microphone_picture(model: ArrayModel) -> bytes:
+    """A housing with its board and its microphone above it."""
+    name = model.layout.microphones[0].name
+    words = {"housing": "housing, seat upwards", "board": "board", "package": "microphone, sound hole downwards"}
+    return _stack_picture(model, f"microphone {name}", ("housing", "board", "package"), words)
+
+
+def joint_picture(model: ArrayModel) -> bytes:
+    """The first tube of a line before it is pushed into its sockets: shell, spring, sheath."""
+    line = model.layout.points[0]
+    group = f"point {line.number}"
+    tubes = [part for part in model.placed if part.kind == "sheath"]
+    if not tubes:
+        return order_picture(model)
+    own = next(part for part in model.placed if part.group == group and part.kind == "shell")
+    near = min(tubes, key=lambda part: float(np.linalg.norm(np.array(part.position) - np.array(own.position))))
+
+    def draw(path: Path) -> None:
+        plotter = open_plotter(_SIZE)
+        inwards = np.linalg.inv(own.matrix)
+        away = np.zeros(3)
+        for part in model.placed:
+            if part.group not in (group, near.group) or part.kind == "membrane":
+                continue
+            mesh = _placed(model, part.part, inwards @ part.matrix)
+            if part.group == near.group:
+                if not away.any():
+                    middle = np.array(mesh.center) * (1, 1, 0)
+                    away = middle / np.linalg.norm(middle)
+                mesh = mesh.translate(away * (3.0 if part.kind == "sheath" else 8.0))
+            colour, opacity = LOOKS[part.kind]
+            plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
+            draw_labels(plotter, [_above(mesh)], [part.kind], _WORDS, ("center", "bottom"))
+        aim(plotter, (-away[1] or 0.2, away[0] - 0.4, 0.9), left=0.05, right=0.05)
+        save_picture(plotter, path)
+
+    return _png(draw)
+
+
+def _stack_picture(model: ArrayModel, group: str, kinds: Sequence[PartKind], words: dict[str, str]) -> bytes:
+    """Parts of one group, one lifted above the other, with their names."""
+    placed = {part.kind: part for part in model.placed if part.group == group}
+    own = placed[kinds[0]]
+
+    def draw(path: Path) -> None:
+        plotter = open_plotter(_SIZE)
+        inwards, top = np.linalg.inv(own.matrix), -np.inf
+        for kind in kinds:
+            part = placed[kind]
+            mesh = _placed(model, part.part, inwards @ part.matrix)
+            low, high = mesh.bounds[4], mesh.bounds[5]
+            if np.isfinite(top):
+                mesh = mesh.translate((0.0, 0.0, top - low + 0.5 * (high - low) + 1.5))
+            top = mesh.bounds[5]
+            colour, opacity = LOOKS[kind]
+            plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
+            anchor = (float(mesh.bounds[1]) + 0.5, 0.0, float(mesh.center[2]))
+            draw_labels(plotter, [anchor], [words[kind]], _WORDS, ("left", "center"))
+        aim(plotter, (0.2, -1.0, 0.5), left=0.25, right=0.35)
+        save_picture(plotter, path)
+
+    return _png(draw)
+
+
+def _placed(model: ArrayModel, name: str, matrix: Array) -> pv.PolyData:
+    return polydata(model.shapes[name]).transform(matrix, inplace=False)
+
+
+def _above(mesh: pv.PolyData) -> tuple[float, float, float]:
+    x, y, _ = mesh.center
+    return float(x), float(y), float(mesh.bounds[5]) + 0.4
