@@ -137,9 +137,7 @@ def read_record(path: Path, design: ArrayDesign) -> BuildRecord:
         designed = design.of_kind(design.kinds[design.kind_of_point[number - 1]]).membrane.thickness
         _check_ratio(path, f"thickness.{text}", value, designed, "mm")
         thickness[number] = value
-    return BuildRecord(
-        file.sensor, file.built, thickness, file.measuring.thickness_error, _batches(path, file, design)
-    )
+    return BuildRecord(file.sensor, file.built, thickness, file.measuring.thickness_error, _batches(path, file, design))
 
 
 def _batches(path: Path, file: _File, design: ArrayDesign) -> tuple[Batch, ...]:

@@ -56,8 +56,8 @@ def export_plates(
     """Write ``folder/plate-1.3mf``, ...: every printed part as often as it is needed, in rows, none over another.
 
     Parts of molds come first, on plates of their own, ``plate-1-molds.3mf``: a mold serves many arrays, and its
-    membranes cure while the array is printed. Each shape is stored once however often it lies there, in its own coordinates, and laid on the plate, z = 0, in the
-    pose in which the report judges it.
+    membranes cure while the array is printed. Each shape is stored once however often it lies there, in its own
+    coordinates, and laid on the plate, z = 0, in the pose in which the report judges it.
 
     Args:
         parts: as of :func:`geometry.print_report`; cast and bought ones are left out.

@@ -230,8 +230,9 @@ def parts(
 ) -> None:
     """Write everything needed to print, cast, buy and assemble a design.
 
-    Writes each part in each format, plates that hold all parts in the numbers needed, print-report.html with the print
-    rules, the bill of materials, the array as assembly.step, array.glb and array.html, and pictures.
+    Writes a folder for each job, in the order of work: 1-buy with the order list, 2-print with plates, single parts and
+    print-report.html, 3-cast with the mold, 4-cut with a template at full scale, and 5-build with the build manual,
+    the order of assembly, the array for CAD and browsers, and the record that calibrate reads back.
 
     Example: [bold]acoustic-fem parts array-2x6 --out parts --format stl,3mf[/bold]
     """
@@ -246,6 +247,7 @@ def parts(
     show_parts(made)
     show_findings(made.printing)
     say(made.report)
+    say(made.manual)
 
 
 def run(
@@ -255,10 +257,10 @@ def run(
 ) -> None:
     """Do everything for one design: parts, transfer functions, localizer and report.
 
-    Writes the parts, the library, the trained localizer, report.html, and MANIFEST.json with the SHA-256 of every
-    file. Twelve points take about a minute. A second run is faster because its 3-D cells are on disk. Runs of one
-    design on one machine give identical figures. The files are identical too if you set SOURCE_DATE_EPOCH, because
-    the files then state that time instead of the clock's.
+    Writes the folder of the verb parts, the library, the trained localizer, report.html, and MANIFEST.json with the
+    SHA-256 of every file. Twelve points take about a minute. A second run is faster because its 3-D cells are on disk.
+    Runs of one design on one machine give identical figures. The files are identical too if you set SOURCE_DATE_EPOCH,
+    because the files then state that time instead of the clock's.
 
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """

@@ -18,14 +18,15 @@ from geometry.ground.refusal import counted, in_one_line, visible
 from geometry.layout.cutting import cutting_list
 from geometry.plan.wiring_graph import WiringCounts
 from geometry.schema.declared_fields import fields_of
+from studies.kit.jobs import BUILD, BUY
 from studies.output.display import number
 from studies.verdict import SHOWN, figure_rows, reason_lines
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from geometry.printing.printability import PrintReport
-    from studies.run.check import DesignCheck
     from studies.kit.making import MadeParts
+    from studies.run.check import DesignCheck
     from studies.run.quality import DesignQuality
     from studies.verdict import Verdict
 
@@ -300,7 +301,10 @@ def show_parts(made: MadeParts) -> None:
     table = table_of("part", "count", "volume (mm^3)", "files", numbers=(1, 2))
     for name in dict.fromkeys(file.part for file in made.files):
         own = [file for file in made.files if file.part == name]
-        words = ", ".join(file.path.name for file in own) + "".join(f"; also {other}" for other in own[0].also)
+        words = ", ".join(file.path.relative_to(made.folder).as_posix() for file in own[:1])
+        words += "".join(f", {file.path.suffix}" for file in own[1:]) + "".join(
+            f"; also {other}" for other in own[0].also
+        )
         words += "" if own[0].count else "; spare, on no plate: all are in the carrier"
         table.add_row(name, str(own[0].count), f"{own[0].cad_volume:.1f}", words)
     show(table)
@@ -318,9 +322,14 @@ def show_parts(made: MadeParts) -> None:
     say(
         f"resin {bill.resin_ml:.3g} ml and {bill.tooling_resin_ml:.3g} ml in molds, "
         f"silicone {bill.silicone_ml:.3g} ml, tube {bill.tube_m:.3g} m: "
-        f"about {bill.cost:.2f} {money}, molds {bill.tooling_cost:.2f} {money} (bill.txt)"
+        f"about {bill.cost:.2f} {money}, molds {bill.tooling_cost:.2f} {money}"
     )
-    say("which part goes to which point, and which tube between: assembly.txt")
+    order = made.order
+    say(
+        f"with spares, tools and consumables {order.cost():.2f} {money}; {order.hours:.1f} h of work and "
+        f"{order.waiting:.0f} h of waiting ({BUY}/order-list.csv)"
+    )
+    say(f"which part goes to which point, and which tube between: {BUILD}/assembly.txt")
     for name in made.too_large:
         tell(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
     _show_notes(made.notes, made.misfits)

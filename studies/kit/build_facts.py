@@ -17,7 +17,7 @@ from studies.kit.work_hours import count_casts
 
 #: Dangers of a glue by a word of its chemistry: what it does, and what to wear.
 _GLUE_DANGERS = {
-    "cyanoacrylate": "Glues skin and eyelids within seconds, and its vapour irritates. Wear safety glasses, do not wear "
+    "cyanoacrylate": "Glues skin and eyelids within seconds, and its vapour irritates. Wear safety glasses but no "
     "cotton gloves, and open a window. Loosen glued skin with warm soapy water.",
     "epoxy": "Can cause an allergy for life once it touches skin. Wear nitrile gloves and change them when they are "
     "smeared.",
@@ -39,7 +39,9 @@ _SILICONE = (
     "Platinum silicone is harmless to skin, but gloves of latex, sulphur and uncured resin keep it from curing. Wear "
     "nitrile gloves and cure the mold well."
 )
-_SLEEVE = "The nozzle of a heat gun burns skin at once. Hold short pieces with tweezers and heat outdoors or at a window."
+_SLEEVE = (
+    "The nozzle of a heat gun burns skin at once. Hold short pieces with tweezers and heat outdoors or at a window."
+)
 _SPRING = "Cut ends of spring wire fly and pierce. Wear safety glasses and cut inside a bag or under a cloth."
 #: Signals of a microphone by its output, with the place that each goes to.
 _SIGNALS = {
@@ -119,7 +121,8 @@ def casts_of(model: ArrayModel, bill: Bill) -> tuple[Cast, ...]:
     needed = Counter(part.part for part in model.placed if part.kind == "membrane")
     numbers = count_casts(model)
     return tuple(
-        _cast(model, name, alike, needed[name], numbers[name], bill) for name, alike in membranes_of(model.design).items()
+        _cast(model, name, alike, needed[name], numbers[name], bill)
+        for name, alike in membranes_of(model.design).items()
     )
 
 

@@ -148,6 +148,7 @@ def write_pdf(strips: Sequence[Strip], title: str, path: Path, page: str = "a4")
     with PdfPages(path, metadata={"Title": f"{title}: cutting template"}) as file:
         for number, sheet in enumerate(sheets, start=1):
             with figure_in_style((width / 25.4, height / 25.4), **{"pdf.fonttype": 42}) as figure:
+                figure.set_layout_engine("none")  # a millimetre of the axes is one of the paper
                 axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
                 axes.set(xlim=(0, width), ylim=(0, height))
                 axes.set_axis_off()
@@ -161,8 +162,8 @@ def _draw_page(axes: Axes, strips: Sequence[Strip], title: str, height: float) -
 
     left, top = _MARGIN, height - _MARGIN
     axes.text(left, top, title, fontsize=13, va="top")
-    axes.text(left, top - 7, "Print at 100 %, without fitting to the page. Measure the bar before you cut.", fontsize=9)
-    bar = top - 16
+    axes.text(left, top - 10, "Print at 100 %, without fitting to the page. Measure the bar before you cut.", fontsize=9)
+    bar = top - 18
     axes.plot([left, left + SCALE_BAR], [bar, bar], color="black", linewidth=0.8)
     for end in (0.0, SCALE_BAR):
         axes.plot([left + end] * 2, [bar - 2, bar + 2], color="black", linewidth=0.8)
@@ -170,7 +171,7 @@ def _draw_page(axes: Axes, strips: Sequence[Strip], title: str, height: float) -
     for number, strip in enumerate(strips):
         y = bar - 12 - number * _ROW
         size = max(strip.diameter, _LEAST_HEIGHT)
-        axes.text(left, y + size + 1.5, strip.title, fontsize=8)
+        axes.text(left, y + size + 2.5, strip.title, fontsize=8)
         colour = "#c9a227" if strip.what == "spring" else "#d9d9d9"
         for begin, end in strip.boxes:
             axes.add_patch(Rectangle((left + begin, y), end - begin, size, facecolor=colour, edgecolor="none"))
@@ -202,8 +203,6 @@ def _csv(strips: Sequence[Strip]) -> str:
     loss = Waste().cutting_loss
     for strip in strips:
         total = math.fsum([strip.count * (strip.length + loss)]) / 1000
-        table.writerow(
-            [strip.name, strip.what, strip.count, f"{strip.length:g}", f"{strip.diameter:g}", f"{total:.3g}"]
-            + [strip.place]
-        )
+        sizes = [f"{strip.length:g}", f"{strip.diameter:g}", f"{total:.3g}"]
+        table.writerow([strip.name, strip.what, strip.count, *sizes, strip.place])
     return text.getvalue()

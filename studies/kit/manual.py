@@ -122,7 +122,9 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "radius": membrane_radius(design.resonator, design.membrane),
         "resin": facts.process.name in ("sla-resin", "dlp-fine"),
         "casting": sum(cast.casts for cast in facts.casts),
-        "hours": {job: math.fsum(w.hours for w in facts.order.work if w.job == job) for job in (PRINT, CAST, CUT, BUILD)},
+        "hours": {
+            job: math.fsum(w.hours for w in facts.order.work if w.job == job) for job in (PRINT, CAST, CUT, BUILD)
+        },
     }
 
 
@@ -189,7 +191,9 @@ def _labels(model: ArrayModel) -> list[str]:
     parts = model.parts
     labels = [f"{point.number}" for point in model.layout.points]
     labels += [f"mic {microphone.name}" for microphone in model.layout.microphones]
-    labels += [f"{parts.counts[name]} x {name}" for name in parts if parts.origin(name) == "printed" and parts.counts[name]]
+    labels += [
+        f"{parts.counts[name]} x {name}" for name in parts if parts.origin(name) == "printed" and parts.counts[name]
+    ]
     return labels
 
 

@@ -134,17 +134,17 @@ class OrderList:
         """The list as CSV: one line per item, with a header."""
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
-        table.writerow(
-            ["for", "item", "needed", "spare", "order", "unit", f"unit price ({self.bill.currency})", "cost"]
-            + ["bought as", "maker", "part number", "source", "note"]
-        )
+        price = f"unit price ({self.bill.currency})"
+        sold_as = ("bought as", "maker", "part number", "source", "note")
+        table.writerow(["for", "item", "needed", "spare", "order", "unit", price, "cost", *sold_as])
         for line in self.lines:
             part = line.part
             sold = ("", "", "") if part is None else (part.maker, part.part_number, part.source)
             quantities = [f"{value:.4g}" for value in (line.needed, line.spare, line.ordered)]
             price = f"{0.0 if part is None else part.price:g}"
-            table.writerow([line.purpose, line.item, *quantities, line.unit, price, f"{line.cost:.2f}"]
-                           + [line.bought_as, *sold, line.note])  # fmt: skip
+            cost = f"{line.cost:.2f}"
+            bought = [line.bought_as, *sold, line.note]
+            table.writerow([line.purpose, line.item, *quantities, line.unit, price, cost, *bought])
         return text.getvalue()
 
     def work_csv(self) -> str:
@@ -175,9 +175,7 @@ def order_list(
     sleeved = any(item.part is not None and item.part.kind == "sleeve" for item in bill.items)
     lines = [_line(item, spares) for item in bill.items]
     extras: list[tuple[Purpose, str]] = [("consumable", role) for role in (OF_RESIN if resin else ()) + CONSUMABLES]
-    extras += [
-        ("tool", role) for role in (OF_RESIN_TOOLS if resin else ()) + (OF_SLEEVES if sleeved else ()) + TOOLS
-    ]
+    extras += [("tool", role) for role in (OF_RESIN_TOOLS if resin else ()) + (OF_SLEEVES if sleeved else ()) + TOOLS]
     for purpose, role in extras:
         part = sold.sundry(role).part
         note = "not in the catalogue" if part is None else part.note
@@ -198,9 +196,7 @@ def _line(item: BillItem, spares: Spares) -> OrderLine:
     else:
         spare = (spares.tube if item.unit == "m" else spares.glue) * item.quantity
     purpose: Purpose = "molds" if item.use == "tooling" else "array"
-    return OrderLine(
-        purpose, item.item, item.quantity, spare, item.unit, item.part, item.bought_as, item.note
-    )
+    return OrderLine(purpose, item.item, item.quantity, spare, item.unit, item.part, item.bought_as, item.note)
 
 
 def _packed(part: StockPart, amount: float) -> float:

@@ -1,4 +1,4 @@
-"""Questions of a maker with their answers, computed from the design, each with the part of the manual that says more."""
+"""Questions of a maker with their answers, computed from the design, and the part of the manual that says more."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from geometry.stock import Silicone, catalogue
 from studies.kit.build_facts import Cast, Wiring, glue_of
 from studies.kit.cutting_template import Strip
 from studies.kit.expected_signals import FREQUENCY, ExpectedSignal
-from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
+from studies.kit.jobs import BUILD, CUT, PRINT
 from studies.kit.leak_tests import WATCHED, LeakTest
 from studies.kit.order_list import OrderList
 
@@ -104,20 +104,32 @@ def _printing(facts: Facts) -> Sequence[tuple[str, str, str]]:
             f"{facts.process.title}; build volume {' x '.join(f'{size:g}' for size in facts.process.build_volume)} mm.",
             "step-1",
         ),
-        ("How many plates are there?", f"{counted(len(plates), 'plate')}: {', '.join(p.path.name for p in plates)}.", "step-1"),
+        (
+            "How many plates are there?",
+            f"{counted(len(plates), 'plate')}: {', '.join(p.path.name for p in plates)}.",
+            "step-1",
+        ),
         (
             "Which way up do the parts lie on the plate?",
             "As the plates hold them. If you print a single part, turn it as print-report.html says, because some are "
             "printed upside down.",
             "step-2",
         ),
-        ("Can my printer make them?", f"The print report says {facts.verdict}. Read {PRINT}/print-report.html.", "step-1"),
+        (
+            "Can my printer make them?",
+            f"The print report says {facts.verdict}. Read {PRINT}/print-report.html.",
+            "step-1",
+        ),
         (
             "How many shells do I need, and of which kind?",
             "all shells in one carrier." if carrier else f"{shells}.",
             "step-3",
         ),
-        ("How do I know that a port is open?", "A wire of the diameter of the bore goes through, or you see light.", "step-3"),
+        (
+            "How do I know that a port is open?",
+            "A wire of the diameter of the bore goes through, or you see light.",
+            "step-3",
+        ),
     )
 
 
@@ -128,7 +140,7 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
     name = "a silicone of the design's hardness" if silicone is None else silicone.name
     each = casts[0]
     strips = "; ".join(f"{s.name}: {s.count} x {s.what} of {s.length:g} mm" for s in facts.strips)
-    springs = [s for s in facts.strips if s.what == "spring"]
+    springs = dict.fromkeys(f"{s.diameter:g} mm outside" for s in facts.strips if s.what == "spring")
     return (
         ("Which silicone?", f"{name}, for {design.membrane.material}.", "step-4"),
         (
@@ -160,7 +172,11 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
             "step-5",
         ),
         ("Which length do I cut?", f"{strips}.", "step-6"),
-        ("Which spring?", f"{', '.join(dict.fromkeys(f'{s.diameter:g} mm outside' for s in springs)) or 'none: the tubing is smooth'}.", "step-6"),
+        (
+            "Which spring?",
+            f"{', '.join(springs) or 'none, the tubing is smooth'}.",
+            "step-6",
+        ),
         ("Where is the template?", f"{CUT}/cutting-template-a4.pdf or -letter.pdf, printed at 100 %.", "step-6"),
     )
 
@@ -184,8 +200,8 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ),
         (
             "How do I test for leaks?",
-            f"Raise the gauge to {test.water:.0f} mm of water ({test.pressure:.0f} Pa). In {WATCHED:g} s it may fall by "
-            f"{test.largest_fall:.2g} mm at most.",
+            f"Raise the gauge to {test.water:.0f} mm of water ({test.pressure:.0f} Pa). In {WATCHED:g} s it may fall "
+            f"by {test.largest_fall:.2g} mm at most.",
             "step-9",
         ),
         ("How far does a membrane rise in the test?", f"{test.bulge:.2g} mm in the middle.", "step-9"),

@@ -1,4 +1,4 @@
-"""Record of a build: the TOML file that a maker fills in and that ``calibrate`` reads back."""
+"""Files that a maker fills in and ``calibrate`` reads back: the record of the build, and the manifest of recordings."""
 
 from __future__ import annotations
 
@@ -6,17 +6,47 @@ from pathlib import Path
 
 from geometry.assembly.bill import Bill
 from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import save_design
 from geometry.ground.whole_files import write_text
 
-#: Name of the file.
-RECORD = "record.toml"
+#: Names of the record, of the design beside it, and of the manifest of recordings.
+RECORD, DESIGN, MANIFEST = "record.toml", "design.toml", "calibration.toml"
 
 
 def write_record(design: ArrayDesign, bill: Bill, folder: Path) -> Path:
-    """Write the empty record of a design into a folder that exists; lines of what was not measured are comments."""
+    """Write the empty record, the design, and a manifest for the recordings of the calibration into a folder that
+    exists. Lines of the record that nobody has measured yet are comments.
+
+    Returns:
+        Path of the record.
+    """
     path = folder / RECORD
     write_text(path, record_text(design, bill))
+    save_design(design.completed(), folder / DESIGN)
+    write_text(folder / MANIFEST, manifest_text(design))
     return path
+
+
+def manifest_text(design: ArrayDesign) -> str:
+    """Text of a manifest for recordings of every point of a design."""
+    names = ("reference", *design.microphones)
+    digits = len(str(design.point_count))
+    lines = [
+        f"# Recordings of one {design.name} for acoustic-fem calibrate: copy this file, {DESIGN} and the filled-in",
+        f"# {RECORD} into the folder of the recordings. Remove the lines of points that you did not record.",
+        f'design = "{DESIGN}"',
+        f'record = "{RECORD}"',
+        "",
+        "[channels]                     # of the WAV files, from 1; reference: the calibration microphone",
+        *(f"{name} = {number}" for number, name in enumerate(names, start=1)),
+        "",
+        "[pascals]                      # pressure of full scale, Pa: of your recorder and your microphones",
+        *(f"{name} = 20.0" for name in names),
+        "",
+        "[points]",
+        *(f'{number} = "point-{number:0{digits}d}.wav"' for number in range(1, design.point_count + 1)),
+    ]
+    return "\n".join(lines) + "\n"
 
 
 def record_text(design: ArrayDesign, bill: Bill) -> str:
@@ -27,7 +57,7 @@ def record_text(design: ArrayDesign, bill: Bill) -> str:
     modulus = design.material(design.membrane.material).youngs_modulus
     lines = [
         f"# Record of one {design.name}. Take the # away from a line that you fill in.",
-        f'# calibrate reads it: write record = "{RECORD}" into calibration.toml, and copy this file beside it.',
+        f"# calibrate reads it, because {MANIFEST} names it: copy both into the folder of the recordings.",
         f'design = "{design.name}"',
         'sensor = ""                    # number on its label',
         'built = ""                     # date, such as 2026-11-27',

@@ -94,7 +94,9 @@ def cutting_drawing(strips: Sequence[Strip]) -> str:
         for x in (36.0, 186.0):
             drawing.line((x, y - 5), (x, y + 18), width=0.8)
         drawing.words(111, y + 27, f"{strip.length:g} mm", "middle")
-        drawing.words(200, y + 11, f"{strip.count} x {strip.what}, {strip.diameter:g} mm outside, {strip.place}", size=12)
+        drawing.words(
+            200, y + 11, f"{strip.count} x {strip.what}, {strip.diameter:g} mm outside, {strip.place}", size=12
+        )
     return drawing.text
 
 
@@ -118,8 +120,9 @@ def socket_drawing(tube: Tube, lip: float, gap: float) -> str:
             drawing.box(stop, axis + (bore / 2 * scale if side > 0 else -spring / 2 * scale), end - stop, wire, _SPRING)
         edge = axis + side * hole
         drawing.outline([(face, edge + side * 14), (face, edge - side * gap * scale), (face + 22, edge)], "#f2d16b")
-    drawing.line((120, 40), (120, axis - bore / 2 * scale - 3))
-    drawing.words(120, 34, "cavity side: the lip carries on the bore", "middle", 12)
+    drawing.line((120, 56), (120, axis - bore / 2 * scale - 3))
+    drawing.words(66, 36, "cavity side: the lip", size=12)
+    drawing.words(66, 51, "carries on the bore", size=12)
     drawing.line((face + 14, axis + hole + 8), (face + 60, 190))
     drawing.words(face + 64, 196, f"bead of glue; it creeps into the gap of {gap:g} mm", size=12)
     drawing.words(end - 8, axis - outer / 2 * scale - 8, "tubing" if smooth else "sheath over spring", "end", 12)
@@ -136,15 +139,15 @@ def leak_drawing(test: LeakTest) -> str:
     drawing.box(110, 193, 56, 20, "#e8ebee")
     drawing.words(115, 240, "syringe of 1 ml", "middle")
     drawing.line((170, 203), (250, 203), (430, 203), width=4, colour="#8a97a3")
-    drawing.words(250, 240, "tee", "middle")
+    drawing.words(250, 192, "tee", "middle")
     drawing.line((250, 203), (250, 262), (310, 262), (310, 24), width=6, colour="#cfd8df")
     drawing.line((250, 232), (250, 262), (310, 262), (310, 60), width=4, colour=_WATER)
     drawing.line((330, 60), (330, 232))
     drawing.line((244, 232), (336, 232), width=0.7)
     for y in (60.0, 232.0):
         drawing.line((325, y), (335, y))
-    drawing.words(342, 110, f"{test.water:.0f} mm of water", size=13)
-    drawing.words(342, 128, f"= {test.pressure:.0f} Pa", size=13)
+    drawing.words(296, 104, f"{test.water:.0f} mm of water", "end")
+    drawing.words(296, 122, f"= {test.pressure:.0f} Pa", "end")
     drawing.words(322, 283, "hose of 2 mm", size=12)
     drawing.box(430, 168, 130, 62, _SHELL, _INK)
     drawing.box(455, 168, 80, 44, "#fff")
@@ -175,5 +178,7 @@ def signal_drawing(signals: Sequence[ExpectedSignal], most: int = 72) -> str:
     drawing.words(56, 34, f"{largest:.1f} dB", "end", 12)
     drawing.line((58, 30), (64, 30))
     drawing.words(56, 184, "0", "end", 12)
-    drawing.words(380, 220, "point; colour: " + ", ".join(f"microphone {name} louder" for name in names[:4]), "middle", 12)
+    drawing.words(
+        380, 220, "point; colour: " + ", ".join(f"microphone {name} louder" for name in names[:4]), "middle", 12
+    )
     return drawing.text

@@ -11,9 +11,9 @@ from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
 from geometry.ground.argument_checks import check_choice
+from studies.kit.making import export_parts
 from studies.panels.cad_panel import CallbackDisplay
 from studies.run.library_files import convert_library, solve_library
-from studies.kit.making import export_parts
 from studies.run.pipeline import run_design
 
 

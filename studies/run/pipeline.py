@@ -17,12 +17,11 @@ from acoustic_fem.library.exchange import write_library
 from acoustic_fem.numerics.disk_cache import CacheWarning
 from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
-from geometry import export, print_report
 from geometry.assembly.model import ArrayModel, put_together
 from geometry.assembly.part_list import draw_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design, write_design
-from geometry.formats.part_files import ExportedFile, tessellate_distinct
+from geometry.formats.part_files import FORMATS, ExportedFile
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.stated_times import stated_seconds, stated_time, stopped_time
@@ -33,11 +32,14 @@ from geometry.layout.placement import ArrayLayout
 from geometry.layout.remedies import refuse_unbuildable
 from geometry.layout.size import laid_out_size
 from geometry.printing.printability import PrintReport
+from geometry.schema.print_processes import process_of
 from localize import BayesDecoder, TrainingPlan
 from localize.decoders.tolerant import tolerant_decoder
 from localize.signals.array_response import response_of
 from localize.signals.locator import Locator
 from localize.signals.stimulus import BAND
+from studies.kit.kit_files import write_kit
+from studies.kit.making import ALL_THE_SAME
 from studies.metrics.pairs import disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output import response_figures as draw
@@ -48,7 +50,6 @@ from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.file_list import write_file_list
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.library_files import cell_lines
-from studies.kit.making import ALL_THE_SAME
 from studies.run.run_report import write_report
 from studies.run.run_result import RunResult
 from studies.run.validity import model_validity
@@ -193,14 +194,10 @@ def _make_parts(
 ) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
     report("CAD", 0.0)
     model = put_together(design, layout, draw_parts(design, layout))
-    report("STL, STEP and 3MF", 0.2)
-    shapes = tessellate_distinct(model.parts)
     with replaced_folder(folder / "parts") as fresh:
-        written = export(model.parts, fresh, shapes=shapes)
-    files = tuple(replace(file, path=folder / "parts" / file.path.name) for file in written)
-    report("print rules", 0.5)
-    printing = print_report(model.parts, design=design, shapes=shapes)
-    report("pictures", 0.7)
+        kit = write_kit(model, fresh, FORMATS, process_of(design.printing), lambda what, done: report(what, 0.9 * done))
+        files = tuple(replace(file, path=folder / "parts" / file.path.relative_to(fresh)) for file in kit.files)
+    report("pictures", 0.9)
     figures = {
         "array": geometry.pictures.draw_array(
             model, folder / "figures" / "array.png", size=(1600, _picture_height(model))
@@ -209,7 +206,7 @@ def _make_parts(
     }
     for path in figures.values():
         crop_picture(path)
-    return model, files, printing, figures
+    return model, files, kit.printing, figures
 
 
 def _picture_height(model: ArrayModel) -> int:

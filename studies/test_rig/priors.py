@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -70,9 +70,7 @@ def _prior(deviation: float) -> float:
     return float(np.clip(deviation, 1e-3, 1.0))
 
 
-def known_parts(
-    design: ArrayDesign, record: BuildRecord, tolerances: Sequence[Tolerance] = TOLERANCES
-) -> KnownParts:
+def known_parts(design: ArrayDesign, record: BuildRecord, tolerances: Sequence[Tolerance] = TOLERANCES) -> KnownParts:
     """Knowledge of the membranes of a sensor from the record of its build.
 
     A membrane whose thickness was measured has the compliance of that thickness, and scatters by the error of the

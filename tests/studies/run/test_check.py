@@ -9,9 +9,9 @@ from geometry.layout.overlaps import OverlapError
 from geometry.pictures import mold_cut, viewer, views
 from geometry.stock import VARIABLE
 from studies.cli.terminal_tables import show_check
+from studies.kit.making import export_parts
 from studies.metrics import coverage
 from studies.run.check import check_design
-from studies.kit.making import export_parts
 from studies.run.pipeline import run_design
 from studies.study.study import read_study
 from studies.sweep.survey import surveyed

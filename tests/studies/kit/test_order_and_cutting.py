@@ -1,0 +1,120 @@
+"""What to order, how long it takes, and what to cut: counted again from the design, and read back by other programs."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+import zlib
+from pathlib import Path
+
+import ezdxf
+import pytest
+from refusals import refused
+
+import geometry
+from geometry.assembly.bill import bill_of_materials
+from geometry.assembly.model import ArrayModel, array_model
+from geometry.ground.refusal import Kind
+from geometry.layout import cutting_list, lay_out
+from geometry.schema.print_processes import process_of
+from studies.kit import Spares
+from studies.kit.cutting_template import LONGEST, PAGES, SCALE_BAR, template_strips, write_cutting
+from studies.kit.order_list import OrderList, order_list
+from studies.kit.work_hours import work_of
+
+
+@pytest.fixture(scope="module")
+def model() -> ArrayModel:
+    return array_model("array-2x6")
+
+
+@pytest.fixture(scope="module")
+def order(model: ArrayModel) -> OrderList:
+    process = process_of(model.design.printing)
+    bill = bill_of_materials(model.design, model.parts, model.layout)
+    return order_list(model.design, bill, work_of(model, 2, process, 6.0), process)
+
+
+def test_the_order_has_the_bill_with_spares_and_what_the_bill_leaves_out(order: OrderList) -> None:
+    by_item = {line.item: line for line in order.lines}
+    for item in order.bill.items:
+        assert by_item[item.item].needed == pytest.approx(item.quantity) or item.count > 1
+    microphones = by_item["SPH1878LR5H-C"]
+    assert (microphones.needed, microphones.spare, microphones.ordered) == (2, 1, 3)
+    assert by_item["mold-base"].spare == 0  # a mold is made once
+    membrane = next(item for item in order.bill.items if item.item == "membrane")
+    assert by_item["membrane"].spare == pytest.approx(2 * membrane.quantity / 12)  # a tenth of twelve, rounded up
+    assert {line.purpose for line in order.lines} == {"array", "molds", "consumable", "tool"}
+    assert order.cost() == pytest.approx(math.fsum(line.ordered * line.part.price for line in order.lines if line.part))
+    assert order.cost_of_packs > order.cost() > order.bill.cost
+    rows = list(csv.DictReader(order.to_csv().splitlines()))
+    assert math.fsum(float(row["cost"]) for row in rows) == pytest.approx(order.cost(), abs=0.01 * len(rows))
+
+
+def test_hours_are_pieces_by_minutes(order: OrderList, model: ArrayModel) -> None:
+    rows = list(csv.DictReader(order.work_csv().splitlines()))
+    counted = sum(int(row["pieces"]) * float(row["minutes a piece"]) for row in rows) / 60
+    assert counted == pytest.approx(order.hours, rel=1e-9)
+    pieces = {row["work"]: int(row["pieces"]) for row in rows}
+    assert pieces["glue the end of a tube"] == 2 * 13
+    assert pieces["test a joint"] == 2 * 13 + 12
+    assert pieces["trim and measure a membrane"] == model.design.point_count
+
+
+def test_spares_are_fractions_of_at_least_nothing() -> None:
+    with refused(kind=Kind.OUT_OF_RANGE, field="spares.tube", value=-0.1):
+        Spares(tube=-0.1)
+
+
+@pytest.mark.parametrize("design", ["array-2x6", "fingertip-4x6", "glove"])
+def test_the_template_has_every_piece_at_full_scale(design: str, tmp_path: Path) -> None:
+    layout = lay_out(geometry.prototype(design))
+    strips = write_cutting(geometry.prototype(design), layout, tmp_path)
+    cuts = cutting_list(design)
+    assert sum(s.count for s in strips if s.what == "spring") == sum(cut.count for cut in cuts)
+    assert {s.length for s in strips if s.what == "sheath"} == {cut.cut_length for cut in cuts}
+    assert {s.length for s in strips if s.what == "spring"} == {cut.spring_length for cut in cuts}
+    drawing = ezdxf.readfile(tmp_path / "cutting-template.dxf")
+    assert drawing.units == ezdxf.units.MM
+    assert not drawing.audit().errors
+    for what in ("spring", "sheath"):
+        drawn = drawing.modelspace().query(f'LWPOLYLINE[layer=="{what}"]')
+        lengths = {round(max(x for x, *_ in line) - min(x for x, *_ in line), 6) for line in drawn}
+        assert lengths == {round(s.length, 6) for s in strips if s.what == what}
+        assert all(line.closed for line in drawn)
+    (bar,) = drawing.modelspace().query('LINE[layer=="scale"]')
+    assert bar.dxf.end.x - bar.dxf.start.x == SCALE_BAR
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_the_pdf_is_of_the_size_of_the_paper_and_its_bar_is_100_mm(page: str, tmp_path: Path) -> None:
+    write_cutting(geometry.prototype("array-2x6"), lay_out(geometry.prototype("array-2x6")), tmp_path)
+    content = (tmp_path / f"cutting-template-{page}.pdf").read_bytes()
+    box = re.search(rb"/MediaBox \[ ?0 0 ([\d.]+) ([\d.]+) ?\]", content)
+    assert box is not None
+    points = 72 / 25.4
+    for size, stated in zip(PAGES[page], box.groups(), strict=True):
+        assert float(stated) == pytest.approx(size * points, abs=0.1)
+    streams = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", content, re.DOTALL)
+    drawn = b"".join(zlib.decompress(stream) for stream in streams if stream[:1] == b"x")
+    moves = re.findall(rb"([\d.]+) ([\d.]+) m\n([\d.]+) ([\d.]+) l\n", drawn)
+    lengths = {round(abs(float(x1) - float(x0)) / points, 2) for x0, y0, x1, y1 in moves if y0 == y1}
+    assert SCALE_BAR in lengths
+
+
+def test_a_piece_longer_than_the_paper_has_a_match_mark() -> None:
+    design = geometry.prototype("line-2").with_values({"microphone_tube.length": 200.0})
+    longest = max(template_strips(design), key=lambda strip: strip.length)
+    assert longest.length > LONGEST
+    assert longest.boxes == ((0.0, LONGEST),)
+
+
+def test_two_writings_of_one_template_are_equal(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700000000")
+    design = geometry.prototype("array-2x6")
+    for name in ("first", "second"):
+        (tmp_path / name).mkdir()
+        write_cutting(design, lay_out(design), tmp_path / name)
+    for path in (tmp_path / "first").iterdir():
+        assert path.read_bytes() == (tmp_path / "second" / path.name).read_bytes(), path.name
