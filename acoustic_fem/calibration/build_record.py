@@ -95,7 +95,7 @@ class Batch:
 
 @dataclass(frozen=True)
 class BuildRecord:
-    """What the maker of a sensor measured of its parts."""
+    """Measurements that the maker of a sensor took of its parts."""
 
     sensor: str
     """Number on the label of the sensor."""
@@ -122,8 +122,8 @@ def read_record(path: Path, design: ArrayDesign) -> BuildRecord:
         design: the design of the sensor.
 
     Raises:
-        RecordError: it cannot be read, is not TOML, holds an unknown field, is of another design, names a point that
-            the design does not have or has in two batches, or has a value that differs from the design's by more than
+        RecordError: it cannot be read, is not TOML, holds an unknown field, is of another design, has a point that the
+            design lacks or that is in two batches, or has a value that differs from the design's by more than
             a factor of 2.
     """
     path = Path(path)

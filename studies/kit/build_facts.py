@@ -97,7 +97,7 @@ class Danger:
     name: str
     """Name of the material."""
     words: str
-    """What it does, and what to do."""
+    """Its dangers, and what to do."""
 
 
 @dataclass(frozen=True)

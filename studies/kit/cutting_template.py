@@ -162,7 +162,8 @@ def _draw_page(axes: Axes, strips: Sequence[Strip], title: str, height: float) -
 
     left, top = _MARGIN, height - _MARGIN
     axes.text(left, top, title, fontsize=13, va="top")
-    axes.text(left, top - 10, "Print at 100 %, without fitting to the page. Measure the bar before you cut.", fontsize=9)
+    words = "Print at 100 %, without fitting to the page. Measure the bar before you cut."
+    axes.text(left, top - 10, words, fontsize=9)
     bar = top - 18
     axes.plot([left, left + SCALE_BAR], [bar, bar], color="black", linewidth=0.8)
     for end in (0.0, SCALE_BAR):

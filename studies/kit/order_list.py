@@ -62,7 +62,7 @@ class OrderLine:
     """One line of the order list."""
 
     purpose: Purpose
-    """What it is for."""
+    """Use of the item."""
     item: str
     """Name of the item."""
     needed: float

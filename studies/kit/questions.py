@@ -1,10 +1,13 @@
-"""Questions of a maker with their answers, computed from the design, and the part of the manual that says more."""
+"""Answers to the questions of ``questions.toml``, computed from the design, with the part of the manual for each."""
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import resources
 
+import studies
 from geometry.assembly.model import ArrayModel
 from geometry.ground.refusal import counted
 from geometry.printing.plates import Plates
@@ -32,7 +35,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Facts:
-    """What the answers are made of."""
+    """Facts that the answers are made of."""
 
     model: ArrayModel
     """The array."""
@@ -58,7 +61,10 @@ class Facts:
 
 def answers_of(facts: Facts) -> tuple[Answer, ...]:
     """Thirty questions of a maker, in the order of work, with their answers."""
-    return tuple(Answer(*each) for each in (*_buying(facts), *_printing(facts), *_casting(facts), *_building(facts)))
+    text = (resources.files(studies) / "kit" / "questions.toml").read_text(encoding="utf-8")
+    questions: dict[str, str] = tomllib.loads(text)
+    answers = (*_buying(facts), *_printing(facts), *_casting(facts), *_building(facts))
+    return tuple(Answer(questions[name], words, anchor) for name, words, anchor in answers)
 
 
 def _buying(facts: Facts) -> Sequence[tuple[str, str, str]]:
@@ -67,21 +73,21 @@ def _buying(facts: Facts) -> Sequence[tuple[str, str, str]]:
     line = next(line for line in order.lines if line.item == facts.model.design.microphone.model)
     return (
         (
-            "What does the array cost?",
+            "cost",
             f"Materials with spares {order.cost('array'):.2f} {money}, molds {order.cost('molds'):.2f} {money}, "
             f"consumables {order.cost('consumable'):.2f} {money}, tools {order.cost('tool'):.2f} {money}. If you buy "
             f"every bottle and metre whole, all costs {order.cost_of_packs:.2f} {money}.",
             "buy",
         ),
         (
-            "How long does it take?",
+            "hours",
             f"{order.hours:.1f} h of work and {order.waiting:.0f} h of waiting for prints, silicone and glue.",
             "hours",
         ),
-        ("What do I order first?", "Microphones and springs, because their delivery takes longest.", "buy"),
-        ("Which microphone, and how many?", f"{line.amount} of {model}, spares included.", "buy"),
+        ("order_first", "Microphones and springs, because their delivery takes longest.", "buy"),
+        ("microphone", f"{line.amount} of {model}, spares included.", "buy"),
         (
-            "Which tools do I need?",
+            "tools",
             ", ".join(line.item for line in order.lines if line.purpose == "tool") + ".",
             "buy",
         ),
@@ -95,38 +101,38 @@ def _printing(facts: Facts) -> Sequence[tuple[str, str, str]]:
     carrier = "carrier" in parts
     return (
         (
-            "What do I print first?",
+            "print_first",
             f"{first.path.name} in {PRINT}: {', '.join(f'{n} x {name}' for name, n in first.copies.items())}.",
             "step-1",
         ),
         (
-            "On which printer and with which layers?",
+            "printer",
             f"{facts.process.title}; build volume {' x '.join(f'{size:g}' for size in facts.process.build_volume)} mm.",
             "step-1",
         ),
         (
-            "How many plates are there?",
+            "plates",
             f"{counted(len(plates), 'plate')}: {', '.join(p.path.name for p in plates)}.",
             "step-1",
         ),
         (
-            "Which way up do the parts lie on the plate?",
+            "pose",
             "As the plates hold them. If you print a single part, turn it as print-report.html says, because some are "
             "printed upside down.",
             "step-2",
         ),
         (
-            "Can my printer make them?",
+            "printable",
             f"The print report says {facts.verdict}. Read {PRINT}/print-report.html.",
             "step-1",
         ),
         (
-            "How many shells do I need, and of which kind?",
+            "shells",
             "all shells in one carrier." if carrier else f"{shells}.",
             "step-3",
         ),
         (
-            "How do I know that a port is open?",
+            "port",
             "A wire of the diameter of the bore goes through, or you see light.",
             "step-3",
         ),
@@ -142,42 +148,42 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
     strips = "; ".join(f"{s.name}: {s.count} x {s.what} of {s.length:g} mm" for s in facts.strips)
     springs = dict.fromkeys(f"{s.diameter:g} mm outside" for s in facts.strips if s.what == "spring")
     return (
-        ("Which silicone?", f"{name}, for {design.membrane.material}.", "step-4"),
+        ("silicone", f"{name}, for {design.membrane.material}.", "step-4"),
         (
-            "How much silicone do I mix?",
+            "mixed",
             "; ".join(f"{c.mixed:.2g} ml ({c.grams:.2g} g) a cast of {c.membrane}" for c in casts)
             + ". Below 5 g mix 5 g, because a smaller cup cannot be weighed well.",
             "step-4",
         ),
         (
-            "How many casts?",
+            "casts",
             "; ".join(f"{c.casts} of {c.membrane} with {counted(c.cavities, 'cavity')}" for c in casts) + ".",
             "step-4",
         ),
-        ("How long may I work, and how long does it cure?", f"{pot:g} min, then {cure:g} h at 23 degC.", "step-4"),
+        ("pot_life", f"{pot:g} min, then {cure:g} h at 23 degC.", "step-4"),
         (
-            "Which way up does the membrane lie in the mold?",
+            "mold",
             "The face that will be glued points up, towards the lid. It is the widest face.",
             "step-5",
         ),
         (
-            "How thick must a membrane be?",
+            "thickness",
             f"{', '.join(sorted({f'{design.of_kind(kind).membrane.thickness:g} mm' for kind in design.kinds}))}. "
             f"Write down what you measure: {BUILD}/record.toml.",
             "step-5",
         ),
         (
-            "What if it comes out too thin?",
+            "too_thin",
             f"Raise the lid: {'; '.join(each.shims)}." if each.shims else "Fill the mold higher and scrape once.",
             "step-5",
         ),
-        ("Which length do I cut?", f"{strips}.", "step-6"),
+        ("lengths", f"{strips}.", "step-6"),
         (
-            "Which spring?",
+            "spring",
             f"{', '.join(springs) or 'none, the tubing is smooth'}.",
             "step-6",
         ),
-        ("Where is the template?", f"{CUT}/cutting-template-a4.pdf or -letter.pdf, printed at 100 %.", "step-6"),
+        ("template", f"{CUT}/cutting-template-a4.pdf or -letter.pdf, printed at 100 %.", "step-6"),
     )
 
 
@@ -189,30 +195,30 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
     line = design.lines[0]
     board = names["board"] if design.microphone.gasket_width is None else "none: the board lies on its gasket"
     return (
-        ("Which glue for the membranes?", names["membrane"] + ".", "step-8"),
-        ("Which glue for the tubes?", names["tube"] + ".", "step-10"),
-        ("Which glue for the microphone boards?", board + ".", "step-11"),
+        ("glue_membrane", names["membrane"] + ".", "step-8"),
+        ("glue_tube", names["tube"] + ".", "step-10"),
+        ("glue_board", board + ".", "step-11"),
         (
-            "In which order do I glue?",
+            "order",
             f"Membranes first, then line by line from microphone {line.between[0]} to microphone {line.between[1]}, as "
             f"{BUILD}/assembly.txt lists, and the boards last.",
             "step-10",
         ),
         (
-            "How do I test for leaks?",
+            "leak",
             f"Raise the gauge to {test.water:.0f} mm of water ({test.pressure:.0f} Pa). In {WATCHED:g} s it may fall "
             f"by {test.largest_fall:.2g} mm at most.",
             "step-9",
         ),
-        ("How far does a membrane rise in the test?", f"{test.bulge:.2g} mm in the middle.", "step-9"),
+        ("bulge", f"{test.bulge:.2g} mm in the middle.", "step-9"),
         (
-            "Where does pin 2 go?",
+            "pin",
             f"The numbers of the pins of {wiring.model} are in no source that the program has, so no file states them. "
             "Look up the name of pin 2 in its data sheet, then wire that name as the table of signals says.",
             "step-11",
         ),
         (
-            "What must the first recording show?",
+            "recording",
             f"For point 1, microphone {first.louder} is {first.difference:.1f} dB louder than "
             f"{first.softer or 'no other'} at {FREQUENCY:g} Hz; the table has every point.",
             "step-12",

@@ -358,8 +358,8 @@ def replaced_files(folder: Path, list_name: str = FILES) -> Iterator[Path]:
     """Empty folder whose files move into ``folder`` when all went well, and are removed when not.
 
     Folders in it are filled in the same way. Files of an earlier call are removed, so that no folder holds files of two
-    designs; files of others stay. Both are told apart by a list: whenever a call is stopped, it names all that calls
-    have put there.
+    designs; files of others stay. A list keeps them apart:
+    whenever a call is stopped, it names all that calls have put there.
 
     Args:
         folder: the folder.

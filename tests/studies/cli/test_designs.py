@@ -9,10 +9,12 @@ from pathlib import Path
 import pytest
 import trimesh
 from command import Command
+from refusals import refused
 from small_run import small_design
 
 import geometry
 from geometry.design.design_file import prototype_text
+from geometry.ground.refusal import Kind
 
 
 def test_prototypes_are_listed_and_printed(command: Command, tmp_path: Path) -> None:
@@ -99,7 +101,8 @@ def test_the_fields_of_a_design_file_are_listed(command: Command) -> None:
 def test_parts_fill_a_folder_with_all_it_takes_to_make_the_array(command: Command, row: Path, tmp_path: Path) -> None:
     told = command("parts", row, "--out", tmp_path / "parts", "--format", "stl", "--process", "dlp-fine")
     assert told.code == 0, told.err
-    written = {path.name: path for path in (tmp_path / "parts").iterdir()}
+    files = [path for path in (tmp_path / "parts").rglob("*") if path.is_file()]
+    written = {path.name: path for path in files}
     made = ["shell-straight", "membrane", "mold-base", "mold-lid", "microphone-housing"]
     for name in made:
         assert trimesh.load_mesh(written[f"{name}.stl"]).is_volume
@@ -111,7 +114,7 @@ def test_parts_fill_a_folder_with_all_it_takes_to_make_the_array(command: Comman
     assert report["process"]["name"] == "dlp-fine"
     assert {file["name"] for file in report["files"]} == {name for name in written if name.endswith(".stl")}
     assert report["acoustic_effects"]
-    plate = trimesh.load(written["plate-1.3mf"])
+    plate = trimesh.load(written["plate-2.3mf"])
     assert "shell-straight" in plate.geometry
     assert written["assembly.step"].read_text().startswith("ISO-10303-21")
     assert json.loads(written["bill.json"].read_text(encoding="utf-8"))["items"]
@@ -119,9 +122,11 @@ def test_parts_fill_a_folder_with_all_it_takes_to_make_the_array(command: Comman
                  "exploded-view.png", "mold-section.png"):  # fmt: skip
         assert written[name].stat().st_size > 500
     assert "to microphones of line 1" in told.out
-    assert "which tube between: assembly.txt" in told.out
+    assert "which tube between: 5-build/assembly.txt" in told.out
+    assert "manual.html" in told.out.splitlines()[-1]
     assert "point 3       shell-straight" in written["assembly.txt"].read_text(encoding="utf-8")
-    assert set(written["files.txt"].read_text(encoding="utf-8").split()) == set(written)
+    listed = set(written["files.txt"].read_text(encoding="utf-8").split())
+    assert listed == {path.relative_to(tmp_path / "parts").as_posix() for path in files}
     assert "resin" in told.out
 
 
@@ -135,10 +140,12 @@ def test_a_folder_of_parts_never_mixes_two_designs_and_keeps_what_others_put_the
     def make(*names: str) -> None:
         with replaced_files(folder) as fresh:
             for name in names:
+                if not name.startswith("no-such-folder"):
+                    (fresh / name).parent.mkdir(exist_ok=True)
                 (fresh / name).write_text(f"{name} of {names}")
 
     def names() -> set[str]:
-        return {path.name for path in folder.iterdir()}
+        return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
 
     make("mold-lid.stl", "plate-1.3mf", "plate-2.3mf")
     (folder / "notes.md").write_text("mine")
@@ -164,6 +171,20 @@ def test_a_folder_of_parts_never_mixes_two_designs_and_keeps_what_others_put_the
     monkeypatch.undo()
     make("membrane.stl")
     assert names() == {"membrane.stl", "notes.md", "files.txt"}
+
+    # Folders go with their last file, unless somebody put something into them.
+    make("print/lid.stl", "cast/membrane.stl")
+    (folder / "cast" / "mine.txt").write_text("mine")
+    make("membrane.stl")
+    assert names() == {"membrane.stl", "notes.md", "files.txt", "cast/mine.txt"}
+    assert not (folder / "print").exists()
+
+    # Nothing is written through a link out of the folder.
+    (tmp_path / "elsewhere").mkdir()
+    (folder / "print").symlink_to(tmp_path / "elsewhere")
+    with refused(kind=Kind.EXISTS):
+        make("print/lid.stl")
+    assert not list((tmp_path / "elsewhere").iterdir())
 
     (folder / "files.txt").write_text("membrane.stl\n../precious\n")
     (tmp_path / "precious").write_text("mine")

@@ -21,6 +21,7 @@ import geometry
 from acoustic_fem.numerics.disk_cache import CacheWarning
 from geometry import Kind
 from localize import TrainingPlan, load_localizer
+from studies.kit.jobs import BUILD, BUY, CAST, JOBS, PRINT
 from studies.metrics.separation import separability
 from studies.output.display import Display
 from studies.output.folders import MANIFEST, MARK, claim_folder
@@ -43,9 +44,14 @@ def test_the_folder_of_a_run_is_complete() -> None:
     assert names == {
         MARK, "design.toml", "library.nc", "parts", "localizer", "figures", "results.json", "report.html", MANIFEST
     }  # fmt: skip
-    stems = {path.stem for path in (folder / "parts").iterdir()}
+    assert sorted(path.name for path in (folder / "parts").iterdir()) == list(JOBS)  # the kit that parts writes
+    assert (folder / "parts" / BUILD / "manual.html").is_file()
+    assert (folder / "parts" / BUY / "bill.json").is_file()
+    places = (f"{PRINT}/parts", f"{CAST}/reference", f"{BUILD}/reference")
+    single = [path for place in places for path in (folder / "parts" / place).iterdir()]
+    stems = {path.stem for path in single}
     assert stems == set(small_run().part_counts)
-    assert {path.suffix for path in (folder / "parts").iterdir()} == {".stl", ".step", ".3mf"}
+    assert {path.suffix for path in single} == {".stl", ".step", ".3mf"}
     assert not list(folder.rglob(".*.new"))
 
 

@@ -262,7 +262,8 @@ def test_parts_and_the_report_are_handed_out_whole(browser: Any, running: Studio
         assert archive.testzip() is None
         names = set(archive.namelist())
         said = archive.read("files.txt").decode()
-    assert {"bill.csv", "assembly.csv", "mold-base.stl", "shell-straight.stl", "membrane.3mf", "plate-1.3mf"} <= names
+    made = {"2-print/parts/mold-base.stl", "3-cast/reference/membrane.3mf", "2-print/plate-1-molds.3mf"}
+    assert {"1-buy/bill.csv", "5-build/assembly.csv", "5-build/manual.html", *made} <= names
     assert all(Path(name).name in said for name in names if name.endswith((".stl", ".csv")))
     report = downloaded(page, lambda: page.click("[data-export='report.html']"), tmp_path, 900)
     text = report.read_text(encoding="utf-8")
