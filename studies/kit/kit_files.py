@@ -22,7 +22,7 @@ from geometry.stock import Silicone, catalogue
 from studies.kit.cutting_template import write_cutting
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 from studies.kit.manual import write_manual
-from studies.kit.order_list import OrderList, order_list
+from studies.kit.ordering import OrderList, order_list
 from studies.kit.record_sheet import write_record
 from studies.kit.work_hours import work_of
 from studies.output.display import Report

@@ -24,7 +24,7 @@ from geometry.printing.printability import PrintReport
 from geometry.schema.field_errors import DesignError
 from geometry.schema.print_processes import PrintProcess, find_process, process_of
 from studies.kit.kit_files import write_kit
-from studies.kit.order_list import OrderList
+from studies.kit.ordering import OrderList
 from studies.output.display import Display
 from studies.output.folders import FILES, check_folder, claimed_folder, replaced_files
 

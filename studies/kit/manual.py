@@ -25,8 +25,8 @@ from studies.kit.build_facts import casts_of, dangers_of, glue_of, wiring_of
 from studies.kit.cutting_template import template_strips
 from studies.kit.expected_signals import FREQUENCY, HOLE, LEAK_FREQUENCY, expected_signals
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
-from studies.kit.leak_tests import GAUGE_BORE, WATCHED, leak_tests
-from studies.kit.order_list import OrderList
+from studies.kit.leak_testing import GAUGE_BORE, WATCHED, leak_tests
+from studies.kit.ordering import OrderList
 from studies.kit.questions import Facts, answers_of
 from studies.kit.work_hours import COUNTED
 from studies.output.display import Report
@@ -166,14 +166,15 @@ def _drawings(facts: Facts) -> dict[str, str]:
 
 def _part_rows(facts: Facts, shapes: Sequence[SharedShape]) -> list[dict[str, Any]]:
     """Printed parts with their number, and how they lie when they are printed."""
-    parts, rows = facts.model.parts, []
+    parts, rows, marks = facts.model.parts, [], step_pictures.part_marks(facts.model)
     for shape in shapes:
         if parts.origin(shape.names[0]) != "printed":
             continue
         pose = find_pose(shape.facets, facts.process).words
         about = parts.parameters.get(shape.names[0], {}).get("ports", "")
         count = sum(parts.counts[name] for name in shape.names)
-        rows.append({"name": ", ".join(shape.names), "count": count, "pose": pose, "ports": about})
+        mark = " ".join(marks[name] for name in shape.names if name in marks)
+        rows.append({"mark": mark, "name": ", ".join(shape.names), "count": count, "pose": pose, "ports": about})
     return rows
 
 

@@ -17,8 +17,8 @@ from studies.kit.build_facts import Cast, Wiring, glue_of
 from studies.kit.cutting_template import Strip
 from studies.kit.expected_signals import FREQUENCY, ExpectedSignal
 from studies.kit.jobs import BUILD, CUT, PRINT
-from studies.kit.leak_tests import WATCHED, LeakTest
-from studies.kit.order_list import OrderList
+from studies.kit.leak_testing import WATCHED, LeakTest
+from studies.kit.ordering import OrderList
 
 
 @dataclass(frozen=True)

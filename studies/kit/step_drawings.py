@@ -10,7 +10,7 @@ from geometry.schema.part_fields import Tube
 from geometry.solids.membrane import membrane_profile
 from studies.kit.cutting_template import Strip
 from studies.kit.expected_signals import ExpectedSignal
-from studies.kit.leak_tests import LeakTest
+from studies.kit.leak_testing import LeakTest
 
 #: Width of a drawing, in its own units.
 _WIDTH = 720.0

@@ -57,10 +57,17 @@ def plate_picture(plate: Plate, process: PrintProcess) -> bytes:
     return _png(draw)
 
 
-def parts_picture(model: ArrayModel) -> bytes:
-    """Every distinct printed part of the array with its name and number, as it stands in its file."""
+def part_marks(model: ArrayModel) -> dict[str, str]:
+    """Letters by which the picture of the parts and the table beside it call the printed parts of the array."""
     parts = model.parts
     names = [name for name in parts if parts.kinds[name] in ("shell", "carrier", "housing") and parts.counts[name]]
+    return {name: chr(ord("A") + number % 26) * (number // 26 + 1) for number, name in enumerate(names)}
+
+
+def parts_picture(model: ArrayModel) -> bytes:
+    """Every distinct printed part of the array with its letter and number, as it stands in its file."""
+    parts, marks = model.parts, part_marks(model)
+    names = list(marks)
 
     def draw(path: Path) -> None:
         plotter = open_plotter(_SIZE)
@@ -74,7 +81,7 @@ def parts_picture(model: ArrayModel) -> bytes:
             colour = LOOKS[parts.kinds[name]][0] if parts.kinds[name] in LOOKS else LOOKS["shell"][0]
             plotter.add_mesh(mesh, color=colour, split_sharp_edges=True, smooth_shading=True)
             anchor = (float(middle[0]), float(middle[1]) - 0.62 * step, 0.0)
-            draw_labels(plotter, [anchor], [f"{parts.counts[name]} x {name}"], 15, ("center", "top"))
+            draw_labels(plotter, [anchor], [f"{marks[name]}: {parts.counts[name]} x"], 22, ("center", "top"))
         aim(plotter, _FROM_ABOVE, left=0.12, right=0.12)
         save_picture(plotter, path)
 

@@ -13,7 +13,7 @@ from acoustic_fem.duct.leak import leak_conductance
 from acoustic_fem.membrane import bulge, design_membrane
 from studies.kit import leak_tests
 from studies.kit.expected_signals import FREQUENCY, HOLE, HOLE_LENGTH, LEAK_FREQUENCY, expected_signals
-from studies.kit.leak_tests import GAUGE_BORE, LARGEST_CORNER, WATCHED
+from studies.kit.leak_testing import GAUGE_BORE, LARGEST_CORNER, WATCHED
 
 DESIGN = geometry.prototype("array-2x6")
 

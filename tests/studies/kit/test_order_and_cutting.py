@@ -20,7 +20,7 @@ from geometry.layout import cutting_list, lay_out
 from geometry.schema.print_processes import process_of
 from studies.kit import Spares
 from studies.kit.cutting_template import LONGEST, PAGES, SCALE_BAR, template_strips, write_cutting
-from studies.kit.order_list import OrderList, order_list
+from studies.kit.ordering import OrderList, order_list
 from studies.kit.work_hours import work_of
 
 
