@@ -40,6 +40,7 @@ def test_the_water_falls_as_stated() -> None:
     assert test.pressure == pytest.approx(9.81 * test.water)
 
 
+@pytest.mark.slow
 def test_every_kind_of_point_has_its_test() -> None:
     graded = geometry.load_design("docs/examples/graded-line-36.toml")
     assert [test.kind for test in leak_tests(graded)] == list(graded.kinds)
