@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 import acoustic_fem
 from acoustic_fem.batch import ArrayParameters, Topology, batch_response
@@ -54,7 +55,7 @@ def expected_signals(design: ArrayDesign) -> tuple[ExpectedSignal, ...]:
     """Expected signal of every point of a design."""
     nominal = acoustic_fem.solve(design, np.array([FREQUENCY]), fidelity="lumped").transfer_function
     h = np.abs(nominal.transpose("point", "microphone", "frequency").values[..., 0])
-    order = np.argsort(-h, axis=1, kind="stable")
+    order = np.asarray(np.argsort(-h, axis=1, kind="stable"), np.int64)
     spread, leak = _spread(design, order), _leak(design, order[:, 0])
     names, signals = design.microphones, []
     for point, (first, *others) in enumerate(order.tolist()):
@@ -74,7 +75,7 @@ def expected_signals(design: ArrayDesign) -> tuple[ExpectedSignal, ...]:
     return tuple(signals)
 
 
-def _leak(design: ArrayDesign, louder: Array) -> Array | None:
+def _leak(design: ArrayDesign, louder: NDArray[np.int64]) -> Array | None:
     """Change of the level of each point at its louder microphone by a hole beside it, (n_point,) float64, dB.
 
     It is that of the pressure per displaced volume: the pressure in the touched cavity falls as well.
@@ -95,7 +96,7 @@ def _leak(design: ArrayDesign, louder: Array) -> Array | None:
     return np.asarray(20 * np.log10(levels[1][own] / levels[0][own]))
 
 
-def _spread(design: ArrayDesign, order: Array) -> Array | None:
+def _spread(design: ArrayDesign, order: NDArray[np.int64]) -> Array | None:
     """Two standard deviations of the difference of the two loudest microphones, (n_point,) float64, dB."""
     if len(design.microphones) < 2:
         return None
