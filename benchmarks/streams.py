@@ -134,7 +134,10 @@ class Sensor:
             slow[frequency > 4.0] = 0
             swell = np.fft.irfft(slow, MINUTE)
             pressure *= np.exp(swell / swell.std())
-        pressure *= 20e-6 * 10 ** (level / 20) / pressure.std()
+        return self.surrounded(pressure * 20e-6 * 10 ** (level / 20) / pressure.std())
+
+    def surrounded(self, pressure: Array) -> Array:
+        """(n_microphone, MINUTE) Pa in sound outside of a pressure, (MINUTE,) Pa."""
         spectrum = np.fft.rfft(pressure)
         heard = np.zeros((len(self._nominal.microphones), MINUTE // 2 + 1), np.complex128)
         heard[:, 1:-1] = spectrum[1:-1] * self._sound_lines
