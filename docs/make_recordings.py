@@ -9,6 +9,7 @@ along both rows. The seed was the first one tried, and no constant was chosen on
 from __future__ import annotations
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +24,8 @@ DOCS = Path(__file__).parent
 SEED = 17
 #: Points that are recorded with a calibration microphone, for SECONDS each: a fit gives the others.
 CALIBRATED, SECONDS = (1, 3, 5, 8, 10, 12), 20.0
+#: All recordings are pressures, as if an equaliser had been applied, so that they can be read without options.
+EQUALISED = studies.Recorder(seconds=SECONDS, output="pressure", reference_corner=0.0)
 #: A light finger: mm, N, and how much its force fluctuates.
 LIGHT = Tool("finger", (4.0, 6.0), (1e-3, 4e-3), (0.1, 0.3), 0.15)
 #: Of the recordings of touches, Pa; and how fast the finger slides, mm/s.
@@ -38,7 +41,7 @@ def make(folder: Path) -> studies.TrackedRecording:
     rig = studies.Rig(geometry.prototype("array-2x6"), SEED, fidelity="lumped")
     for old in (folder / "calibration", folder / "library.nc"):
         shutil.rmtree(old) if old.is_dir() else old.unlink(missing_ok=True)
-    manifest = rig.record(folder / "calibration", CALIBRATED, studies.Recorder(seconds=SECONDS))
+    manifest = rig.record(folder / "calibration", CALIBRATED, EQUALISED)
     library = studies.calibrate_sensor(manifest, folder / "library.nc", fidelity="lumped").library
     (folder / "library.png").unlink()
     place = response_of(library).position
@@ -47,7 +50,7 @@ def make(folder: Path) -> studies.TrackedRecording:
         each = {"tool": LIGHT, "seed": SEED, "sample": point}
         at = tuple(place[point])
         touched.append(press(at, 0.15, **each) if number % 3 == 2 else tap(at, **each))
-    recorder = studies.Recorder(full_scale=FULL_SCALE)
+    recorder = replace(EQUALISED, full_scale=FULL_SCALE)
     record_contact(rig, joined(touched, "taps"), folder / "touches.wav", recorder)
     along = stroke(place[[0, 5, 6, 11]], SPEED, LIGHT, seed=SEED)
     record_contact(rig, along, folder / "slide.wav", recorder, sample=1)

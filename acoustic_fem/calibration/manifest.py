@@ -4,12 +4,13 @@
 
     design = "array-2x6"          # a prototype, or a design file beside the manifest
     record = "record.toml"        # of the build, as `acoustic-fem parts` writes it: measured thicknesses, batches
+    output = "voltage"            # the array's microphones as they are; by default "pressure": already equalised
     response = "reference.csv"    # of the calibration microphone: frequency (Hz), dB and degrees; by default flat
     [channels]                    # of WAV files and matrices, from 1; by default in this order
     reference = 1                 # the calibration microphone at the touched cavity
     A = 2
     B = 3
-    [pascals]                     # of one unit in the files, of full scale in WAV files; by default 1
+    [pascals]                     # at 1 kHz, of one unit in the files, of full scale in WAV files; by default 1
     reference = 20.0
     [started_late]                # s by which a channel's recorder started after the others; by default 0
     reference = 0.0123
@@ -32,6 +33,7 @@ from pydantic_core import PydanticCustomError
 
 from acoustic_fem.calibration.build_record import BuildRecord, read_record
 from acoustic_fem.calibration.reference_response import ReferenceResponse, read_response
+from acoustic_fem.quantities.microphone_signals import Output
 from acoustic_fem.sound.estimate import Estimator
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names, resolve_design
@@ -74,6 +76,7 @@ class _File(BaseModel):
     clock_ppm: dict[str, Annotated[_Number, Field(ge=-1000, le=1000)]] = {}
     response: Annotated[str, Field(min_length=1)] | None = None
     record: Annotated[str, Field(min_length=1)] | None = None
+    output: Output = "pressure"
     estimator: Estimator = "H1"
     least_coherence: Annotated[_Number, Field(ge=0, lt=1)] = 0.9
 
@@ -89,7 +92,7 @@ class Manifest:
     channels: Mapping[str, int]
     """Number of every channel in WAV files and matrices, from 1."""
     pascals: Mapping[str, float]
-    """Pressure of one unit in the files of every channel, Pa."""
+    """Pressure at 1 kHz of one unit in the files of every channel, Pa."""
     started_late: Mapping[str, float]
     """Time by which the recorder of every channel started after the others, s."""
     estimator: Estimator = "H1"
@@ -103,6 +106,9 @@ class Manifest:
     """Response of the calibration microphone; None for a flat one."""
     record: BuildRecord | None = None
     """Record of the build; None where the manifest names none."""
+    output: Output = "pressure"
+    """What the channels of the array's microphones hold: their outputs, whose high-pass a calibration divides out, or
+    pressures in front of them."""
 
 
 def read_manifest(path: Path) -> Manifest:
@@ -167,4 +173,5 @@ def read_manifest(path: Path) -> Manifest:
         {name: file.clock_ppm[name] for name in names if name in file.clock_ppm},
         None if file.response is None else read_response(path.parent / file.response),
         None if file.record is None else read_record(path.parent / file.record, design),
+        file.output,
     )

@@ -17,11 +17,14 @@ from acoustic_fem.calibration.recording_checks import (
     RecordingFault,
     check_against_model,
     check_estimate,
+    check_output,
     check_signals,
     check_steady,
     largest_changes,
 )
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
+from acoustic_fem.network.microphone_output import output_response
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
 from geometry.ground.argument_checks import check_shape
@@ -131,6 +134,7 @@ class Calibration:
     def _provenance(self) -> dict[str, Any]:
         return {
             "estimator": self.manifest.estimator,
+            "output": self.manifest.output,
             "measured_points": list(self.estimates),
             "segments": {str(number): estimate.segments for number, estimate in self.estimates.items()},
             "findings": [[finding.point, finding.text, finding.excluded] for finding in self.findings],
@@ -212,9 +216,14 @@ def _point(
     if manifest.response is not None:
         known = manifest.response.at(frequency)
         phasor, deviation = phasor * known, deviation * np.abs(known)
+    of_microphone = output_response(manifest.design.microphone, frequency, design_air(manifest.design))
+    divided_by = of_microphone if manifest.output == "voltage" else np.ones_like(of_microphone)
+    phasor, deviation = phasor / divided_by, deviation / np.abs(divided_by)
     whole = TransferEstimate(found.transfer_function * phasor, deviation, found.coherence, found.segments)
     check_estimate(whole, microphones, manifest.least_coherence)
-    notes += check_against_model(whole, expected, number - 1, frequency, microphones, tuple(manifest.pascals.values()))
+    check_output(whole, expected[number - 1], of_microphone, manifest.output)
+    pascals = tuple(manifest.pascals.values())
+    notes += check_against_model(whole, expected, number - 1, frequency, microphones, pascals, divided_by)
     weak = [name for name, row in zip(microphones, whole.coherence, strict=True) if np.median(row) < 0.5]
     if weak:
         notes += (f"coherence of microphone {', '.join(weak)} is below 0.5 at half of the frequencies",)

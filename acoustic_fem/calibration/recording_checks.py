@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.calibration.manifest import REFERENCE
+from acoustic_fem.quantities.microphone_signals import Output
 from acoustic_fem.sound.clipping import first_clipped
 from acoustic_fem.sound.estimate import TransferEstimate, amplitudes, shortest_record
 from geometry.ground.refusal import Kind, Refusal
@@ -20,7 +21,9 @@ GAP, GAP_SAMPLES = 0.05, 8
 LEAST_LEVELS = 32
 #: dB by which a recording misses the model before another explanation is looked for. Sensors made with the usual
 #: tolerances miss it by 1 to 4 dB.
-MISFIT = 6.0
+MISFIT = 5.0
+#: dB by which a recording misses the model before the other kind of signals is looked for; it misses by 4 to 10 dB.
+OTHER_OUTPUT = 3.0
 #: The other explanation must miss by less than this share of it.
 BETTER = 0.4
 #: Coherence at the quarter of frequencies with the largest transfer function, below which a microphone is deaf.
@@ -179,6 +182,33 @@ def check_estimate(estimate: TransferEstimate, microphones: tuple[str, ...], lea
         )
 
 
+def check_output(estimate: TransferEstimate, model: ComplexArray, of_microphone: ComplexArray, output: Output) -> None:
+    """Refuse a recording that would fit the design if its channels held the other kind of signals.
+
+    Args:
+        estimate: of the point, of pressures if the channels hold what the manifest says.
+        model: (n_microphone, n_freq) complex128, Pa/Pa, of the design at the point.
+        of_microphone: (n_freq,) complex128, output of the design's microphone over the pressure in front of it.
+        output: what the manifest says.
+
+    Raises:
+        RecordingFault: with the value of ``output`` that would explain it.
+    """
+    measured = estimate.transfer_function
+    known = estimate.deviation < 0.3 * np.abs(measured)
+    misfit = _misfit(measured, model, known)
+    other = measured * of_microphone if output == "voltage" else measured / of_microphone
+    if misfit > OTHER_OUTPUT and _misfit(other, model, known) < BETTER * misfit:
+        has, needed = ("no", "pressure") if output == "voltage" else ("the", "voltage")
+        raise RecordingFault(
+            f"is {misfit:.0f} dB off the design, because its microphones show {has} high-pass of their vents",
+            kind=Kind.MISMATCH,
+            field="output",
+            value=output,
+            remedy=f'give output = "{needed}" in the manifest',
+        )
+
+
 def check_against_model(
     estimate: TransferEstimate,
     model: ComplexArray,
@@ -186,6 +216,7 @@ def check_against_model(
     frequency: Array,
     microphones: tuple[str, ...],
     pascals: tuple[float, ...],
+    divided_by: ComplexArray | float = 1.0,
 ) -> tuple[str, ...]:
     """Compare a recording with the transfer functions of the design.
 
@@ -196,6 +227,8 @@ def check_against_model(
         frequency: (n_freq,) Hz.
         microphones: their names.
         pascals: of one unit of the reference and of each microphone, by which exchanged channels were scaled too.
+        divided_by: (n_freq,) complex128, response of the microphones that was divided out of their channels, 1 if they
+            held pressures.
 
     Returns:
         Notes on a recording that can be used.
@@ -216,7 +249,7 @@ def check_against_model(
     known = estimate.deviation < 0.3 * np.abs(measured)
     misfit = _misfit(measured, model[point], known)
     if misfit > MISFIT:
-        for text, changed, other in _explanations(measured, model, point, microphones, pascals):
+        for text, changed, other in _explanations(measured, model, point, microphones, pascals, divided_by):
             if _misfit(changed, other, known) < BETTER * misfit:
                 raise RecordingFault(
                     f"is {misfit:.0f} dB off the design; {text} would explain it", kind=Kind.UNSUITABLE
@@ -274,7 +307,12 @@ def _misfit(measured: ComplexArray, model: ComplexArray, known: NDArray[np.bool_
 
 
 def _explanations(
-    measured: ComplexArray, model: ComplexArray, point: int, microphones: tuple[str, ...], pascals: tuple[float, ...]
+    measured: ComplexArray,
+    model: ComplexArray,
+    point: int,
+    microphones: tuple[str, ...],
+    pascals: tuple[float, ...],
+    divided_by: ComplexArray | float,
 ) -> Iterator[tuple[str, ComplexArray, ComplexArray]]:
     """Texts with the measured values they would change, and those to compare with."""
     of_reference, *scale = pascals
@@ -283,8 +321,9 @@ def _explanations(
         changed[a], changed[b] = measured[b] * scale[a] / scale[b], measured[a] * scale[b] / scale[a]
         yield f"channels {microphones[a]} and {microphones[b]} exchanged", changed, model[point]
     for k, name in enumerate(microphones):
-        changed = measured / measured[k] * scale[k] / of_reference
-        changed[k] = (scale[k] / of_reference) ** 2 / measured[k]
+        # The reference was taken for an output, and an output for the reference.
+        changed = measured / measured[k] * scale[k] / of_reference / divided_by
+        changed[k] = (scale[k] / of_reference / divided_by) ** 2 / measured[k]
         yield f"channels {REFERENCE} and {name} exchanged", changed, model[point]
     for other in range(len(model)):
         if other != point:

@@ -8,3 +8,7 @@ from .microphone import (
     response as response,
     vent_ratio as vent_ratio,
 )
+from .microphone_output import (
+    Equaliser as Equaliser,
+    output_response as output_response,
+)

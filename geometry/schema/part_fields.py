@@ -333,6 +333,14 @@ class Microphone(Section):
     noise_corner: Hertz = Field(
         default=100.0, ge=0, le=1e4, description="frequency below which the noise power rises as 1/f"
     )
+    overload: Number = Field(
+        default=28.3,
+        ge=0.1,
+        le=2000,
+        description="peak pressure, well above the vent's corner, beyond which the output is clipped; "
+        "28.3 Pa, the peak of a sine of 120 dB SPL, is assumed",
+        json_schema_extra={"unit": "Pa"},
+    )
     package_length: Millimetre = Field(default=3.5, ge=0.5, le=20, description="length of the package; assumed")
     package_width: Millimetre = Field(default=2.65, ge=0.5, le=20, description="width of the package; assumed")
     package_height: Millimetre = Field(default=0.98, ge=0.2, le=10, description="height of the package; assumed")

@@ -17,8 +17,10 @@ Unit = Literal["m", "ml", "dm^2", "piece"]
 Price = Annotated[Number, Field(ge=0, le=1e5)]
 #: Bandwidth of white noise with the power that the A-weighting of IEC 61672-1 leaves of it, 20 Hz to 20 kHz, Hz.
 A_WEIGHTED_BANDWIDTH = 12467.0
+#: Sound pressure of 0 dB SPL, Pa rms.
+_REFERENCE = 20e-6
 #: Sound pressure of 94 dB, at which the ratio of a microphone's signal to its noise is stated, Pa.
-_STATED_AT = 20e-6 * 10 ** (94 / 20)
+_STATED_AT = _REFERENCE * 10 ** (94 / 20)
 
 
 class StockPart(Section):
@@ -310,6 +312,8 @@ class StockMicrophone(StockPart):
             known["microphone.sensitivity"] = self.sensitivity
         if self.low_corner is not None:
             known["microphone.vent_corner"] = self.low_corner
+        if self.overload is not None:
+            known["microphone.overload"] = float(f"{math.sqrt(2) * _REFERENCE * 10 ** (self.overload / 20):.3g}")
         return known
 
     @property

@@ -102,6 +102,7 @@ class RecordedFrames:
         for each in self.recordings:
             full_scale = found.full_scale if each.path.suffix.lower() in SCALED else None
             heard = read_recording(each.path, response.microphones, full_scale).signals
+            heard = found.pressures(heard, response.array)
             first = touched_frames(heard, response.microphones, noise_rms)
             if not len(first):
                 raise TouchManifestError(

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem.network.microphone_output import Equaliser
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
@@ -47,6 +48,8 @@ class TouchStream:
         silence: Pa rms about the mean over a frame; a frame in which no microphone is louder is silent. By default
             twice the noise of a microphone that the locator was made for, at least 1e-6 Pa.
         limit: Pa; a sample that reaches it is clipped. By default no sample is.
+        equaliser: makes pressures of samples that are outputs of microphones, see
+            :mod:`acoustic_fem.network.microphone_output`; by default samples are pressures.
         reconstructor: gives the waveform at the decided point; the filters of a point are made when it is first needed,
             which takes some tens of milliseconds.
         sound_test: detects frames that hold only room sound. By default sound is taken for a touch.
@@ -67,6 +70,7 @@ class TouchStream:
         sound_test: SoundTest | None = None,
         residual_test: ResidualTest | None = None,
         options: StreamOptions = StreamOptions(),
+        equaliser: Equaliser | None = None,
     ) -> None:
         for name, part in (
             ("reconstructor", reconstructor), ("sound_test", sound_test), ("residual_test", residual_test)
@@ -78,6 +82,7 @@ class TouchStream:
                 )
                 raise Refusal(problem, kind=Kind.MISMATCH, field=name)
         self.locator, self.options, self.reconstructor = locator, options, reconstructor
+        self._equaliser = equaliser
         usual = max(options.silence * locator.noise_rms, options.least_silence)
         self.silence, self.limit = usual if silence is None else silence, limit
         for name, value in (("silence", self.silence), ("limit", limit)):
@@ -91,8 +96,8 @@ class TouchStream:
         self._hum, self._floor = Hum(channels, options), NoiseFloor(channels, options)
         # An estimate needs a window, the 16 of a hop some samples more.
         self._history = max(FRAME, 0 if reconstructor is None else reconstructor.window + HOP - 1)
-        # Samples as they come, and behind the front end.
-        self._buffer = np.empty((2, channels, self._history + _MARGIN))
+        # Pressures, pressures behind the front end, and samples as they come.
+        self._buffer = np.empty((3, channels, self._history + _MARGIN))
         self._next: int | None = None  # number of the sample that is due
         self._repeated_to: int | None = None  # where repeated samples so far end
         self._bad: dict[tuple[FaultKind, int], int] = {}  # number of the sample up to which a reported fault was seen
@@ -198,8 +203,9 @@ class TouchStream:
                 kept = min(self._end, self._history)
                 self._buffer[..., :kept] = self._buffer[..., self._end - kept : self._end]
                 self._end = kept
-            part = run[:, taken : taken + count]
-            self._buffer[0, :, self._end : self._end + count] = part
+            came = run[:, taken : taken + count]
+            part = self._equalised(came)
+            self._buffer[[0, 2], :, self._end : self._end + count] = part, came
             if self._end >= FRAME:
                 self._buffer[1, :, self._end : self._end + count] = self._conditioned(part)
             taken += count
@@ -214,9 +220,14 @@ class TouchStream:
                 else:
                     if self._end == FRAME:
                         self._buffer[1, :, :FRAME] = self._high_pass.begin(self._buffer[0, :, :FRAME])
-                    raw, frame = self._buffer[..., self._end - FRAME : self._end]
-                    self._classify(raw, frame, events)
+                    self._classify(*self._buffer[..., self._end - FRAME : self._end], events)
                 self._hum_coming = self._hum.coming(HOP)
+
+    def _equalised(self, samples: Array) -> Array:
+        """Samples as pressures; the filter begins anew behind a gap."""
+        if self._equaliser is None:
+            return samples
+        return self._equaliser(samples) if self._end else self._equaliser.begin(samples)
 
     def _conditioned(self, samples: Array) -> Array:
         """Samples that follow those before, behind the front end."""
@@ -224,9 +235,9 @@ class TouchStream:
         first = self._hum_coming.shape[1] - self._due
         return passed - self._hum_coming[:, first : first + samples.shape[1]]
 
-    def _classify(self, raw: Array, frame: Array, events: list[Decision | Fault]) -> None:
-        """Classify a frame, as it came and behind the front end."""
-        good = ~self._bad_channels(raw, events)
+    def _classify(self, raw: Array, frame: Array, came: Array, events: list[Decision | Fault]) -> None:
+        """Classify a frame: its pressures, those behind the front end, and the samples as they came."""
+        good = ~self._bad_channels(came, events)
         if self.options.follow and self._classifier_of(good) is not None:
             self._floor.take(frame)
             good &= ~self._channels_of_other_noise(frame, events)

@@ -14,8 +14,10 @@ from numpy.typing import ArrayLike
 import acoustic_fem
 import localize
 from acoustic_fem.library.transfer_functions import Library
+from acoustic_fem.network.microphone_output import Equaliser
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
-from geometry.ground.argument_checks import check_type
+from acoustic_fem.quantities.microphone_signals import LOWEST, LOWEST_RANGE, OUTPUTS, Output
+from geometry.ground.argument_checks import check_choice, check_range, check_type
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.shown import Shown
 from geometry.ground.typed import Array
@@ -41,6 +43,7 @@ from localize.live.touches import TouchTracker, touches_of
 from localize.model.file_contents import FileContent, file_content
 from localize.model.located_touches import LocatedTouches, distrusted_event, distrusted_touch
 from localize.recordings.recording import Recording, read_recording
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.disturbances import check_sound_level
 from localize.signals.frames import FRAME
@@ -57,6 +60,8 @@ LEAST_NOISE = 1e-6
 """White noise that waveforms are reconstructed with where a localizer knows none, Pa rms."""
 LEAST_SOUND_NOISE = 1e-5
 """White noise that the test of sound assumes at least, Pa rms: below it, rounding is all there is."""
+CLIPPED = 0.97
+"""Fraction of a microphone's overload from which its output is taken for clipped."""
 PART = 60_000
 """Number of samples of a recording that are decided at once: a minute."""
 
@@ -85,13 +90,41 @@ class Decoding:
     """True if the stiffness of a calibrated sensor is followed over the touches."""
     tolerances: bool = True
     """True if a computed library is decoded with manufacturing tolerances."""
+    microphone_output: Output = "pressure"
+    """Content of the signals that are read or listened to: pressures in front of the microphones, or ``voltage``, the
+    outputs of microphones that nobody has equalised."""
+    lowest: float = LOWEST
+    """Frequency down to which outputs are equalised to pressures, Hz."""
 
     def __post_init__(self) -> None:
         checked_air(self.air)
         check_noise(self.microphone_noise, "microphone_noise")
         check_sound_level(self.ambient)
+        check_choice("microphone_output", self.microphone_output, OUTPUTS)
+        check_range("lowest", self.lowest, *LOWEST_RANGE, "Hz")
         if self.rejected_fraction is not None:
             StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
+
+    def equaliser(self, array: ArrayFacts) -> Equaliser | None:
+        """Filter from the outputs of an array's microphones to pressures, new; None where signals are pressures.
+
+        Raises:
+            Refusal: an array whose design is not known.
+        """
+        return array.equaliser(self.lowest) if self.microphone_output == "voltage" else None
+
+    def pressures(self, signals: Array, array: ArrayFacts) -> Array:
+        """Pressures in front of the microphones of an array, from a whole recording.
+
+        Args:
+            signals: (n_microphone, n_sample) float64, Pa at 1 kHz, as they were read.
+            array: facts of the array.
+
+        Raises:
+            Refusal: outputs of an array whose design is not known.
+        """
+        equaliser = self.equaliser(array)
+        return signals if equaliser is None else equaliser.begin(signals)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -115,6 +148,9 @@ class Model(Shown):
             if decoding.rejected_fraction is None
             else f"{decoding.rejected_fraction:.2g}",
             "follows drift": "yes" if decoding.follow_drift else "",
+            "equalises the microphones": ""
+            if decoding.microphone_output == "pressure"
+            else f"down to {decoding.lowest:g} Hz",
             "warnings": f"{len(self.warnings)}, the first: {self.warnings[0]}" if self.warnings else "none",
             "files": ", ".join(str(path) for path in self.files),
         }
@@ -187,7 +223,9 @@ class Model(Shown):
             Refusal: a recording that cannot be read or used.
         """
         fallback = not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
-        return read_recording(path, self.locator.microphones, full_scale, fallback=fallback, channels=channels)
+        return read_recording(
+            path, self.locator.microphones, full_scale, fallback=fallback, clipped=True, channels=channels
+        )
 
     def locate_recording(self, recording: Recording, *, correct: bool = False) -> LocatedTouches:
         """Touches in a recording that was read, with a check that the sensor fits the library.
@@ -232,7 +270,8 @@ class Model(Shown):
         """New stream that decodes with the model, with the sound test and the other options that it was opened with.
 
         Args:
-            limit: Pa; a sample that reaches it is clipped. By default nothing is.
+            limit: Pa; a sample that reaches it is clipped. By default nothing is; if signals are outputs of the
+                microphones, also what reaches their overload.
             frames: whether decisions carry the samples that were classified.
 
         Raises:
@@ -243,8 +282,12 @@ class Model(Shown):
         options = StreamOptions(follow=given.microphone_noise == "design", frames=frames, fallback=True)
         if given.rejected_fraction is not None:
             options = replace(options, rejected_fraction=given.rejected_fraction)
+        equaliser = given.equaliser(locator.array)
+        if equaliser is not None:
+            overload = CLIPPED * equaliser.microphone.overload
+            limit = overload if limit is None else min(limit, overload)
         if self.response is None:
-            return TouchStream(locator, limit=limit, options=options)
+            return TouchStream(locator, limit=limit, options=options, equaliser=equaliser)
         noise, wave, sound, residual = locator.microphone_noise, None, None, None
         if given.waveform:
             wave = Reconstructor(self.response, max(locator.noise_rms, LEAST_NOISE))
@@ -254,7 +297,7 @@ class Model(Shown):
             sound = SoundTest(self.response, noise if isinstance(noise, str) else max(noise, LEAST_SOUND_NOISE))
         if given.rejected_fraction is not None:
             residual = ResidualTest(self.response, noise, ambient=given.ambient)
-        return TouchStream(locator, None, limit, wave, sound, residual, options)
+        return TouchStream(locator, None, limit, wave, sound, residual, options, equaliser)
 
     def tracker(self, contact_radius_mm: float) -> PathTracker:
         """New tracker of the paths of contacts, for the decisions of a stream that carry their frames.
@@ -306,6 +349,8 @@ def open_model(
     rejected_fraction: float | None = None,
     follow_drift: bool = False,
     tolerances: bool = True,
+    microphone_output: Output = "pressure",
+    lowest: float = LOWEST,
 ) -> Model:
     """Model from a file, a folder, a library or a localizer in memory; a file is recognised by its content.
 
@@ -326,6 +371,9 @@ def open_model(
             explains, above 0, below 1; by default the likeliest point is always given.
         follow_drift: whether the stiffness of a calibrated sensor is followed over the touches.
         tolerances: whether a computed library is decoded with manufacturing tolerances.
+        microphone_output: content of the signals that are read or listened to: ``pressure`` in front of the
+            microphones, or ``voltage``, outputs of the microphones that nobody has equalised.
+        lowest: frequency down to which outputs are equalised to pressures, Hz.
 
     Returns:
         The model; a :class:`Model` is handed back as it is.
@@ -335,7 +383,18 @@ def open_model(
             an argument that needs the library of the array without one; a library of another design; a value out of
             range.
     """
-    decoding = Decoding(microphone_noise, library, waveform, ambient, rejected_fraction, air, follow_drift, tolerances)
+    decoding = Decoding(
+        microphone_noise,
+        library,
+        waveform,
+        ambient,
+        rejected_fraction,
+        air,
+        follow_drift,
+        tolerances,
+        microphone_output,
+        lowest,
+    )
     return opened(source, decoding, "source")
 
 

@@ -255,6 +255,7 @@ def recorded_takes(
     for each, judged in zip(found.recordings, held, strict=True):  # held-out takes are cut as touches are at run time
         full_scale = found.full_scale if each.path.suffix.lower() in SCALED else None
         heard = read_recording(each.path, response.microphones, full_scale).signals
+        heard = found.pressures(heard, response.array)
         frames = detected_frames(heard, response.microphones, noise_rms)
         if isinstance(through, LineReader):
             own = written_maps(through, heard, frames, 0 if judged else plan.letter_variants, options)[0]

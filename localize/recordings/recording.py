@@ -67,6 +67,7 @@ def read_recording(
     full_scale: float | None = None,
     *,
     fallback: bool = False,
+    clipped: bool = False,
     channels: Mapping[str, int] | None = None,
 ) -> Recording:
     """Read a recording and bring it to 1 kHz.
@@ -81,8 +82,9 @@ def read_recording(
         microphones: names of the array's microphones.
         full_scale: pressure at full scale of WAV files, Pa, by default 1 Pa. For other files, the pressure at which the
             recorder clipped. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
-        fallback: whether one channel may be clipped, or silent all the time or from some time on: for what goes on with
-            the others.
+        fallback: whether one channel may be silent all the time or from some time on: for what goes on with the others.
+        clipped: whether channels may be clipped: for what reports clipped samples, which reach the limit of the
+            recording, and decides nothing by them.
         channels: microphone -> channel of the file, counted from 1 without a column of times; the file may then have
             more channels than there are microphones. By default by their names or their order, as above.
 
@@ -109,7 +111,7 @@ def read_recording(
         scale = full_scale or 1.0
         limit = None if sound.full_scale is None else sound.full_scale * scale
     _check_rate(path, rate)
-    signals, clipped = [], None
+    signals, cut_at = [], []
     for number, (microphone, name) in enumerate(zip(microphones, names, strict=True)):
         # One after the other: at the rate of a sound card all of them are ten times as large as the file.
         channel = sound.channels[name] * scale
@@ -129,10 +131,10 @@ def read_recording(
                 kind=Kind.UNSUITABLE,
                 file=path,
             )
-            if not fallback:
+            if not clipped:
                 raise clipping
             warnings.warn(f"{clipping}; its clipped samples are left out", RecordingWarning, stacklevel=2)
-            fallback, clipped = False, (number, np.flatnonzero(cut))
+            cut_at.append((number, np.flatnonzero(cut)))
         signals.append(at_one_kilohertz(channel[None], rate)[0])
     _check_apart(path, sound.channels, names, microphones)
     together = np.stack(signals)
@@ -145,11 +147,12 @@ def read_recording(
             RecordingWarning,
             stacklevel=2,
         )
-    if clipped is None:
+    if not cut_at:
         return Recording(together, rate)
     limit = 1.001 * loudest  # above all other samples, which resampling moves
-    own, samples = together[clipped[0]], (clipped[1] * (SAMPLE_RATE / rate)).astype(np.int64)
-    own[samples] = np.where(own[samples] < 0, -limit, limit)
+    for number, found in cut_at:
+        own, samples = together[number], (found * (SAMPLE_RATE / rate)).astype(np.int64)
+        own[samples] = np.where(own[samples] < 0, -limit, limit)
     return Recording(together, rate, limit)
 
 

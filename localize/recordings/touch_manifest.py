@@ -2,7 +2,9 @@
 
 ::
 
-    full_scale = 2.0                  # Pa of the largest value of WAV files; by default 1
+    full_scale = 2.0                  # Pa at 1 kHz of the largest value of WAV files; by default 1
+    output = "voltage"                # the microphones as they are; by default "pressure": already equalised
+    lowest = 3.0                      # Hz, down to which voltages are equalised to pressures; by default 1
     [[recordings]]
     file = "point-01-taps-1.wav"      # beside the manifest; WAV, CSV or NPZ, see localize.recordings.recording
     point = 1
@@ -28,12 +30,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from acoustic_fem.quantities.microphone_signals import LOWEST, LOWEST_RANGE, Output
 from geometry.ground.argument_checks import check_range
 from geometry.ground.file_checks import LARGEST_DATA, read_bytes
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.text_files import read_toml
 from geometry.schema.field_errors import model_of
 from localize.recordings.same_take import find_same_take
+from localize.signals.array_facts import ArrayFacts
 from localize.signals.resampling import FULL_SCALES
 
 #: Part of the published set of touches that a recording belongs to.
@@ -63,6 +67,8 @@ class _File(BaseModel):
 
     recordings: Annotated[tuple[_Recording, ...], Field(min_length=1, strict=False)]
     full_scale: Annotated[float, Field(ge=FULL_SCALES[0], le=FULL_SCALES[1], allow_inf_nan=False)] = 1.0
+    output: Output = "pressure"
+    lowest: Annotated[float, Field(ge=LOWEST_RANGE[0], le=LOWEST_RANGE[1], allow_inf_nan=False)] = LOWEST
 
 
 @dataclass(frozen=True)
@@ -112,6 +118,22 @@ class TouchManifest(Generic[_Recorded]):
     """All recordings, in the order of the manifest."""
     full_scale: float
     """Pressure at full scale of WAV files, Pa."""
+    output: Output = "pressure"
+    """What the recordings hold: outputs of the microphones, or pressures in front of them."""
+    lowest: float = LOWEST
+    """Frequency down to which outputs are equalised to pressures, Hz."""
+
+    def pressures(self, heard: NDArray[np.float64], array: ArrayFacts) -> NDArray[np.float64]:
+        """Pressures in front of the microphones, from a recording of the manifest.
+
+        Args:
+            heard: (n_microphone, n_sample) float64, Pa at 1 kHz, as it was read.
+            array: facts of the array.
+
+        Raises:
+            Refusal: outputs of an array whose design is not known.
+        """
+        return array.equaliser(self.lowest).begin(heard) if self.output == "voltage" else heard
 
 
 def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManifest[TouchRecording]:
@@ -141,7 +163,7 @@ def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManif
             kind=Kind.MISSING,
             file=path,
         )
-    return TouchManifest(path, tuple(found), file.full_scale)
+    return TouchManifest(path, tuple(found), file.full_scale, file.output, file.lowest)
 
 
 def read_labelled_manifest(path: str | os.PathLike[str], points: int) -> TouchManifest[LabelledRecording]:
@@ -178,7 +200,7 @@ def read_labelled_manifest(path: str | os.PathLike[str], points: int) -> TouchMa
             kind=Kind.UNSUITABLE,
             file=path,
         )
-    return TouchManifest(path, tuple(found), file.full_scale)
+    return TouchManifest(path, tuple(found), file.full_scale, file.output, file.lowest)
 
 
 def _read(path: Path, points: int) -> tuple[_File, list[str]]:

@@ -10,6 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.library.transfer_functions import MEASURED
+from acoustic_fem.network.microphone_output import Equaliser
+from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.microphone_signals import LOWEST
+from geometry.design.design_file import read_design
+from geometry.ground.refusal import Kind, Refusal
+from localize.signals.stimulus import SAMPLE_RATE
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,6 +40,27 @@ class ArrayFacts:
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self.line)
+
+    def equaliser(self, lowest: float = LOWEST) -> Equaliser:
+        """Filter from the outputs of the array's microphones, at 1 kHz, to the pressures in front of them.
+
+        Args:
+            lowest: frequency down to which signals are equalised, Hz.
+
+        Raises:
+            Refusal: an array whose design is not known, or a frequency out of range.
+        """
+        design = self.provenance.get("design")
+        if not design:
+            raise Refusal(
+                "of this array is not known, so its microphones cannot be equalised",
+                kind=Kind.MISSING,
+                field="design",
+                remedy="equalise the recordings before, or give a library that has a design",
+            )
+        stated = read_design(design)
+        air = Medium(**self.provenance["medium"]) if "medium" in self.provenance else design_air(stated)
+        return Equaliser(stated.microphone, air, SAMPLE_RATE, lowest)
 
     @property
     def assumptions(self) -> str:

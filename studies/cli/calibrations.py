@@ -11,6 +11,7 @@ import acoustic_fem
 import localize
 import studies
 from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
+from acoustic_fem.quantities.microphone_signals import LOWEST
 from geometry.ground.refusal import counted
 from localize.signals.stimulus import BAND
 from studies.cli.options import (
@@ -20,6 +21,8 @@ from studies.cli.options import (
     Frequencies,
     FullScale,
     LibraryFile,
+    Lowest,
+    MicrophoneOutput,
     Noise,
     Pressure,
     Temperature,
@@ -68,7 +71,10 @@ def rig(
         made = studies.record_rig(design, out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
         say(path)
-    tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")
+    tell(
+        f"The recordings are voltages of the microphones with a full scale of {made.full_scale:g} Pa. Give locate and "
+        f"recalibrate --full-scale {made.full_scale:g} --microphone-output voltage."
+    )
 
 
 def calibrate(
@@ -178,6 +184,8 @@ def recalibrate(
     ],
     out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file.")],
     full_scale: FullScale = None,
+    microphone_output: MicrophoneOutput = "pressure",
+    lowest: Lowest = LOWEST,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Seed that chooses the held-out touches.", min=0)] = SEED,
     channels: Channels = None,
@@ -204,6 +212,8 @@ def recalibrate(
             seed=seed,
             air=air,
             channels=channel_map(channels),
+            microphone_output=microphone_output,
+            lowest=lowest,
             display=display,
         ).found
     tell(f"{out}: updated from {counted(found.frames, 'frame')} with touches")

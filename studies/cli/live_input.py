@@ -15,10 +15,20 @@ from rich.console import Console
 import acoustic_fem
 import localize
 import studies
+from acoustic_fem.quantities.microphone_signals import LOWEST
 from geometry.ground.argument_checks import whole_number
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
-from studies.cli.options import Altitude, Model, Pressure, Temperature, channel_map, noise_choice
+from studies.cli.options import (
+    Altitude,
+    Lowest,
+    MicrophoneOutput,
+    Model,
+    Pressure,
+    Temperature,
+    channel_map,
+    noise_choice,
+)
 from studies.cli.terminal_tables import show, table_of
 from studies.output.call_defaults import FULL_SCALE
 
@@ -66,6 +76,8 @@ def live(
     full_scale: Annotated[
         float, typer.Option(help="Pressure at full scale of the sound card or file, Pa.")
     ] = FULL_SCALE,
+    microphone_output: MicrophoneOutput = "pressure",
+    lowest: Lowest = LOWEST,
     replay: Annotated[
         Path | None, typer.Option(metavar="FILE.wav", help="Recording to play in real time in place of a sound card.")
     ] = None,
@@ -115,7 +127,17 @@ def live(
     wanted = device if number < 0 else number
     source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate)
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
-    decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
+    decoding = studies.Decoding(
+        noise_choice(noise),
+        library,
+        waveform,
+        ambient,
+        reject,
+        air,
+        follow_drift,
+        microphone_output=microphone_output,
+        lowest=lowest,
+    )
     with _Output(waveform) as output:
         summary = listen(
             model, source, out, record=record, decoding=decoding, contact_radius_mm=radius, hear=output.hear

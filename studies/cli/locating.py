@@ -9,6 +9,7 @@ import typer
 
 import acoustic_fem
 import studies
+from acoustic_fem.quantities.microphone_signals import LOWEST
 from geometry.ground.refusal import counted
 from localize.live.stream_options import MOVING
 from studies.cli.options import (
@@ -16,6 +17,8 @@ from studies.cli.options import (
     Channels,
     FullScale,
     LibraryFile,
+    Lowest,
+    MicrophoneOutput,
     Model,
     Pressure,
     Recording,
@@ -164,6 +167,8 @@ def locate(
         typer.Option(metavar="FILE.png", help="Picture to draw of the signals and the touches: .png, .pdf or .svg."),
     ] = None,
     full_scale: FullScale = None,
+    microphone_output: MicrophoneOutput = "pressure",
+    lowest: Lowest = LOWEST,
     noise: DecoderNoise = None,
     library: ArrayLibrary = None,
     waveform: Annotated[
@@ -196,7 +201,17 @@ def locate(
     if waveform and out is None:
         raise typer.BadParameter("--waveform adds to the lines of --out: give --out too")
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
-    decoding = studies.Decoding(noise_choice(noise), library, waveform, ambient, reject, air, follow_drift)
+    decoding = studies.Decoding(
+        noise_choice(noise),
+        library,
+        waveform,
+        ambient,
+        reject,
+        air,
+        follow_drift,
+        microphone_output=microphone_output,
+        lowest=lowest,
+    )
     found = studies.locate_recording(
         model,
         recording,
@@ -249,6 +264,8 @@ def recognize(
         ),
     ] = None,
     full_scale: FullScale = None,
+    microphone_output: MicrophoneOutput = "pressure",
+    lowest: Lowest = LOWEST,
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
     pressure: Pressure = None,
@@ -262,7 +279,13 @@ def recognize(
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
-    decoding = studies.Decoding(microphone_noise=noise_choice(noise), ambient=ambient, air=air)
+    decoding = studies.Decoding(
+        microphone_noise=noise_choice(noise),
+        ambient=ambient,
+        air=air,
+        microphone_output=microphone_output,
+        lowest=lowest,
+    )
     found = studies.recognize_recording(
         model, library, recording, out, point=point, speed=speed, full_scale=full_scale, decoding=decoding
     )
@@ -301,6 +324,8 @@ def track(
     ] = None,
     radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm; a stylus has 0.5.")] = MOVING,
     full_scale: FullScale = None,
+    microphone_output: MicrophoneOutput = "pressure",
+    lowest: Lowest = LOWEST,
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
     channels: Channels = None,
@@ -315,7 +340,13 @@ def track(
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
-    decoding = studies.Decoding(microphone_noise=noise_choice(noise), ambient=ambient, air=air)
+    decoding = studies.Decoding(
+        microphone_noise=noise_choice(noise),
+        ambient=ambient,
+        air=air,
+        microphone_output=microphone_output,
+        lowest=lowest,
+    )
     found = studies.track_recording(
         library,
         recording,
@@ -350,6 +381,8 @@ def pulse(
         int | None, typer.Option(help="Point under the finger. Default: the one that the decoder finds.")
     ] = None,
     full_scale: FullScale = None,
+    microphone_output: MicrophoneOutput = "pressure",
+    lowest: Lowest = LOWEST,
     noise: DecoderNoise = None,
     pressure: Pressure = None,
     altitude: Altitude = None,
@@ -362,7 +395,10 @@ def pulse(
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """
     decoding = studies.Decoding(
-        microphone_noise=noise_choice(noise), air=acoustic_fem.LocalAir(pressure, altitude, temperature)
+        microphone_noise=noise_choice(noise),
+        air=acoustic_fem.LocalAir(pressure, altitude, temperature),
+        microphone_output=microphone_output,
+        lowest=lowest,
     )
     found = studies.read_pulse(
         library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
+from acoustic_fem.quantities.microphone_signals import Output
 from geometry.ground.argument_checks import whole_number
 from geometry.stock import VARIABLE
 from studies.output.display import Display
@@ -86,6 +87,17 @@ FullScale = Annotated[
         help="Pressure at full scale of WAV files, Pa. For other files, the pressure at which the recorder clipped. "
         "Default: 1 Pa for WAV files; in other files, clipping is detected by its flat tops.",
     ),
+]
+MicrophoneOutput = Annotated[
+    Output,
+    typer.Option(
+        help="What the values are: pressures in front of the microphones, or voltages, the outputs of microphones that "
+        "nobody has equalised."
+    ),
+]
+Lowest = Annotated[
+    float,
+    typer.Option(metavar="HZ", help="Frequency down to which voltages are equalised to pressures, Hz, 0.1 to 20."),
 ]
 Channels = Annotated[
     str | None,

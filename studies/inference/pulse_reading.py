@@ -75,7 +75,7 @@ def read_pulse(
     check_point(point, array.point_count)
     reader = localize.PulseReader(response, given.microphone_noise)
     heard = read_recording(Path(recording), array.microphones, full_scale)
-    reading = reader.read(heard.signals, point)
+    reading = reader.read(given.pressures(heard.signals, array), point)
     if table is not None:
         write_text(table, _rows(reading))
     if drawn is not None:

@@ -94,7 +94,8 @@ def recognize_recording(
     noise = None if given.microphone_noise == "design" else given.microphone_noise
     filters = FilterBank(open_library(opened_library), recognizer, noise)
     found = []
-    for each in filters.touches(heard.signals, point, speed, opened_library.locator):
+    signals = given.pressures(heard.signals, array)
+    for each in filters.touches(signals, point, speed, opened_library.locator):
         best = int(each.probability.argmax())
         kind = recognizer.labels[best]
         found.append(RecognizedTouch(each.start, each.end, each.point, kind, float(each.probability[best])))

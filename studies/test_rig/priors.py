@@ -22,6 +22,8 @@ _DEVIATION_SENSORS, _PRIOR_SENSORS = 64, 256
 """Sensors drawn from the tolerances."""
 _LEAST_STEP = 0.02
 """Least tolerance of thickness that discs are interpolated over, mm."""
+_CORNER = 0.3
+"""Deviation of the high-pass corner of a microphone whose tolerance is not stated: data sheets give a typical value."""
 
 
 def model_deviation(design: ArrayDesign, frequency: Array, tolerances: Sequence[Tolerance] = TOLERANCES) -> Array:
@@ -45,6 +47,7 @@ def model_deviation(design: ArrayDesign, frequency: Array, tolerances: Sequence[
 def fit_priors(design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES) -> Priors:
     """Priors of a fit from manufacturing tolerances; what they say nothing of keeps its default.
 
+    The corner of each microphone is left open by 30 % unless its tolerance is stated, because recordings determine it.
     A tube's length counts as bore by what it does to the resistance, length / bore^4; all that scatters at a point
     counts as compliance of its membrane.
     """
@@ -57,8 +60,12 @@ def fit_priors(design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES
     designed = nominal.membrane_compliance + nominal.cavity_radius**2 * nominal.cavity_height * _PER_VOLUME
     shift = np.log((made.membrane_compliance + volume) / designed)
     of_membrane = float((made.membrane_compliance / (made.membrane_compliance + volume)).mean())
+    stated = {tolerance.quantity: tolerance.deviation for tolerance in tolerances}
     return replace(
         Priors(),
+        gain=_prior(stated.get("microphone_gain", Priors.gain)),
+        corner=_prior(stated.get("microphone_corner", _CORNER)),
+        chamber=_prior(stated.get("chamber_height", Priors.chamber)),
         bore=_prior(float(np.std(resistance))),
         compliance=_prior(float(np.std(shift)) / of_membrane),
         modulus=_prior(common[0] if common else 0.0),

@@ -15,6 +15,7 @@ import acoustic_fem
 import localize
 from acoustic_fem import Library
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
+from acoustic_fem.quantities.microphone_signals import LOWEST, Output
 from geometry.ground.refusal import Field, Kind
 from geometry.ground.typed import PathLike
 from localize import read_recording
@@ -22,6 +23,7 @@ from localize.decoders.bayes import BayesDecoder
 from localize.evaluation.goodness_of_fit import FitOptions, loudest_frames, sensor_fit
 from localize.live.front_end import HighPass
 from localize.live.stream_options import HIGH_PASS
+from localize.model.opened_model import Decoding
 from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.recordings.same_take import find_same_take
 from localize.signals.array_response import response_of
@@ -57,6 +59,8 @@ def recalibrate(
     seed: int = SEED,
     air: LocalAir | None = None,
     channels: Mapping[str, int] | None = None,
+    microphone_output: Output = "pressure",
+    lowest: float = LOWEST,
     display: Display | None = None,
 ) -> Recalibration:
     """Recalibration of a sensor from touches whose points need not be known.
@@ -75,6 +79,9 @@ def recalibrate(
             of the library.
         channels: channel of each microphone in all recordings, counted from 1; by default found by the names of the
             channels or by their order.
+        microphone_output: content of the recordings: ``pressure`` in front of the microphones, or ``voltage``, outputs
+            of microphones that nobody has equalised.
+        lowest: frequency down to which outputs are equalised to pressures, Hz.
         display: shows progress.
 
     Raises:
@@ -83,6 +90,7 @@ def recalibrate(
             sensor found.
     """
     checked_air(air)
+    given = Decoding(microphone_output=microphone_output, lowest=lowest)
     path = Path(out)
     with claimed_file(path, partial(check_new_file, path, ".nc", kept="a calibrated library")):
         present = acoustic_fem.load(library)
@@ -91,7 +99,9 @@ def recalibrate(
         response = response_of(present)
         paths = [Path(recording) for recording in recordings]
         heard = [
-            read_recording(recording, response.microphones, full_scale, channels=channels).signals
+            given.pressures(
+                read_recording(recording, response.microphones, full_scale, channels=channels).signals, response.array
+            )
             for recording in paths
         ]
         passed = [HighPass(len(signals), HIGH_PASS).begin(signals) for signals in heard]

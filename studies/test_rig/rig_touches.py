@@ -18,6 +18,7 @@ from acoustic_fem.sound.sound_file import write_wav
 from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
+from localize.live.stream_options import HIGH_PASS
 from localize.recordings.touch_manifest import PARTS, Part
 from studies.output.folders import check_folder, make_folder
 from studies.test_rig.virtual_rig import LENGTHS, RIG_MARK, Recorder, Rig
@@ -87,6 +88,9 @@ def record_touches(
     make_folder(folder, "rig", RIG_MARK)
     manifest = tomlkit.document()
     manifest["full_scale"] = recorder.full_scale
+    manifest["output"] = recorder.output
+    if recorder.output == "voltage":
+        manifest["lowest"] = HIGH_PASS  # frames of a stream hold nothing below
     entries = tomlkit.aot()
     for point in points:
         for part in session.parts:

@@ -29,10 +29,12 @@ from acoustic_fem.calibration.fitted_model import PartScatter
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import noise_density, response
+from acoustic_fem.network.microphone_output import output_response
 from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
 from acoustic_fem.quantities.local_air import design_air, standard_pressure
 from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.microphone_signals import OUTPUTS, Output
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.ground.argument_checks import check_choice, check_range
@@ -55,6 +57,10 @@ _NODES = np.geomspace(*HEARD, 72)
 _BEFORE = 3.0
 #: Hz, about which the rubber of a batch rises more steeply or less; and where its relaxations lie.
 _MIDDLE, _RELAXATIONS = 10.0, 10.0 ** np.arange(-1.0, 4.0)
+#: Frequency that stands for 0 Hz in responses that fall to zero there, Hz.
+_LEAST = 1e-3
+#: File of the response of the calibration microphone, and its frequencies, Hz.
+_REFERENCE_FILE, _REFERENCE_TABLE = "reference.csv", np.geomspace(0.1, 1000.0, 201)
 #: Of the random numbers of the place and the batch, beside those of the parts.
 _PLACE = 3
 #: Ranges of what is no fraction of at most 0.3.
@@ -118,8 +124,14 @@ class Recorder:
     bits: int = 16
     """Bits of a sample of the WAV files."""
     full_scale: float = 2.0
-    """Pressure at full scale of the array's microphones, Pa; the calibration microphone has five times that. Louder
-    signals are clipped."""
+    """Pressure at full scale of the array's microphones at 1 kHz, Pa; the calibration microphone has five times that.
+    Louder signals are clipped."""
+    output: Output = "voltage"
+    """Content of the channels of the array's microphones. ``voltage``: their outputs, with the high-pass of their
+    vents, clipped at their overload. ``pressure``: the pressures in front of them, as an equaliser gives them."""
+    reference_corner: float = 1.0
+    """High-pass corner of the calibration microphone, first order, Hz; its response is written as a table. 0 for a flat
+    one without a table."""
     level: float = 0.35
     """Level in the touched cavity, Pa rms."""
     excitation: Literal["noise", "sweep"] = "noise"
@@ -137,6 +149,12 @@ class Recorder:
 
     def __post_init__(self) -> None:
         check_range("seconds", self.seconds, *LENGTHS, "s")
+        check_range("reference_corner", self.reference_corner, 0.0, 10.0, "Hz")
+        check_choice("output", self.output, OUTPUTS)
+
+    def reference_response(self, frequency: Array) -> Complex:
+        """Signal of the calibration microphone over the pressure at it, (n_freq,) complex128, 1; frequencies in Hz."""
+        return np.asarray(1 / (1 - 1j * self.reference_corner / np.maximum(frequency, _LEAST)))
 
 
 class Rig:
@@ -257,6 +275,10 @@ class Rig:
         scale = np.array([5 * recorder.full_scale, *[recorder.full_scale] * len(self.design.microphones)])
         manifest = tomlkit.document()
         manifest["design"] = "design.toml"
+        manifest["output"] = recorder.output
+        if recorder.reference_corner:
+            manifest["response"] = _REFERENCE_FILE
+            write_text(folder / _REFERENCE_FILE, _response_table(recorder))
         manifest["pascals"] = dict(zip(names, scale.tolist(), strict=True))
         manifest["started_late"] = {REFERENCE: recorder.late}
         files: dict[str, str | dict[str, str]] = {}
@@ -311,12 +333,13 @@ class Rig:
             random: draws what the recorder adds.
 
         Returns:
-            (1 + n_microphone, count) float64, Pa, the reference first, before they are clipped and rounded.
+            (1 + n_microphone, count) float64, Pa, the reference first, before the recorder clips and rounds them.
         """
         grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
         inside = (grid >= EXCITATION_BAND[0]) & (grid <= EXCITATION_BAND[1])
         spectra = np.zeros((1 + len(self.design.microphones), len(grid)), np.complex128)
         spectra[0] = next(iter(drives.values())) * np.exp(2j * np.pi * grid * recorder.late)
+        spectra[0] *= recorder.reference_response(grid)
         heard_at = self.transfer_function(grid[inside])
         for point, drive in drives.items():
             spectra[1:, inside] += drive[inside] * heard_at[point - 1]
@@ -327,7 +350,12 @@ class Rig:
         white = np.fft.rfft(random.standard_normal((len(spectra), total)))
         spectra[1:] += white[1:] * density * np.sqrt(recorder.rate / 2)
         spectra[0] += white[0] * recorder.reference_noise
+        if recorder.output == "voltage":
+            spectra[1:] *= output_response(self.design.microphone, np.maximum(grid, _LEAST), medium)
         samples = np.fft.irfft(spectra, total)[:, before : before + count]
+        if recorder.output == "voltage":
+            loudest = self.design.microphone.overload
+            samples[1:] = np.clip(samples[1:], -loudest, loudest)
         time = np.arange(count) / recorder.rate
         mains = 50.0 + random.uniform(-0.03, 0.03)
         phase = random.uniform(0, 2 * np.pi, 2)
@@ -336,6 +364,14 @@ class Rig:
         wander *= recorder.drift / np.maximum(wander.std(axis=1, keepdims=True), 1e-300)
         slow = scipy.interpolate.make_interp_spline(time[:: recorder.rate], wander[:, :: recorder.rate], k=3, axis=1)
         return np.asarray(samples + recorder.hum * hum + slow(np.minimum(time, time[:: recorder.rate][-1])))
+
+
+def _response_table(recorder: Recorder) -> str:
+    """Response of the calibration microphone, as :mod:`acoustic_fem.calibration.reference_response` reads it."""
+    known = recorder.reference_response(_REFERENCE_TABLE)
+    columns = _REFERENCE_TABLE, 20 * np.log10(np.abs(known)), np.degrees(np.angle(known))
+    rows = (",".join(f"{value:.6g}" for value in row) for row in zip(*columns, strict=True))
+    return "\n".join(("frequency,dB,degrees", *rows, ""))
 
 
 def _relaxing(parameters: ArrayParameters, slope: float) -> ArrayParameters:

@@ -22,7 +22,7 @@ from studies.test_rig.virtual_rig import Recorder, Rig
 
 GRID = np.linspace(1.0, 100.0, 34)
 DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4, "layout.columns": 4})
-RECORDER = Recorder(seconds=40.0, separate=True)
+RECORDER = Recorder(seconds=40.0, separate=True, reference_corner=0.0)
 FASTER = 40.0
 """Rate of the microphones' recorders above the stated one, ppm."""
 

@@ -39,3 +39,14 @@ def test_a_channel_of_very_many_digits_is_refused(number: str, tmp_path: Path) -
 def test_whole_numbers_are_plain_digits() -> None:
     assert [whole_number(text) for text in ("0", "7", "007", "999999999")] == [0, 7, 7, 999_999_999]
     assert {whole_number(text) for text in (*NAMES[2:], "9999999999", "x")} == {-1}
+
+
+def test_recordings_are_pressures_unless_the_manifest_says_otherwise(tmp_path: Path) -> None:
+    path = tmp_path / "calibration.toml"
+    text = 'design = "array-2x6"\n{}[points]\n1 = "a.wav"\n'
+    for given, output in (("", "pressure"), ('output = "pressure"\n', "pressure"), ('output = "voltage"\n', "voltage")):
+        path.write_text(text.format(given))
+        assert read_manifest(path).output == output
+    path.write_text(text.format('output = "volts"\n'))
+    with refused(Kind.OUT_OF_RANGE, "output", "volts", file=path, error=ManifestError):
+        read_manifest(path)

@@ -26,6 +26,7 @@ from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.sound.estimate import shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import read_sound, write_wav
 from geometry.ground.refusal import Kind
+from studies.test_rig.priors import fit_priors
 from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 GRID = np.linspace(1.0, 100.0, 34)
@@ -166,6 +167,47 @@ def test_an_unknown_delay_is_noted_with_its_size(model: Library, tmp_path: Path)
     path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
     notes = [finding.text for finding in measured(path, model).findings]
     assert any("lag by 30." in note or "lag by 29." in note for note in notes), notes
+
+
+# -- outputs of microphones ------------------------------------------------------------------------------------------
+def test_outputs_are_calibrated_as_well_as_pressures_and_the_other_kind_is_named(
+    model: Library, tmp_path: Path
+) -> None:
+    rig = Rig(DESIGN, 3, fidelity="lumped")
+    truth = rig.transfer_function(GRID)[1]
+    for output, other in (("voltage", "pressure"), ("pressure", "voltage")):
+        path = rig.record(tmp_path / output, [2], replace(SHORT, output=output))
+        manifest = read_manifest(path)
+        assert (manifest.output, manifest.response is None) == (output, False)
+        found = calibrate(manifest, model)
+        estimate = found.estimates[2]
+        error = estimate.transfer_function - truth
+        assert np.abs(error / truth).mean() < 0.004
+        assert np.mean(np.abs(error.real) < 1.96 * estimate.deviation) > 0.85
+        assert (
+            found.library(model, np.full(model.transfer_function.shape, 0.25)).provenance["calibration"]["output"]
+            == output
+        )
+        with pytest.raises(CalibrationError, match=f'give output = "{output}" in the manifest'):
+            calibrate(replace(manifest, output=other), model)
+
+
+def test_a_sensor_is_fitted_to_the_outputs_of_four_points(tmp_path: Path) -> None:
+    """As the audit of 2026-11-25 did it; there, chi-squared was 1.28e6 where 617 is the limit."""
+    design, grid, measured_points = geometry.prototype("array-2x6"), np.linspace(1, 100, 32), [1, 4, 8, 12]
+    nominal = acoustic_fem.solve(design, grid, "lumped")
+    rig = Rig(design, 3, HiddenScatter(corner=0.3), fidelity="lumped")
+    found = measured(rig.record(tmp_path, measured_points, Recorder(seconds=30.0)), nominal)
+    fit = update(UpdatedModel(nominal, fit_priors(design)), found.estimates)
+    assert fit.objection is None
+    error = np.abs(fit.transfer_function / rig.transfer_function(grid) - 1).mean((1, 2))
+    of_measured = np.isin(np.arange(1, 13), measured_points)
+    assert error[of_measured].max() < 0.01
+    assert error[~of_measured].mean() < 0.04
+    for name, corner in zip(design.microphones, rig.corner, strict=True):
+        ratio, deviation = fit.ratios[f"high-pass of microphone {name}"]
+        assert abs(np.log(ratio / corner)) < 3 * deviation
+        assert abs(np.log(corner)) > 0.2  # far from what the design states
 
 
 # -- the library ----------------------------------------------------------------------------------------------------

@@ -206,7 +206,7 @@ def test_a_given_full_scale_is_where_other_formats_clip(tmp_path):
 
 
 @pytest.mark.parametrize("rate", [1000, 8000])
-def test_one_of_three_channels_may_be_clipped_for_what_goes_on_with_the_others(tmp_path, rate):
+def test_channels_may_be_clipped_for_what_reports_clipped_samples(tmp_path, rate):
     names = ("left", "right", "top")
     time = np.arange(rate) / rate
     whole = 0.3 * np.sin(2 * np.pi * np.array([[5.0], [7.0], [11.0]]) * time + 0.1)
@@ -217,10 +217,13 @@ def test_one_of_three_channels_may_be_clipped_for_what_goes_on_with_the_others(t
     np.savez(tmp_path / "two.npz", signals=two, sample_rate=rate)
     with refused(Kind.UNSUITABLE, error=RecordingError):
         read_recording(tmp_path / "one.npz", names)
-    with refused(Kind.UNSUITABLE, error=RecordingError), pytest.warns(RecordingWarning):
+    with refused(Kind.UNSUITABLE, error=RecordingError):
         read_recording(tmp_path / "two.npz", names, fallback=True)
+    with pytest.warns(RecordingWarning, match="is clipped at"):
+        both = read_recording(tmp_path / "two.npz", names, clipped=True)
+    assert (np.abs(both.signals) >= both.limit).any(axis=1).tolist() == [True, True, False]
     with pytest.warns(RecordingWarning, match=r"channel right is clipped at 0\.4 Pa, first at .*; its clipped samples"):
-        heard = read_recording(tmp_path / "one.npz", names, fallback=True)
+        heard = read_recording(tmp_path / "one.npz", names, clipped=True)
     assert heard.limit is not None
     reached = np.abs(heard.signals) >= heard.limit
     assert not reached[[0, 2]].any()
@@ -229,7 +232,7 @@ def test_one_of_three_channels_may_be_clipped_for_what_goes_on_with_the_others(t
     expected[np.flatnonzero(over) * 1000 // rate] = True
     assert np.array_equal(reached[1], expected)
     np.savez(tmp_path / "whole.npz", signals=whole, sample_rate=rate)
-    assert read_recording(tmp_path / "whole.npz", names, fallback=True).limit is None
+    assert read_recording(tmp_path / "whole.npz", names, clipped=True).limit is None
 
 
 @pytest.mark.parametrize("what", ["begins 3 s after", "ends 3 s before"])

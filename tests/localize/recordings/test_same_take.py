@@ -9,6 +9,7 @@ from small_run import small_design
 
 from acoustic_fem.sound.sound_file import write_wav
 from geometry import Kind
+from geometry.design.design_file import write_design
 from localize.learned.recorded_frames import RecordedFrames
 from localize.recordings.recording import read_recording
 from localize.recordings.same_take import LEAST_TOUCHED, find_same_take
@@ -51,7 +52,7 @@ def response(rig):
         place=np.arange(3),
         microphones=rig.design.microphones,
         name="rig",
-        provenance={},
+        provenance={"design": write_design(rig.design)},
     )
 
 

@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+from refusals import refused
 from small_run import small_design
 
 from acoustic_fem.batch.elements import membrane_modulus
+from acoustic_fem.calibration.manifest import read_manifest
+from acoustic_fem.network import output_response
+from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.sound import transfer_estimate
+from geometry import Kind
 from localize.recordings.touch_manifest import Part
 from studies.test_rig.rig_touches import SLOW, TouchSession, _pressure, _with_play
-from studies.test_rig.virtual_rig import HiddenScatter, Rig
+from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 STILL = HiddenScatter(
     bore=0.0, volume=0.0, membrane=0.0, gain=0.0, corner=0.0, chamber=0.0, length=0.0, loss=0.0, temperature=0.0,
@@ -105,3 +112,32 @@ def test_pressure_follows_the_movement_with_hysteresis() -> None:
     reach = 0.2 * movement.std()
     assert loop == pytest.approx(4 * reach * (1 - reach), rel=0.02)  # of a parallelogram
     assert np.array_equal(_with_play(movement, FLAT), movement)
+
+
+def test_recordings_are_outputs_of_the_microphones_and_clip_at_their_overload() -> None:
+    rig = Rig(small_design(), 1, fidelity="lumped")
+    quiet = Recorder(seconds=20.0, hum=0.0, drift=0.0, reference_corner=0.0)
+    pressure, voltage = (rig.signals(2, replace(quiet, output=output)) for output in ("pressure", "voltage"))
+    np.testing.assert_array_equal(pressure[0], voltage[0])
+    frequency = np.array([5.0, 20.0, 50.0, 100.0])
+    found = transfer_estimate(pressure[1], voltage[1:2], 1000.0, frequency).transfer_function[0]
+    microphone = rig.design.microphone
+    np.testing.assert_allclose(found, output_response(microphone, frequency, design_air(rig.design)), rtol=0.01)
+    # 20 times as loud as usual: some peaks are above a low overload
+    deaf = small_design().with_values({"microphone.overload": 2.0})
+    loud = Rig(deaf, 1, fidelity="lumped").signals(2, replace(quiet, level=7.0))
+    assert np.abs(loud[1:]).max(1) == pytest.approx([2.0, 2.0])
+    assert np.abs(loud[0]).max() > 20.0
+    assert (np.abs(loud[1:]) == 2.0).mean() > 0.05
+
+
+def test_the_table_of_the_calibration_microphone_is_its_response(tmp_path: Path) -> None:
+    rig, recorder = Rig(small_design(), 1, fidelity="lumped"), Recorder(seconds=4.0, reference_corner=2.0)
+    manifest = read_manifest(rig.record(tmp_path, [1], recorder))
+    frequency = np.geomspace(0.5, 200.0, 50)
+    assert manifest.response is not None
+    np.testing.assert_allclose(manifest.response.at(frequency), recorder.reference_response(frequency), rtol=2e-4)
+    assert abs(recorder.reference_response(np.array([2.0]))[0]) == pytest.approx(np.sqrt(0.5))
+    for field, value in (("output", "volts"), ("reference_corner", -1.0)):
+        with refused(Kind.OUT_OF_RANGE, field, value):
+            Recorder(**{field: value})
