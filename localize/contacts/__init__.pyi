@@ -26,4 +26,5 @@ from .finger_gestures import (
     tap as tap,
 )
 from .large_presses import LargePresses as LargePresses
+from .overload import loudest_outputs as loudest_outputs
 from .simulated_recording import ContactRecorder as ContactRecorder, Take as Take, record as record
