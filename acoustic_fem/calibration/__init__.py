@@ -1,6 +1,6 @@
 """Measured sweeps to a library; the model fitted to them.
 
-Stands on: batch, duct, library, network, sound.
+Stands on: batch, duct, library, network, quantities, sound.
 """
 
 import lazy_loader

@@ -107,7 +107,7 @@ class Manifest:
     record: BuildRecord | None = None
     """Record of the build; None where the manifest names none."""
     output: Output = "pressure"
-    """What the channels of the array's microphones hold: their outputs, whose high-pass a calibration divides out, or
+    """Content of the channels of the array's microphones: their outputs, whose high-pass a calibration divides out, or
     pressures in front of them."""
 
 

@@ -85,14 +85,24 @@ class Equaliser:
         return np.asarray(filtered)
 
     def gain(self, frequency: FrequencyLike) -> ComplexArray:
-        """Response of the filter, complex128, at frequencies below half the rate, Hz."""
+        """Response of the filter, output over input.
+
+        Args:
+            frequency: Hz, any shape, below half the rate.
+
+        Returns:
+            Shape of frequency, complex128, a ratio.
+        """
         return np.asarray(scipy.signal.sosfreqz(self.sections, np.asarray(frequency), fs=self.rate)[1])
 
     def noise(self, highest: float) -> tuple[float, float]:
-        """Noise of the microphone before and behind the filter, Pa rms, from the lowest frequency to a highest, Hz.
+        """Noise of the microphone before and behind the filter, Pa rms, from the lowest frequency to a highest one.
 
         Before: as an output, n. Behind: as a pressure in front, n over the modulus of the response, behind the
         high-pass. The second over the first is what equalising costs.
+
+        Args:
+            highest: Hz.
         """
         frequency = np.geomspace(self.lowest, highest, 400)
         density = noise_density(self.microphone, frequency)

@@ -119,7 +119,7 @@ class TouchManifest(Generic[_Recorded]):
     full_scale: float
     """Pressure at full scale of WAV files, Pa."""
     output: Output = "pressure"
-    """What the recordings hold: outputs of the microphones, or pressures in front of them."""
+    """Content of the recordings: outputs of the microphones, or pressures in front of them."""
     lowest: float = LOWEST
     """Frequency down to which outputs are equalised to pressures, Hz."""
 

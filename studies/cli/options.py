@@ -91,8 +91,8 @@ FullScale = Annotated[
 MicrophoneOutput = Annotated[
     Output,
     typer.Option(
-        help="What the values are: pressures in front of the microphones, or voltages, the outputs of microphones that "
-        "nobody has equalised."
+        help="Content of the recording: pressures in front of the microphones, or voltages, the outputs of "
+        "microphones that nobody has equalised."
     ),
 ]
 Lowest = Annotated[

@@ -153,7 +153,14 @@ class Recorder:
         check_choice("output", self.output, OUTPUTS)
 
     def reference_response(self, frequency: Array) -> Complex:
-        """Signal of the calibration microphone over the pressure at it, (n_freq,) complex128, 1; frequencies in Hz."""
+        """Signal of the calibration microphone over the pressure at it.
+
+        Args:
+            frequency: (n_freq,) float64, Hz.
+
+        Returns:
+            (n_freq,) complex128, a ratio.
+        """
         return np.asarray(1 / (1 - 1j * self.reference_corner / np.maximum(frequency, _LEAST)))
 
 
