@@ -44,7 +44,7 @@ def test_the_verb_writes_what_the_call_writes(
         "truth.json",
         "truth.nc",
     ]
-    assert "2 Pa, which locate and recalibrate take as --full-scale" in " ".join(told.out.split())
+    assert "--full-scale 2 --microphone-output voltage" in " ".join(told.out.split())
     refused = command("rig", tmp_path / "row.toml", "--out", tmp_path / "other", "--altitude", 9000)
     assert refused.code == 1
     assert "altitude = 9000" in refused.err
