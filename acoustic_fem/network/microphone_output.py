@@ -11,8 +11,12 @@ limit.
 
 from __future__ import annotations
 
+from functools import reduce
+from operator import add, mul
+
 import numpy as np
 import scipy.signal
+from numpy.polynomial import Polynomial
 
 from acoustic_fem.network.microphone import circuit_elements, noise_density, response
 from acoustic_fem.quantities.checks import FrequencyLike
@@ -123,7 +127,8 @@ class Equaliser:
         )
         sections = np.asarray(scipy.signal.zpk2sos(*digital))
         at = np.array([np.clip(self.microphone.vent_corner, 2 * self.lowest, self.rate / 50)])
-        passed = scipy.signal.freqs_zpk(passed_zeros, passed_poles, 1.0, 2 * np.pi * at)[1]
+        s = 2j * np.pi * at
+        passed = s**ORDER / np.prod(s - passed_poles)
         exact = np.abs(passed / output_response(self.microphone, at, self.air))
         sections[0, :3] *= exact / np.abs(scipy.signal.sosfreqz(sections, at, fs=self.rate)[1])
         return sections
@@ -144,12 +149,11 @@ def _zeros_and_poles(microphone: Microphone, air: AirLike) -> tuple[Array, Array
     radius = (3 * volume / (4 * np.pi)) ** (1 / 3)
     unit = 2 * np.pi * microphone.vent_corner  # of s, so that coefficients are of one size
     times = unit * radius**2 / (medium.thermal_diffusivity * (number * np.pi) ** 2)
-    factors = [np.polynomial.Polynomial([1.0, each]) for each in times]
-    whole = np.prod(factors)
-    relaxing = sum(
-        part * np.prod([other for k, other in enumerate(factors) if k != n]) for n, part in enumerate(weight)
-    )
-    back = volume / (medium.gamma * medium.pressure) * (whole + (medium.gamma - 1) * relaxing)
-    rising = np.polynomial.Polynomial([0.0, unit])
+    one = Polynomial([1.0])
+    factors = [Polynomial([1.0, each]) for each in times]
+    whole = reduce(mul, factors, one)
+    relaxing = [part * reduce(mul, factors[:n] + factors[n + 1 :], one) for n, part in enumerate(weight.tolist())]
+    back = volume / (medium.gamma * medium.pressure) * (whole + (medium.gamma - 1) * reduce(add, relaxing))
+    rising = Polynomial([0.0, unit])
     zeros, poles = back.roots(), (rising * (back + diaphragm * whole) + leak * whole).roots()
     return np.real(zeros) * unit, np.real(poles) * unit

@@ -220,7 +220,8 @@ class TouchStream:
                 else:
                     if self._end == FRAME:
                         self._buffer[1, :, :FRAME] = self._high_pass.begin(self._buffer[0, :, :FRAME])
-                    self._classify(*self._buffer[..., self._end - FRAME : self._end], events)
+                    raw, frame, came = self._buffer[..., self._end - FRAME : self._end]
+                    self._classify(raw, frame, came, events)
                 self._hum_coming = self._hum.coming(HOP)
 
     def _equalised(self, samples: Array) -> Array:
