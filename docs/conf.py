@@ -30,6 +30,7 @@ extensions = [
     "models",
     "names",
     "reference",
+    "search_words",
 ]
 exclude_patterns = ["site", "build", "examples", "notebooks/*.py"]
 templates_path: list[str] = []

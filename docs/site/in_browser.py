@@ -1,18 +1,22 @@
-"""The built site in the Chromium of the system: no page is wider than its window, and axe-core finds nothing serious.
+"""The built site in the Chromium of the system: no page is too wide, axe-core is content, and the search finds.
 
 ``python docs/site/in_browser.py docs/build/html`` looks at one page of each kind, wide in light and narrow in dark
-colours. Without Chromium it says so and ends with exit code 0. No host is asked for anything: axe-core comes with the
-package axe-playwright-python.
+colours: no page may be wider than its window. The search must find all of :data:`search_words.WORDS`.
+Without Chromium it says so and ends with exit code 0. No host is asked for anything: axe-core comes with the package
+axe-playwright-python.
 """
 
 from __future__ import annotations
 
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
+
+from search_words import WORDS
 
 #: One page of each kind.
 PAGES = (
@@ -43,7 +47,21 @@ def faults_of(page: Any, address: str) -> Iterator[str]:
             yield f"{found['id']} ({found['impact']}): {', '.join(str(node['target'][0]) for node in found['nodes'])}"
 
 
-def main(folder: Path, pages: tuple[str, ...] = PAGES) -> int:
+def first_found(page: Any, search: str, query: str) -> str:
+    """Name of the page that the site's search lists first; empty where it finds none.
+
+    Args:
+        page: of Playwright's synchronous API.
+        search: address of the page of the search.
+        query: words to look for.
+    """
+    page.goto(f"{search}?q={quote(query)}")
+    page.wait_for_function("document.querySelector('.search-summary')?.textContent.trim()", timeout=60_000)
+    found = page.evaluate("document.querySelector('ul.search li a')?.getAttribute('href') ?? ''")
+    return str(found).partition("#")[0].partition("?")[0].removesuffix(".html")
+
+
+def main(folder: Path, pages: tuple[str, ...] = PAGES, words: Mapping[str, Iterable[str]] = WORDS) -> int:
     """Exit code: 1 with a line for each fault."""
     program = shutil.which("chromium") or shutil.which("chromium-browser")
     if program is None:
@@ -61,6 +79,11 @@ def main(folder: Path, pages: tuple[str, ...] = PAGES) -> int:
                 address = (folder / f"{name}.html").resolve().as_uri()
                 faults += [f"{name}, {width} px, {colours}: {fault}" for fault in faults_of(page, address)]
             context.close()
+        page = browser.new_page()
+        search = (folder / "search.html").resolve().as_uri()
+        for wanted, query in ((name, query) for name, queries in words.items() for query in queries):
+            if (found := first_found(page, search, query)) != wanted:
+                faults.append(f"search for {query!r}: finds {found or 'nothing'} first, must find {wanted}")
         browser.close()
     for line in faults:
         print(line, file=sys.stderr)

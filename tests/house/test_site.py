@@ -31,7 +31,16 @@ def site(monkeypatch: pytest.MonkeyPatch):
         return importlib.import_module(name)
 
     yield load
-    for name in ("public_names", "built", "accessible", "in_browser", "fields", "models", "make_architecture"):
+    for name in (
+        "public_names",
+        "built",
+        "accessible",
+        "in_browser",
+        "search_words",
+        "fields",
+        "models",
+        "make_architecture",
+    ):
         sys.modules.pop(name, None)
 
 
@@ -265,14 +274,20 @@ def test_the_browser_finds_what_is_too_wide_and_what_axe_core_calls_serious(site
     page = '<!doctype html><html lang="en"><title>x</title><main><h1>x</h1>{}</main></html>'
     (tmp_path / "good.html").write_text(page.format("<p>x</p>"), "utf-8")
     (tmp_path / "bad.html").write_text(page.format('<div style="width: 800px">x</div><img src="x.png">'), "utf-8")
-    assert in_browser.main(tmp_path, ("good",)) == 0
+    assert in_browser.main(tmp_path, ("good",), {}) == 0
     assert capsys.readouterr().err == ""
-    assert in_browser.main(tmp_path, ("good", "bad")) == 1
+    assert in_browser.main(tmp_path, ("good", "bad"), {}) == 1
     found = capsys.readouterr().err
     assert "good" not in found
     assert "bad, 390 px, dark: 4" in found
     assert "bad, 1440 px, light: image-alt (critical): img" in found
     assert "bad, 1440 px, light: 4" not in found
+    (tmp_path / "search.html").write_text(
+        page.format('<p class="search-summary">1</p><ul class="search"><li><a href="x.html?h=1#y">x</a></ul>'), "utf-8"
+    )
+    assert in_browser.main(tmp_path, (), {"x": ["word"]}) == 0
+    assert in_browser.main(tmp_path, (), {"y": ["word"]}) == 1
+    assert "search for 'word': finds x first, must find y" in capsys.readouterr().err
 
 
 def test_without_chromium_the_site_is_not_looked_at_and_that_is_said(site, tmp_path: Path, capsys, monkeypatch) -> None:
