@@ -5,6 +5,7 @@ from . import (
     cavity as cavity,
     cell as cell,
     duct as duct,
+    enclosed as enclosed,
     fields as fields,
     library as library,
     membrane as membrane,

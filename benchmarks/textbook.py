@@ -11,7 +11,7 @@ import numpy as np
 
 import acoustic_fem
 import geometry
-from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.membrane.design_discs import design_disc
 from acoustic_fem.quantities.local_air import design_air
 from geometry.ground.typed import Array, ComplexArray
 

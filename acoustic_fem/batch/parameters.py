@@ -16,7 +16,8 @@ import numpy as np
 
 from acoustic_fem.batch.numpy_or_torch import namespace
 from acoustic_fem.batch.topology import Topology, tubes_in_use
-from acoustic_fem.membrane.disc import DiscSolution, KnownDiscs, design_disc, design_rubber
+from acoustic_fem.membrane.design_discs import design_disc, design_rubber
+from acoustic_fem.membrane.disc import DiscSolution, KnownDiscs
 from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.network.microphone import circuit_elements as elements
 from acoustic_fem.network.yielding import design_leak, floor_compliance, sheath_compliance, soft_rubber
@@ -314,7 +315,8 @@ class _Common:
 
     def disc(self, design: ArrayDesign) -> DiscSolution:
         """The membrane of a design whose points are alike."""
-        key = design.resonator.cavity_diameter, design.membrane, design.material(design.membrane.material)
+        bulged = (design.air.overpressure, design.resonator.cavity_height) if design.air.overpressure else None
+        key = design.resonator.cavity_diameter, design.membrane, design.material(design.membrane.material), bulged
         return cast(DiscSolution, self._once(key, lambda: design_disc(design, known=self._known)))
 
 

@@ -12,6 +12,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from acoustic_fem.enclosed.enclosed_state import enclosed_air
 from acoustic_fem.library.other_air import air_ratio
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.response_plot import Quantity, plot_responses
@@ -201,6 +202,8 @@ class Library(Shown):
         temperature_c: float | None = None,
         humidity: float | None = None,
         altitude: float | None = None,
+        overpressure: float | None = None,
+        hours: float | None = None,
     ) -> Library:
         """The same sensor at another place, without a new 3-D solve.
 
@@ -209,26 +212,37 @@ class Library(Shown):
         where the air changes the far microphone by 63 %, within 0.05 % at 10 K more, and within 0.4 % at 60 kPa and
         0 degC. The rubber stays as it was: its change with temperature is not part of the air.
 
+        By default the enclosed air has had the time to come to the pressure outside, through the silicone or a leak. If
+        you give ``hours``, the sensor was closed or left to rest in the air of its design, and its enclosed air bulges
+        and stiffens the membranes (:func:`acoustic_fem.enclosed.enclosed_air`).
+
         Args:
             air: of the place; in place of all other arguments.
             pressure: static pressure there, not reduced to sea level, 5e4 to 1.2e5 Pa.
             temperature_c: temperature, -20 to 60 degC.
             humidity: relative, 0 to 1.
             altitude: in place of the pressure, m above the sea: that of the standard atmosphere.
+            overpressure: static pressure of the enclosed air above that outside, -2e4 to 2e4 Pa.
+            hours: in place of the overpressure, time since the sensor came into this air, h, from 0.
 
         Returns:
             A library with the new air in its design and medium. Values that you do not give stay. If nothing changes,
             the library itself is returned.
 
         Raises:
-            Refusal: a value out of range, pressure and altitude at once, an air beside values of its own, or a library
-                of other air than its design's.
+            Refusal: a value out of range, pressure and altitude or overpressure and hours at once, an air beside values
+                of its own, membranes whose bulge is not known, or a library of other air than its design's.
         """
         checked_air(air)
-        stated = LocalAir(pressure, altitude, temperature_c, humidity)
+        stated = LocalAir(pressure, altitude, temperature_c, humidity, overpressure)
         if air is not None and stated.design_values:
             raise Refusal("must not be given beside values of its own", kind=Kind.CONFLICT, field="air")
         values = (air or stated).design_values
+        if hours is not None:
+            if "air.overpressure" in values:
+                raise Refusal("must not be given beside an overpressure", kind=Kind.CONFLICT, field="hours")
+            enclosed = enclosed_air(self.design, air or stated, hours=hours)
+            values = {**values, "air.overpressure": enclosed.overpressure}
         if not values:
             return self
         design = self.design.with_values(values)
@@ -242,7 +256,7 @@ class Library(Shown):
             )
         if design.air == self.design.air:
             return self
-        ratio = air_ratio(self.design, self.frequency, before, medium)
+        ratio = air_ratio(self.design, design, self.frequency)
         deviation = self.transfer_function_deviation
         stored = {name: getattr(self, name) for name in VARIABLES}
         return library_from_arrays(

@@ -1,11 +1,16 @@
-from .disc import (
-    DiscOptions as DiscOptions,
-    DiscSolution as DiscSolution,
-    KnownDiscs as KnownDiscs,
+from .bulged import BulgeLaw as BulgeLaw
+from .design_discs import (
+    design_bulge as design_bulge,
+    design_bulge_ratio as design_bulge_ratio,
     design_compliance as design_compliance,
     design_disc as design_disc,
     design_rubber as design_rubber,
     design_shape as design_shape,
+)
+from .disc import (
+    DiscOptions as DiscOptions,
+    DiscSolution as DiscSolution,
+    KnownDiscs as KnownDiscs,
     disc_compliance as disc_compliance,
     solve_disc as solve_disc,
 )

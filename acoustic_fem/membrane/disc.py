@@ -12,9 +12,6 @@ from acoustic_fem.membrane.half_section import DiscShape
 from acoustic_fem.membrane.rubber import ELASTIC, Rubber
 from acoustic_fem.membrane.solved_discs import solved_disc
 from acoustic_fem.quantities.checks import FrequencyLike, frequencies
-from acoustic_fem.quantities.units import metres, pascals
-from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import check_range, positive_numbers
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
@@ -130,7 +127,7 @@ class DiscSolution:
     opening: float
     """Radius of the opening, m."""
     modulus: float
-    """Young's modulus of the mounted disc as it is stated, Pa."""
+    """Young's modulus of the mounted disc as it is stated, Pa; of a bulged one, that which small signals meet."""
     density: float
     """Density, kg/m^3."""
     model: ElasticDisc
@@ -338,79 +335,3 @@ def disc_compliance(
         rim_width: m; 0: clamped.
     """
     return solve_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width).static_compliance
-
-
-def design_disc(
-    design: DesignLike, *, contact_radius: float | None = None, known: KnownDiscs | None = None
-) -> DiscSolution:
-    """The membrane of a design, mounted, shaped and stretched as it says; its draft is left out.
-
-    A clamped rim does not move, however thick it is.
-
-    Args:
-        design: the array.
-        contact_radius: of the patch that takes a force, m, as for :class:`DiscOptions`.
-        known: discs that need not be solved.
-
-    Raises:
-        Refusal: proportions outside what :func:`solve_disc` covers.
-    """
-    design = resolve_design(design)
-    density = design.material(design.membrane.material).density
-    sizes, options = _membrane_of(design, contact_radius)
-    return solve_disc(*sizes, density, options, known)
-
-
-def design_shape(design: DesignLike) -> DiscShape:
-    """Dimensionless numbers on which the solution of :func:`design_disc` depends.
-
-    Raises:
-        Refusal: proportions outside what :func:`solve_disc` covers.
-    """
-    design = resolve_design(design)
-    sizes, options = _membrane_of(design, None)
-    return shape_of_disc(*sizes, options)[0]
-
-
-def _membrane_of(
-    design: ArrayDesign, contact_radius: float | None
-) -> tuple[tuple[float, float, float, float, float], DiscOptions]:
-    """Radius, thickness, modulus, Poisson's ratio and rim of a design's membrane, SI, and its options."""
-    membrane = design.membrane
-    material, clamped = design.material(membrane.material), membrane.mounting == "clamped"
-    options = DiscOptions(
-        stretch=membrane.stretch,
-        contact_radius=contact_radius,
-        rim_height=0.0 if clamped else metres(membrane.rim_height or 0.0),
-        boss_radius=metres(membrane.boss_diameter or 0.0) / 2,
-        boss_height=metres(membrane.boss_height or 0.0),
-    )
-    return (
-        metres(design.resonator.cavity_diameter) / 2,
-        metres(membrane.thickness),
-        pascals(material.youngs_modulus),
-        material.poisson_ratio,
-        0.0 if clamped else metres(membrane.rim_width),
-    ), options
-
-
-def design_rubber(design: DesignLike) -> Rubber:
-    """The law of the material of a design's membranes."""
-    design = resolve_design(design)
-    return Rubber.of(design.material(design.membrane.material))
-
-
-def design_compliance(design: DesignLike, frequency: FrequencyLike, known: KnownDiscs | None = None) -> ComplexArray:
-    """Volume compliance of a design's membrane by the law of its material, m^3/Pa.
-
-    Args:
-        design: the array.
-        frequency: Hz, any shape.
-        known: discs that need not be solved.
-
-    Returns:
-        Complex128 of the shape of the frequency.
-    """
-    design = resolve_design(design)
-    disc = design_disc(design, known=known)
-    return disc.compliance(frequency, design_rubber(design))

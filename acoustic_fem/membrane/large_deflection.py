@@ -15,6 +15,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
+from acoustic_fem.membrane.design_discs import design_bulge
 from acoustic_fem.membrane.disc import CONTACT, DiscOptions, shape_of_disc
 from acoustic_fem.membrane.equilibrium import Punching, Setup
 from acoustic_fem.membrane.half_section import DiscShape
@@ -22,7 +23,6 @@ from acoustic_fem.membrane.press_table import PressTable, solved_press
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import check_range, positive_numbers, real_numbers
-from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
 SPHERES = (0.1, 50.0)
@@ -321,24 +321,16 @@ def design_membrane(design: DesignLike) -> MountedMembrane:
         Refusal: a membrane that is stretched or not flat.
     """
     design = resolve_design(design)
-    membrane, resonator = design.membrane, design.resonator
-    check_range("membrane.stretch", membrane.stretch, 1, 1, why="for large deflections")
-    if membrane.shape != "flat":
-        raise Refusal(
-            kind=Kind.OUT_OF_RANGE,
-            field="membrane.shape",
-            value=membrane.shape,
-            allowed="'flat' for large deflections",
-        )
+    floor = design_bulge(design).floor
+    membrane, radius = design.membrane, metres(design.resonator.cavity_diameter) / 2
     material = design.material(membrane.material)
-    bowl = (resonator.dome_depth or 0.0) if resonator.shape == "dome" else 0.0
     return MountedMembrane(
-        radius=metres(resonator.cavity_diameter) / 2,
+        radius=radius,
         thickness=metres(membrane.thickness),
         youngs_modulus=pascals(material.youngs_modulus),
         poisson_ratio=material.poisson_ratio,
         rim_width=0.0 if membrane.mounting == "clamped" else metres(membrane.rim_width),
-        cavity_depth=metres(resonator.cavity_height - bowl),
+        cavity_depth=None if floor is None else floor * radius,
     )
 
 

@@ -14,7 +14,8 @@ import numpy as np
 
 from acoustic_fem.duct.plane_wave import CompliantWall, Line, port_admittance, two_port
 from acoustic_fem.duct.sections import CircularSection
-from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
+from acoustic_fem.membrane.design_discs import design_compliance
+from acoustic_fem.membrane.disc import KnownDiscs
 from acoustic_fem.network.chain_matrices import PointCell, TwoPort, chains_of, join
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.network.yielding import beside_air, sheath_compliance, soft_rubber

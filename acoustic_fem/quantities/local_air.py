@@ -1,4 +1,4 @@
-"""The air of the place where a sensor is used, where it differs from that of its design."""
+"""The air of the place where a sensor is used, where it differs from that of its design, and the air inside."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 #: m, between which :func:`standard_pressure` stays within what :class:`acoustic_fem.Medium` takes.
 ALTITUDES = (-1000.0, 5500.0)
+#: Pa, largest static pressure of enclosed air above that outside, and largest one below it.
+LARGEST_OVERPRESSURE = 2e4
 
 
 def standard_pressure(altitude: float) -> float:
@@ -59,6 +61,9 @@ class LocalAir:
     """Temperature, -20 to 60 degC."""
     humidity: float | None = None
     """Relative humidity, 0 to 1."""
+    overpressure: float | None = None
+    """Static pressure of the enclosed air above that outside, -2e4 to 2e4 Pa, see
+    :func:`acoustic_fem.enclosed.enclosed_air`; it bulges the membranes."""
 
     def __post_init__(self) -> None:
         if self.pressure is not None and self.altitude is not None:
@@ -72,6 +77,8 @@ class LocalAir:
             )
         if self.altitude is not None:
             standard_pressure(self.altitude)
+        if self.overpressure is not None:
+            check_range("overpressure", self.overpressure, -LARGEST_OVERPRESSURE, LARGEST_OVERPRESSURE, "Pa")
         stated = {name: getattr(self, name) for name in ("pressure", "temperature_c", "humidity")}
         Medium.at(**{name: value for name, value in stated.items() if value is not None})  # which knows the ranges
 
@@ -79,7 +86,12 @@ class LocalAir:
     def design_values(self) -> dict[str, float]:
         """Values of the design that it changes, by dotted name; empty if no value is given."""
         pressure = self.pressure if self.altitude is None else standard_pressure(self.altitude)
-        stated = {"air.pressure": pressure, "air.temperature": self.temperature_c, "air.humidity": self.humidity}
+        stated = {
+            "air.pressure": pressure,
+            "air.temperature": self.temperature_c,
+            "air.humidity": self.humidity,
+            "air.overpressure": self.overpressure,
+        }
         return {name: float(value) for name, value in stated.items() if value is not None}
 
 
@@ -88,7 +100,7 @@ AirLike: TypeAlias = LocalAir | Medium | None
 
 
 def medium_of(air: AirLike, design: ArrayDesign | None = None) -> Medium:
-    """The gas of an argument ``air``.
+    """The gas of an argument ``air``, at the pressure that it has in the sensor.
 
     Args:
         air: of a place, whose values that are not given are those of the design; or a gas, which is handed back.
@@ -100,11 +112,17 @@ def medium_of(air: AirLike, design: ArrayDesign | None = None) -> Medium:
     if isinstance(air, Medium):
         return air
     checked_air(air, gas=True)
-    values: dict[str, float] = {"air.temperature": 20.0, "air.humidity": 0.5, "air.pressure": 101325.0}
+    values: dict[str, float] = {
+        "air.temperature": 20.0,
+        "air.humidity": 0.5,
+        "air.pressure": 101325.0,
+        "air.overpressure": 0.0,
+    }
     if design is not None:
         values = {name: getattr(design.air, name.removeprefix("air.")) for name in values}
     values |= air.design_values if air else {}
-    return Medium.at(*values.values())
+    temperature, humidity, outside, overpressure = values.values()
+    return Medium.at(temperature, humidity, outside + overpressure)
 
 
 def design_air(design: ArrayDesign) -> Medium:

@@ -17,7 +17,8 @@ import numpy as np
 
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
-from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, design_rubber, solve_disc
+from acoustic_fem.membrane.design_discs import design_rubber
+from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, solve_disc
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design

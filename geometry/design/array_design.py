@@ -39,7 +39,8 @@ class ArrayDesign(Shown, StatedArray):
             "cavity": f"{resonator.cavity_diameter:g} x {resonator.cavity_height:g} mm, {resonator.shape}",
             "membrane": f"{membrane.thickness:g} mm, {membrane.material}",
             "tube": f"length {tube.length:g} mm, inner diameter {tube.inner_diameter:g} mm, bore {tube.bore}",
-            "air": f"{self.air.temperature:g} degC, humidity {self.air.humidity:g}, {self.air.pressure:g} Pa",
+            "air": f"{self.air.temperature:g} degC, humidity {self.air.humidity:g}, {self.air.pressure:g} Pa"
+            + (f", enclosed at {self.air.overpressure:+g} Pa" if self.air.overpressure else ""),
             "printing": f"{self.printing.process}, {self.printing.material}",
             "changed copies": 'design.with_values({"tube.length": 14.0})',
         }

@@ -13,7 +13,11 @@ from geometry.schema.kinds import PointKind
 #: So that dotted names and the formulas of studies can hold them.
 _KIND_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 #: Fields of the stated parts that a kind has of its own.
-_OWN_FIELDS = {"cavity_height": "resonator.cavity_height", "membrane_thickness": "membrane.thickness"}
+_OWN_FIELDS = {
+    "cavity_height": "resonator.cavity_height",
+    "membrane_thickness": "membrane.thickness",
+    "leak_diameter": "resonator.leak_diameter",
+}
 #: Layouts that lay tubes of different lengths in one line.
 GRADED_LAYOUTS = ("serpentine", "ring", "area", "places", "surface")
 

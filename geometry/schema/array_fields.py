@@ -110,7 +110,14 @@ class Air(Section):
     )
     humidity: Number = Field(default=0.5, ge=0, le=1, description="relative humidity, 0 to 1")
     pressure: Number = Field(
-        default=101325.0, ge=5e4, le=1.2e5, description="static pressure", json_schema_extra={"unit": "Pa"}
+        default=101325.0, ge=5e4, le=1.2e5, description="static pressure outside", json_schema_extra={"unit": "Pa"}
+    )
+    overpressure: Number = Field(
+        default=0.0,
+        ge=-2e4,
+        le=2e4,
+        description="static pressure of the enclosed air above that outside; it bulges the membranes",
+        json_schema_extra={"unit": "Pa"},
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from geometry.schema.field_errors import Flag, Millimetre, Section
+from geometry.schema.field_errors import Flag, Millimetre, Number, Section
 from geometry.schema.part_fields import Membrane, Resonator
 
 #: Name of what :class:`geometry.schema.array_fields.StatedArray` states for all points, where a line has no pattern.
@@ -27,13 +27,22 @@ class PointKind(Section):
     membrane_thickness: Millimetre | None = Field(
         default=None, ge=0.05, le=10, description="thickness of the disc as cast; default: that of the membrane"
     )
+    leak_diameter: Number | None = Field(
+        default=None,
+        ge=0,
+        le=0.1,
+        description="diameter of a leak to the outside, such as a sensor's only vent; default: that of the resonator",
+        json_schema_extra={"unit": "mm"},
+    )
 
     def resonator(self, stated: Resonator) -> Resonator:
         """The shell of this kind, made from the stated one."""
-        if self.cavity_height is None or self.cavity_height == stated.cavity_height:
-            return stated
-        ports = stated.port_axis_height
-        return stated.model_copy(update={"cavity_height": self.cavity_height, "port_height": ports})
+        own: dict[str, float] = {}
+        if self.leak_diameter is not None and self.leak_diameter != stated.leak_diameter:
+            own["leak_diameter"] = self.leak_diameter
+        if self.cavity_height is not None and self.cavity_height != stated.cavity_height:
+            own |= {"cavity_height": self.cavity_height, "port_height": stated.port_axis_height}
+        return stated.model_copy(update=own) if own else stated
 
     def membrane(self, stated: Membrane) -> Membrane:
         """The membrane of this kind, made from the stated one."""

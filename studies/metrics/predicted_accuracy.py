@@ -20,7 +20,8 @@ from scipy.interpolate import CubicSpline
 
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.library.touch_pressure import membranes_in_vacuo
-from acoustic_fem.membrane.disc import DiscResponse, KnownDiscs, design_disc, design_rubber
+from acoustic_fem.membrane.design_discs import design_disc, design_rubber
+from acoustic_fem.membrane.disc import DiscResponse, KnownDiscs
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.air_and_rubber import DrawnAirAndRubber
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors

@@ -122,7 +122,8 @@ def bandwidth(responses: Responses, response: ComplexArray) -> Array:
 def in_vacuo(responses: Responses) -> DiscResponse:
     """Motion of the membranes of each design in vacuo, arrays (n_design, n_point, n_freq) complex128."""
     from acoustic_fem.library.touch_pressure import membranes_in_vacuo
-    from acoustic_fem.membrane.disc import DiscResponse, design_disc, design_rubber
+    from acoustic_fem.membrane.design_discs import design_disc, design_rubber
+    from acoustic_fem.membrane.disc import DiscResponse
 
     def key_of(design: ArrayDesign) -> Hashable:
         return design.resonator.cavity_diameter, design.membrane, design.material(design.membrane.material)

@@ -68,6 +68,7 @@ def addable_tables(design: ArrayDesign) -> dict[str, dict[str, Any]]:
     own = {
         "cavity_height": design.resonator.cavity_height,
         "membrane_thickness": design.membrane.thickness,
+        "leak_diameter": design.resonator.leak_diameter,
     }
     found[f"point_kinds.{_unused('kind', design.point_kinds)}"] = own
     found[f"tube_kinds.{_unused('tube', design.tube_kinds)}"] = _plain(design.tube)

@@ -382,6 +382,8 @@ def kind_uses(design: ArrayDesign) -> tuple[KindUse, ...]:
     for index, kind in enumerate(design.kinds):
         alike = design.of_kind(kind)
         sizes = f"cavity {alike.resonator.cavity_height:g} mm high, membrane {alike.membrane.thickness:g} mm"
+        if alike.resonator.leak_diameter:
+            sizes += f", leak {alike.resonator.leak_diameter:g} mm"
         found.append(KindUse(kind, "point", sizes, points[index]))
     tubes: dict[tuple[str, Tube], int] = {}
     for line in design.lines:

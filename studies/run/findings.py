@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.membrane.design_discs import design_disc
 from geometry.design.design_file import write_design
 from geometry.ground.refusal import counted
 from geometry.layout.size import array_size

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from acoustic_fem.duct.tube_opening import LARGEST_SHEAR_NUMBER
-from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.membrane.design_discs import design_disc
 from acoustic_fem.membrane.rubber import causal_slope
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign

@@ -31,7 +31,8 @@ from acoustic_fem.cell.design_cells import kept_cell, solve_cells
 from acoustic_fem.cell.one_cell import CellError, CellRecord, CellSolution
 from acoustic_fem.library.network_responses import closed_form, joined_cells, named_responses
 from acoustic_fem.library.transfer_functions import VARIABLES
-from acoustic_fem.membrane.disc import KnownDiscs, design_shape
+from acoustic_fem.membrane.design_discs import design_shape
+from acoustic_fem.membrane.disc import KnownDiscs
 from acoustic_fem.membrane.disc_table import ACCURACY
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, Fidelity
 from acoustic_fem.quantities.local_air import design_air

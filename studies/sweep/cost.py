@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
-from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.membrane.design_discs import design_disc
 from acoustic_fem.membrane.disc_table import disc_count
 from acoustic_fem.membrane.elasticity import REFINEMENT
 from acoustic_fem.membrane.half_section import DiscShape, half_section

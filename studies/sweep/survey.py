@@ -14,7 +14,7 @@ from acoustic_fem.atlas import OutsideAtlas, outside_atlas
 from acoustic_fem.atlas.cell_in_atlas import check_gas
 from acoustic_fem.batch.openings import OpeningSizes, designs_outside
 from acoustic_fem.batch.topology import Topology
-from acoustic_fem.membrane.disc import design_shape
+from acoustic_fem.membrane.design_discs import design_shape
 from acoustic_fem.membrane.half_section import DiscShape
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import design_air

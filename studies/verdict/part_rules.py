@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from acoustic_fem.membrane.disc import KnownDiscs, design_disc
+from acoustic_fem.membrane.design_discs import design_disc
+from acoustic_fem.membrane.disc import KnownDiscs
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out, point_axes

@@ -185,7 +185,7 @@ def _has_score(design: ArrayDesign) -> bool:
 
 def _solvable(design: ArrayDesign) -> bool:
     """True if the membranes of a design are inside what can be solved, and its tubes can be laid."""
-    from acoustic_fem.membrane.disc import design_shape
+    from acoustic_fem.membrane.design_discs import design_shape
 
     try:
         for kind in design.kinds:

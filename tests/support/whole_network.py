@@ -8,7 +8,7 @@ import numpy as np
 
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.duct.plane_wave import port_admittance
-from acoustic_fem.membrane.disc import design_compliance
+from acoustic_fem.membrane.design_discs import design_compliance
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import cell_catalogue

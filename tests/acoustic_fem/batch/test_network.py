@@ -21,7 +21,7 @@ from acoustic_fem.batch.interpolation import cylinder_means, disc_means
 from acoustic_fem.batch.network import batch_response, batch_transfer_function, each_alone
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import LineWiring, Topology
-from acoustic_fem.membrane.disc import design_compliance
+from acoustic_fem.membrane.design_discs import design_compliance
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium

@@ -19,7 +19,7 @@ from acoustic_fem.library.noise_floor import (
     noise_density,
     thermal_covariance,
 )
-from acoustic_fem.membrane.disc import design_disc, design_rubber
+from acoustic_fem.membrane.design_discs import design_disc, design_rubber
 from acoustic_fem.network.microphone import noise_density as own_density
 from geometry.design.design_file import prototype
 from geometry.ground.refusal import Kind

@@ -16,7 +16,7 @@ from rings import triangle
 
 import acoustic_fem
 from acoustic_fem.library import sealed_netcdf
-from acoustic_fem.membrane.disc import design_disc, design_rubber
+from acoustic_fem.membrane.design_discs import design_disc, design_rubber
 from geometry.design.design_file import prototype, prototype_names, write_design
 from geometry.ground.refusal import Kind
 

@@ -12,7 +12,8 @@ from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.fields.navier_stokes import WallMotion
-from acoustic_fem.membrane.disc import DiscOptions, design_compliance, design_disc, disc_compliance, solve_disc
+from acoustic_fem.membrane.design_discs import design_compliance, design_disc
+from acoustic_fem.membrane.disc import DiscOptions, disc_compliance, solve_disc
 from acoustic_fem.membrane.elasticity import solve_dimensionless
 from acoustic_fem.membrane.half_section import DiscShape
 from acoustic_fem.membrane.rubber import Rubber

@@ -12,7 +12,7 @@ from coarse_discs import coarse_discs
 from acoustic_fem import Medium
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.cell.lumped import lumped_admittance
-from acoustic_fem.membrane.disc import design_disc, design_shape
+from acoustic_fem.membrane.design_discs import design_disc, design_shape
 from acoustic_fem.membrane.disc_table import DiscTable, DiscTables, disc_count, disc_tables
 from acoustic_fem.membrane.elasticity import ElasticDisc, solve_dimensionless
 from acoustic_fem.membrane.half_section import DiscShape

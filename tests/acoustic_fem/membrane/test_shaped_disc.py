@@ -5,7 +5,8 @@ import pytest
 from coarse_discs import coarse_discs
 from refusals import refused
 
-from acoustic_fem.membrane.disc import DiscOptions, design_disc, solve_disc
+from acoustic_fem.membrane.design_discs import design_disc
+from acoustic_fem.membrane.disc import DiscOptions, solve_disc
 from acoustic_fem.membrane.elasticity import solve_dimensionless
 from acoustic_fem.membrane.half_section import DiscShape
 from geometry.design.design_file import prototype

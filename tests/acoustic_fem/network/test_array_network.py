@@ -11,7 +11,7 @@ from whole_network import AIR, every_node_at_once
 
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
-from acoustic_fem.membrane.disc import design_compliance, design_rubber
+from acoustic_fem.membrane.design_discs import design_compliance, design_rubber
 from acoustic_fem.network.array_network import solve_network
 from geometry.air.cells import cell_catalogue
 from geometry.design.design_file import prototype

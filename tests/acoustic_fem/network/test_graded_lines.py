@@ -13,7 +13,7 @@ from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.duct.plane_wave import port_admittance
-from acoustic_fem.membrane.disc import design_compliance
+from acoustic_fem.membrane.design_discs import design_compliance
 from acoustic_fem.network.microphone import load_admittance
 from geometry.air.cells import cell_catalogue, resonator_cell
 from geometry.design.design_file import load_design, prototype

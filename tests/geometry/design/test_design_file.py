@@ -259,7 +259,7 @@ def test_sockets_must_fit_into_the_corner_of_a_ring() -> None:
 
 @pytest.mark.parametrize(("diameter", "thin", "thick"), [(6.0, 0.03, 6.0), (7.3, 0.0365, 7.3), (50.0, 0.25, 10.0)])
 def test_membranes_within_the_rules_are_those_that_can_be_solved(diameter: float, thin: float, thick: float) -> None:
-    from acoustic_fem.membrane.disc import design_disc
+    from acoustic_fem.membrane.design_discs import design_disc
 
     cavity = {"resonator.cavity_diameter": diameter, "resonator.wall_thickness": 2.0, "membrane.rim_width": 1.5}
     for thickness in (max(thin, 0.05), thick):

@@ -164,7 +164,7 @@ def test_a_symmetric_line_has_mirror_images_as_equally_hard_pairs() -> None:
 
 def test_sensitivity_at_low_frequency_is_that_of_the_sealed_volume() -> None:
     """The volume a touch sweeps compresses all air and lifts all other membranes: p = q / sum of compliances."""
-    from acoustic_fem.membrane.disc import design_compliance
+    from acoustic_fem.membrane.design_discs import design_compliance
 
     design = geometry.prototype("array-2x6").with_values({"materials.soft": SOFT, "membrane.material": "soft"})
     library = acoustic_fem.solve(design, [0.01, 0.02], fidelity="lumped")

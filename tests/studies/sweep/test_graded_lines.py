@@ -10,7 +10,7 @@ from refusals import refused
 
 import acoustic_fem
 from acoustic_fem.batch.network import batch_transfer_function
-from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.membrane.design_discs import design_disc
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry import ArrayDesign, prototype

@@ -19,7 +19,7 @@ import localize
 import studies
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.library.transfer_functions import VARIABLES
-from acoustic_fem.membrane.disc import design_shape
+from acoustic_fem.membrane.design_discs import design_shape
 from geometry.ground.refusal import Kind
 from localize.datasets.splits import SPLITS
 from studies.cli.app import app
