@@ -12,7 +12,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from acoustic_fem.enclosed.enclosed_state import enclosed_air
+import acoustic_fem
 from acoustic_fem.library.other_air import air_ratio
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.response_plot import Quantity, plot_responses
@@ -241,7 +241,7 @@ class Library(Shown):
         if hours is not None:
             if "air.overpressure" in values:
                 raise Refusal("must not be given beside an overpressure", kind=Kind.CONFLICT, field="hours")
-            enclosed = enclosed_air(self.design, air or stated, hours=hours)
+            enclosed = acoustic_fem.enclosed.enclosed_air(self.design, air or stated, hours=hours)
             values = {**values, "air.overpressure": enclosed.overpressure}
         if not values:
             return self

@@ -13,16 +13,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 
-from acoustic_fem.membrane.equilibrium import Setup
 from acoustic_fem.membrane.half_section import DiscShape
-from acoustic_fem.membrane.press_table import PressTable, solved_press
 from geometry.ground.argument_checks import check_range
 from geometry.ground.typed import Array
+
+if TYPE_CHECKING:
+    from acoustic_fem.membrane.equilibrium import LoadKind
+    from acoustic_fem.membrane.press_table import PressTable
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,10 +41,10 @@ class BulgeLaw:
     """Depth of the floor below the relaxed lower face by the radius of the opening, a ratio; None without a floor."""
 
     def volume(self, pressure: ArrayLike) -> Array:
-        """Volume swept outwards by the cube of the radius, at pressures over the modulus; any shape, float64.
+        """Volume swept outwards by the cube of the radius; shape of the pressures, float64.
 
         Args:
-            pressure: in the cavity above that outside, by Young's modulus.
+            pressure: in the cavity above that outside, by Young's modulus, ratios of any shape.
 
         Raises:
             Refusal: a pressure beyond the last equilibrium that was found.
@@ -49,7 +52,14 @@ class BulgeLaw:
         return self._of_signs(pressure, lambda side: side.volume)
 
     def compliance_ratio(self, pressure: ArrayLike) -> Array:
-        """Volume per small change of the pressure, by that of the flat disc; arguments and errors as :meth:`volume`."""
+        """Volume per small change of the pressure, by that of the flat disc; shape of the pressures, float64.
+
+        Args:
+            pressure: in the cavity above that outside, by Young's modulus, ratios of any shape.
+
+        Raises:
+            Refusal: a pressure beyond the last equilibrium that was found.
+        """
         return self._of_signs(pressure, lambda side: side.ratio)
 
     def largest(self, outwards: bool) -> float:
@@ -58,11 +68,11 @@ class BulgeLaw:
 
     @cached_property
     def _inwards(self) -> _Side:
-        return _Side.of(solved_press(self.shape, Setup("suction", floor=self.floor)), -1.0)
+        return _Side.of(_solved(self.shape, "suction", self.floor), -1.0)
 
     @cached_property
     def _outwards(self) -> _Side:
-        return _Side.of(solved_press(self.shape, Setup("pressure")), 1.0)
+        return _Side.of(_solved(self.shape, "pressure", None), 1.0)
 
     def _of_signs(self, pressure: ArrayLike, column: Callable[[_Side], Callable[[Array], Array]]) -> Array:
         given = np.asarray(pressure, np.float64)
@@ -94,6 +104,14 @@ class _Side:
         volume = sign * np.concatenate([[0.0], np.abs(table.rows["volume"])])
         ratio = PchipInterpolator(load, slope / slope[0])
         return cls(CubicHermiteSpline(load, volume, sign * slope), ratio, float(load[-1]), table.end)
+
+
+def _solved(shape: DiscShape, load: LoadKind, floor: float | None) -> PressTable:
+    # Here, because flat membranes, which every command has, need no finite elements.
+    from acoustic_fem.membrane.equilibrium import Setup
+    from acoustic_fem.membrane.press_table import solved_press
+
+    return solved_press(shape, Setup(load, floor=floor))
 
 
 @lru_cache(maxsize=64)

@@ -1,4 +1,5 @@
 from .air_and_rubber import (
+    SEALED_AIR_AND_RUBBER as SEALED_AIR_AND_RUBBER,
     UNKNOWN_AIR_AND_RUBBER as UNKNOWN_AIR_AND_RUBBER,
     AirAndRubber as AirAndRubber,
     DrawnAirAndRubber as DrawnAirAndRubber,

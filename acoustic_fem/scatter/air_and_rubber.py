@@ -41,13 +41,21 @@ class AirAndRubber:
     slope: tuple[float, float] = (0.0, 2.0)
     """Smallest and largest exponent of frequency of the membranes' modulus over that of their material, 0 to 5, ratios.
     Relaxing moduli of a table are multiplied by it; a constant modulus stays constant."""
+    stiffening: tuple[float, float] = (1.0, 1.0)
+    """Smallest and largest modulus of all membranes together over that of their rubber, 0.5 to 5, ratios, drawn evenly
+    in its logarithm: enclosed air that bulges the membranes, or a stress in them. By default there is none."""
     fraction: float = 0.4
     """Fraction of the sensors that have an air and a slope of their own, 0 to 1; the others keep those of the
     design. On 36 points in line, 0.5 locates 2 to 4 % more touches at 2000 m than 0.3, and 1 to 9 % fewer of a modulus
     20 % below the design's."""
 
     def __post_init__(self) -> None:
-        ranges = {"pressure": (5e4, 1.2e5, "Pa"), "temperature_c": (-20.0, 60.0, "degC"), "slope": (0.0, 5.0, "")}
+        ranges = {
+            "pressure": (5e4, 1.2e5, "Pa"),
+            "temperature_c": (-20.0, 60.0, "degC"),
+            "slope": (0.0, 5.0, ""),
+            "stiffening": (0.5, 5.0, ""),
+        }
         for name, (least, most, unit) in ranges.items():
             low, high = getattr(self, name)
             for value in (low, high):
@@ -72,32 +80,38 @@ class AirAndRubber:
             design: of the sensors; its humidity is that of every air.
             air: air of the sensors that draw none; by default that of the design.
         """
-        media, slopes = [medium_of(air, design)] * count, np.ones(count)
-        ranges = np.array([self.pressure, self.temperature_c, self.slope])
+        media, slopes, stiffer = [medium_of(air, design)] * count, np.ones(count), np.ones(count)
+        ranges = np.array([self.pressure, self.temperature_c, self.slope, np.log(self.stiffening)])
         for row, number in enumerate(range(first, first + count)):
             if int((number + 1) * self.fraction) == int(number * self.fraction):
                 continue
             stream = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(number, _STREAM)))
-            pressure, temperature, slopes[row] = map(float, stream.uniform(*ranges.T))
+            pressure, temperature, slopes[row], bulged = map(float, stream.uniform(*ranges.T))
+            stiffer[row] = np.exp(bulged)
             media[row] = medium_of(LocalAir(pressure, temperature_c=temperature), design)
-        return DrawnAirAndRubber(MediumParameters.from_media(media), slopes)
+        return DrawnAirAndRubber(MediumParameters.from_media(media), slopes, stiffer)
 
 
 UNKNOWN_AIR_AND_RUBBER = AirAndRubber()
 """Air and rubber assumed of a sensor that nobody calibrated, beside the tolerances ``UNCALIBRATED``."""
+SEALED_AIR_AND_RUBBER = AirAndRubber(stiffening=(1.0, 2.0))
+"""The same of a sealed sensor without a vent that is worn or carried up: its enclosed air bulges the membranes
+(:func:`acoustic_fem.enclosed.enclosed_air`), which doubles their stiffness after a fast climb of 1000 m."""
 
 
 @dataclass(frozen=True, eq=False)
 class DrawnAirAndRubber:
-    """Air of each of several sensors, and the slope of the modulus of its membranes."""
+    """Air of each of several sensors, and the slope and stiffening of the modulus of its membranes."""
 
     medium: MediumParameters
     """Air of each sensor; fields (count,) float64."""
     slope: Array
     """Exponent of frequency of the membranes' modulus over that of their material, (count,) float64, ratios."""
+    stiffening: Array
+    """Modulus of the membranes over that of their rubber, (count,) float64, ratios."""
 
-    def sloped(self, parameters: ArrayParameters) -> ArrayParameters:
-        """Parameters of the sensors with their slopes; the size of their modulus stays at :data:`MIDDLE`.
+    def changed(self, parameters: ArrayParameters) -> ArrayParameters:
+        """Parameters of the sensors with their slopes, which leave the modulus at :data:`MIDDLE`, and stiffening.
 
         Args:
             parameters: of as many sensors, or of one, as NumPy arrays.
@@ -109,9 +123,9 @@ class DrawnAirAndRubber:
             membrane_relaxation=parameters.membrane_relaxation * slope[..., None],
         )
         before, after = (np.abs(membrane_modulus(each, np.array([MIDDLE])))[..., 0] for each in (parameters, steeper))
-        stiffer = after / before
+        compliance = after / before / self.stiffening[:, None]
         return replace(
             steeper,
-            membrane_compliance=parameters.membrane_compliance * stiffer,
-            membrane_frequency=parameters.membrane_frequency / np.sqrt(stiffer)[..., None],
+            membrane_compliance=parameters.membrane_compliance * compliance,
+            membrane_frequency=parameters.membrane_frequency / np.sqrt(compliance)[..., None],
         )

@@ -103,7 +103,7 @@ class AsBuiltSensors:
         parameters = self.scattered.parameters(draws)
         medium: Medium | MediumParameters = self._medium
         if air_and_rubber is not None:
-            parameters, medium = air_and_rubber.sloped(parameters), air_and_rubber.medium
+            parameters, medium = air_and_rubber.changed(parameters), air_and_rubber.medium
         sensors = self._in_closed_form(parameters, medium) * self._correction
         gain, corner = np.moveaxis(self.scattered.microphones(draws), 1, 0)[:, :, None, :, None]
         if (gain == 1).all() and (corner == 1).all():

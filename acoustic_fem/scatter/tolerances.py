@@ -17,7 +17,7 @@ import numpy as np
 
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
-from acoustic_fem.membrane.design_discs import design_rubber
+from acoustic_fem.membrane.design_discs import design_bulge_ratio, design_rubber
 from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, solve_disc
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
@@ -344,6 +344,7 @@ class _Discs:
         self._span = low, high
         self._fit = np.polynomial.chebyshev.chebfit(place, values, self.nodes - 1)
         self._modes = share.shape[1]
+        self._design, self._bulged = design, design.air.overpressure
 
     def _range(self, tolerances: Sequence[Tolerance]) -> tuple[float, float]:
         """Smallest and largest ratio of thickness and opening that may be drawn."""
@@ -374,4 +375,9 @@ class _Discs:
         compliance = np.exp(values[..., 0]) * scale**3 / modulus
         share = np.clip(values[..., 1 : 1 + self._modes], 0, None)
         frequency = np.exp(values[..., 1 + self._modes :]) / (2 * math.pi * opening[..., None])
+        if self._bulged:
+            # The bulge by the thickness, on which the stiffening depends, goes with pressure / modulus / ratio^4.
+            stiffness = modulus * (ratio / (self.thickness / self.opening)) ** 4
+            softer = design_bulge_ratio(self._design, self._bulged, stiffness)
+            compliance, modulus = compliance * softer, modulus / softer
         return compliance, share / share.sum(axis=-1, keepdims=True), frequency * np.sqrt(modulus)[..., None]

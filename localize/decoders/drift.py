@@ -1,7 +1,8 @@
 """Decoder of a calibrated sensor that drifts: it follows slow changes over touches whose points nobody knows.
 
-Silicone hardens, and the pressure of the air differs from place to place. Both change how stiff the nodes of the array
-are, and with it the transfer functions of all points together. The states of a drift are several stiffnesses of all
+Silicone hardens, the pressure of the air differs from place to place, and enclosed air that is warmed bulges the
+membranes. All of these change how stiff the nodes of the array are, and with it the transfer functions of all points
+together. The states of a drift are several stiffnesses of all
 membranes about the calibrated one, each with a library of its own. A hidden Markov chain keeps the probability of each
 state: every touch multiplies it by the likelihood of the touch in that state, summed over points, and between touches
 the state may move to its neighbours. The likelihood of a point is that of :mod:`localize.decoders.bayes` in the most
@@ -45,7 +46,7 @@ class DriftDecoder(LibraryDecoder):
 
     :meth:`follow` takes touches in the order in which they come, with the belief about the drift, and gives the next
     belief beside the answer. :meth:`locate` takes every touch as the first one. The decoder itself never changes. It
-    takes eleven times the tables, and several times the time, of :class:`localize.BayesDecoder`.
+    takes sixteen times the tables, and several times the time, of :class:`localize.BayesDecoder`.
 
     Args:
         library: of a calibrated sensor, measured at all points or fitted, and of a design that the lumped batch takes;
@@ -79,7 +80,7 @@ class DriftDecoder(LibraryDecoder):
         whole = response_of(library)
         response = whole if microphones is None else whole.heard_by(microphones)
         around = Surroundings.of(response, microphone_noise, ambient)
-        self.stiffness: Array = np.exp(np.linspace(-options.farthest, options.farthest, options.states))
+        self.stiffness: Array = np.exp(options.step * np.arange(-options.softer, options.stiffer + 1))
         """Stiffnesses of the states over that of the calibration; (n_state,) float64."""
         kept = [whole.microphones.index(name) for name in response.microphones]
         heard = self._transfer_functions(library)[:, :, kept]
@@ -90,8 +91,8 @@ class DriftDecoder(LibraryDecoder):
         usual = -0.5 * (np.log(self.stiffness) / options.usual_deviation) ** 2
         self.start: Array = usual - logsumexp(usual)
         """Belief before the first touch: logarithm of the probability of each state; (n_state,) float64."""
-        states = np.eye(options.states, k=1) + np.eye(options.states, k=-1)
-        moves = new * options.move_probability / 2 * states
+        count = len(self.stiffness)
+        moves = new * options.move_probability / 2 * (np.eye(count, k=1) + np.eye(count, k=-1))
         self._transition = moves + np.diag(1 - moves.sum(1))
 
     def heard_by(self, microphones: tuple[str, ...]) -> DriftDecoder:

@@ -53,6 +53,10 @@ def rig(
     modulus: Annotated[
         float, typer.Option(metavar="FACTOR", help="Modulus of the membranes relative to the design; 0.85 is softer.")
     ] = 1.0,
+    warming: Annotated[
+        float, typer.Option(metavar="K", help="Warming of the sealed air since it was at rest; a worn sensor has 12 K.")
+    ] = 0.0,
+    climb: Annotated[float, typer.Option(metavar="M", help="Height climbed since the sealed air was at rest.")] = 0.0,
     fidelity: Annotated[Fidelity, typer.Option(help="Fidelity of the sensor's transfer functions.")] = ONE_DESIGN,
 ) -> None:
     """Simulate recordings of an as-built sensor, to practise before you have a real one.
@@ -66,7 +70,7 @@ def rig(
 
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
-    scatter = studies.HiddenScatter(altitude=altitude, modulus=modulus)
+    scatter = studies.HiddenScatter(altitude=altitude, modulus=modulus, warming=warming, climb=climb)
     with display_on_stderr() as display:
         made = studies.record_rig(design, out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):

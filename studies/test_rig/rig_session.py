@@ -121,7 +121,8 @@ def hidden_values(rig: Rig) -> dict[str, Any]:
 
     Returns:
         Numbers of every part by the fields of :class:`acoustic_fem.batch.ArrayParameters`, SI; gains and high-passes by
-        the names of the microphones, against nominal; the air by the fields of :class:`acoustic_fem.Medium`.
+        the names of the microphones, against nominal; the air by the fields of :class:`acoustic_fem.Medium`, and its
+        static pressure above that outside, Pa.
     """
     parts = {field.name: getattr(rig.hidden, field.name)[0].tolist() for field in fields(rig.hidden)}
     names = rig.design.microphones
@@ -130,6 +131,7 @@ def hidden_values(rig: Rig) -> dict[str, Any]:
         "microphone_gain": dict(zip(names, rig.gain.tolist(), strict=True)),
         "microphone_corner": dict(zip(names, rig.corner.tolist(), strict=True)),
         "air": asdict(rig.medium),
+        "overpressure": rig.overpressure,
     }
 
 

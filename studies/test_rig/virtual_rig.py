@@ -32,8 +32,7 @@ from acoustic_fem.network.microphone import noise_density, response
 from acoustic_fem.network.microphone_output import output_response
 from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
-from acoustic_fem.quantities.local_air import design_air, standard_pressure
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.local_air import LocalAir, design_air, medium_of, standard_pressure
 from acoustic_fem.quantities.microphone_signals import OUTPUTS, Output
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.design_file import DesignLike, resolve_design, write_design
@@ -41,6 +40,7 @@ from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
 from studies.output.folders import check_folder, make_folder
+from studies.test_rig.enclosed_by_rig import bulged_sensor
 
 Complex = NDArray[np.complex128]
 
@@ -71,6 +71,10 @@ _RANGES = {
     "pressure": (0.0, 5e3),
     "altitude": (-1e3, 4e3),
     "slope": (0.0, 0.1),
+    "warming": (-40.0, 30.0),
+    "climb": (-1e3, 3e3),
+    "humidity": (0.0, 1.0),
+    "hours": (0.0, 1e4),
 }
 
 
@@ -107,10 +111,25 @@ class HiddenScatter(PartScatter):
     """Deviation of the exponent by which the modulus of a batch rises with frequency around 10 Hz, beyond what its loss
     factor asks for; half-normal, by relaxations over four decades, with the loss that belongs to them; not known to a
     fit. The modulus at 10 Hz stays."""
+    warming: float = 0.0
+    """Temperature above that of the room, in which the enclosed air was at rest, K: a shift. A worn sensor has 12 K."""
+    climb: float = 0.0
+    """Height above the place where the enclosed air was at rest, m: a shift. Standard atmosphere."""
+    humidity: float | None = None
+    """Relative humidity of the air at the membranes, 0 to 1; sweat has 0.85. None: that of the design."""
+    hours: float = 0.25
+    """Time since the warming and the climb, h: vapour is through the membranes in minutes, air in hours."""
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            check_range(field.name, getattr(self, field.name), *_RANGES.get(field.name, (0.0, 0.3)))
+            value = getattr(self, field.name)
+            if value is not None:
+                check_range(field.name, value, *_RANGES.get(field.name, (0.0, 0.3)))
+
+    @property
+    def is_moved(self) -> bool:
+        """True if the enclosed air is not at rest: the sensor is warmed, carried up or in other humidity."""
+        return bool(self.warming or self.climb) or self.humidity is not None
 
 
 @dataclass(frozen=True)
@@ -228,7 +247,21 @@ class Rig:
             membrane_frequency=self.hidden.membrane_frequency * np.sqrt(stiffer),
         )
         self.hidden = _relaxing(self.hidden, abs(float(steeper)) * scatter.slope)
-        self.medium = Medium.at(air.temperature + warmer, air.humidity, pressure)
+        rested = LocalAir(pressure, None, air.temperature + warmer)
+        self.overpressure = 0.0
+        """Static pressure of the enclosed air above that outside, Pa."""
+        if scatter.is_moved:
+            present = LocalAir(
+                pressure * standard_pressure(scatter.climb) / standard_pressure(0.0),
+                None,
+                air.temperature + warmer + scatter.warming,
+                scatter.humidity,
+            )
+            self.hidden, self.overpressure = bulged_sensor(
+                self.hidden, self.design.with_values(rested.design_values), present, scatter.hours, stiffer
+            )
+            rested = replace(present, overpressure=self.overpressure)
+        self.medium = medium_of(rested, self.design)
 
     def transfer_function(self, frequency: FrequencyLike) -> Complex:
         """Transfer functions that recordings without noise give: microphones with their gains and high-passes.

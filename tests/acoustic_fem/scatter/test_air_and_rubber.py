@@ -11,7 +11,14 @@ import geometry
 from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter import AirAndRubber, DrawnAirAndRubber, ScatteredDesign, scatter_factors
+from acoustic_fem.scatter import (
+    SEALED_AIR_AND_RUBBER,
+    AirAndRubber,
+    DrawnAirAndRubber,
+    ScatteredDesign,
+    Tolerance,
+    scatter_factors,
+)
 from acoustic_fem.scatter.air_and_rubber import MIDDLE
 from geometry import Kind
 
@@ -50,13 +57,13 @@ def test_a_slope_turns_the_modulus_about_its_middle(scattered: ScatteredDesign, 
     def stiffness(parameters: ArrayParameters) -> np.ndarray:
         return np.abs(membrane_modulus(parameters, grid))[0, 0] / parameters.membrane_compliance[0, 0]
 
-    found = stiffness(drawn(slope).sloped(scattered.nominal)) / stiffness(scattered.nominal)
+    found = stiffness(drawn(slope).changed(scattered.nominal)) / stiffness(scattered.nominal)
     exponent = 2 / np.pi * np.arctan(DESIGN.material(DESIGN.membrane.material).loss_factor or 0.0)
     assert exponent > 0.01
     assert found == pytest.approx((grid / MIDDLE) ** (exponent * (slope - 1)), rel=1e-9)
     # the modes rise with the root of the stiffness
-    modes = drawn(slope).sloped(scattered.nominal).membrane_frequency / scattered.nominal.membrane_frequency
-    stiffer = drawn(slope).sloped(scattered.nominal).membrane_compliance / scattered.nominal.membrane_compliance
+    modes = drawn(slope).changed(scattered.nominal).membrane_frequency / scattered.nominal.membrane_frequency
+    stiffer = drawn(slope).changed(scattered.nominal).membrane_compliance / scattered.nominal.membrane_compliance
     assert modes[0, 0] == pytest.approx(1 / np.sqrt(stiffer[0, 0]), rel=1e-12)
 
 
@@ -70,7 +77,7 @@ def test_a_table_of_relaxations_without_slope_is_as_stiff_at_all_frequencies(sca
         membrane_relaxation_time=np.full((1, points, 1), 1 / (2 * np.pi * MIDDLE)),
     )
     grid = np.array([0.1, MIDDLE, 1e3])
-    flat = drawn(0.0).sloped(relaxing)
+    flat = drawn(0.0).changed(relaxing)
     stiffness = np.abs(membrane_modulus(flat, grid))[0, 0] / flat.membrane_compliance[0, 0]
     at_middle = np.abs(membrane_modulus(relaxing, grid))[0, 0, 1] / relaxing.membrane_compliance[0, 0]
     assert stiffness == pytest.approx(at_middle, rel=1e-12)
@@ -96,6 +103,33 @@ def test_values_lie_within_their_ranges() -> None:
     for values, (low, high) in ((found.medium.pressure, ranges.pressure), (found.slope, ranges.slope)):
         assert low < values.min() < low + 0.1 * (high - low)
         assert high - 0.1 * (high - low) < values.max() < high
+
+
+def test_membranes_are_stiffened_together_and_evenly_in_the_logarithm(scattered: ScatteredDesign) -> None:
+    one = AirAndRubber(slope=(1.0, 1.0), stiffening=(1.6, 1.6), fraction=1.0)
+    after = one.draws(0, 1, 0, DESIGN, design_air(DESIGN)).changed(scattered.nominal)
+    assert after.membrane_compliance == pytest.approx(scattered.nominal.membrane_compliance / 1.6)
+    assert after.membrane_frequency == pytest.approx(scattered.nominal.membrane_frequency * np.sqrt(1.6))
+    many = SEALED_AIR_AND_RUBBER.draws(0, 1000, 1, DESIGN, design_air(DESIGN)).stiffening
+    own = np.log(many[many != 1]) / np.log(2)
+    assert len(own) == 400
+    assert 0 < own.min() < 0.02
+    assert 0.98 < own.max() < 1
+    assert own.mean() == pytest.approx(0.5, abs=0.05)
+    with refused(Kind.OUT_OF_RANGE, "air_and_rubber.stiffening"):
+        AirAndRubber(stiffening=(0.1, 1.0))
+
+
+@pytest.mark.parametrize("changed", [{"membrane.thickness": 0.55}, {"membrane.thickness": 0.45}, {}])
+def test_bulged_membranes_that_scatter_are_those_of_a_changed_design(changed: dict[str, float]) -> None:
+    bulged = DESIGN.with_values({"air.overpressure": 2000.0})
+    scattered = ScatteredDesign(bulged, (Tolerance("membrane_thickness", 0.05, "absolute", "a test"),))
+    steps = (changed.get("membrane.thickness", 0.5) - 0.5) / 0.05
+    found = scattered.parameters({"membrane_thickness": np.full((1, 4), steps)})
+    exact = ArrayParameters.from_design(bulged.with_values(changed))
+    assert found.membrane_compliance == pytest.approx(np.full((1, 4), exact.membrane_compliance[0, 0]), rel=0.01)
+    flat = ArrayParameters.from_design(DESIGN.with_values(changed))
+    assert exact.membrane_compliance[0, 0] < 0.85 * flat.membrane_compliance[0, 0]
 
 
 def test_ranges_that_descend_or_leave_what_air_may_have_are_refused() -> None:

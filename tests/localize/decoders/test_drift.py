@@ -61,6 +61,22 @@ def test_a_drift_is_followed_from_the_tenth_touch(modulus: float) -> None:
     assert modulus > 0.9 or before.mean() < 0.95
 
 
+@pytest.mark.parametrize(
+    "there",
+    [{"temperature_c": 32.0, "humidity": 0.85, "hours": 0.25}, {"altitude": 1000.0, "hours": 0.0}],
+    ids=["worn and sweating", "climbed"],
+)
+def test_a_sealed_sensor_that_is_worn_or_climbs_is_followed_from_the_tenth_touch(there: dict[str, float]) -> None:
+    moved = response_of(calibrated().in_air(**there))
+    made = localize.TouchGenerator(moved, 1, "training", NOISE).samples(0, 120)
+    order = np.random.default_rng(0).permutation(120)
+    frames, points = made.signals[order, :, -250:].double().numpy(), made.point[order].numpy() - 1
+    decoder = follower()
+    right = decoder.follow(frames, decoder.start)[0].argmax(1) == points
+    assert right[10:].mean() >= 0.98
+    assert (localize.BayesDecoder(calibrated(), NOISE).locate(frames).argmax(1) == points).mean() < 0.8
+
+
 def test_touches_one_by_one_are_those_of_a_batch_and_the_decoder_keeps_nothing() -> None:
     frames, _ = touches(0.8)
     decoder = follower()
@@ -74,7 +90,8 @@ def test_touches_one_by_one_are_those_of_a_batch_and_the_decoder_keeps_nothing()
     assert together.shape == (6, 12)
     assert np.allclose(together.sum(1), 1)
     assert np.array_equal(decoder.follow(frames[:6], decoder.start)[0], together)
-    assert decoder.start.argmax() == DriftOptions.states // 2
+    assert decoder.start.argmax() == DriftOptions.softer
+    assert decoder.stiffness[DriftOptions.softer] == 1
 
 
 def test_what_is_located_is_taken_as_the_first_touch_in_any_order() -> None:

@@ -10,8 +10,10 @@ import pytest
 from refusals import refused
 from small_run import small_design
 
+from acoustic_fem import LocalAir
 from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.calibration.manifest import read_manifest
+from acoustic_fem.enclosed import enclosed_air
 from acoustic_fem.network import output_response
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.sound import transfer_estimate
@@ -58,6 +60,27 @@ def test_its_rubber_rises_more_steeply_and_stays_causal() -> None:
     assert 0.002 < further < 0.06
     # Kramers and Kronig, locally: a slope of n asks for an angle of n pi / 2
     assert np.mean(np.angle(stiffness) - np.angle(before)) == pytest.approx(np.pi / 2 * further, rel=0.1)
+
+
+def test_a_worn_sensor_is_bulged_by_its_enclosed_air_each_membrane_by_its_stiffness() -> None:
+    still = replace(STILL, batch=0.0)
+    rested, worn = (
+        Rig(small_design(), 1, each, fidelity="lumped") for each in (still, replace(still, warming=12.0, hours=0.0))
+    )
+    expected = enclosed_air(small_design(), LocalAir(temperature_c=32.0))
+    assert worn.overpressure == pytest.approx(expected.overpressure)
+    assert worn.medium.pressure == pytest.approx(101325.0 + worn.overpressure)
+    softer = worn.hidden.membrane_compliance / rested.hidden.membrane_compliance
+    assert softer == pytest.approx(np.full(softer.shape, expected.compliance_ratio))
+    scattered = replace(still, membrane=0.1)
+    flat, bulged = (
+        Rig(small_design(), 1, each, fidelity="lumped").hidden for each in (scattered, replace(scattered, warming=12.0))
+    )
+    own, softer = flat.membrane_compliance[0], (bulged.membrane_compliance / flat.membrane_compliance)[0]
+    assert (np.diff(softer[np.argsort(own)]) < 0).all()
+    assert rested.overpressure == 0
+    with refused(Kind.OUT_OF_RANGE, "humidity"):
+        HiddenScatter(humidity=1.5)
 
 
 def test_the_air_is_that_of_its_place() -> None:
