@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from geometry.printing.printability import PrintReport
     from studies.kit.making import MadeParts
     from studies.run.check import DesignCheck
+    from studies.run.enclosed_air import EnclosedFindings
     from studies.run.quality import DesignQuality
     from studies.verdict import Verdict
 
@@ -214,6 +215,7 @@ def show_check(found: DesignCheck) -> None:
     for frequency, level, point in found.attenuation:
         table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")
     show_narrow(table)
+    _show_enclosed(found.enclosed)
     table = table_of("the models assume", "value", "limit", "", numbers=(1,))
     for item in found.validity:
         table.add_row(
@@ -225,6 +227,18 @@ def show_check(found: DesignCheck) -> None:
     show_narrow(table)
     if found.printing is not None:
         _show_print_problems(found.printing)
+
+
+def _show_enclosed(enclosed: EnclosedFindings) -> None:
+    if enclosed.changes:
+        table = table_of("enclosed air", "pressure (Pa)", "compliance (%)", "responses (%)", numbers=(1, 2, 3))
+        for change in enclosed.changes:
+            table.add_row(
+                change.state, f"{change.overpressure:.0f}", f"{change.compliance:+.0f}", f"{change.response:.0f}"
+            )
+        show_narrow(table)
+    for line in enclosed.lines:
+        _tell_wrapped(line)
 
 
 def show_verdict(verdict: Verdict) -> None:

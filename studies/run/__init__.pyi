@@ -1,4 +1,5 @@
 from .check import DesignCheck as DesignCheck, check_design as check_design
+from .enclosed_air import EnclosedChange as EnclosedChange, EnclosedFindings as EnclosedFindings
 from .file_list import FolderCheck as FolderCheck, verify_run as verify_run
 from .findings import accuracy_rows as accuracy_rows, summary as summary
 from .library_files import cell_lines as cell_lines, convert_library as convert_library, solve_library as solve_library

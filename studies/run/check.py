@@ -44,6 +44,7 @@ from studies.metrics.covered_area import coverage
 from studies.metrics.pairs import worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, new_picture, write_json
+from studies.run.enclosed_air import EnclosedFindings, enclosed_findings
 from studies.run.quality import DesignQuality, design_quality, draw_quality
 from studies.run.validity import Validity, model_validity
 from studies.verdict.measuring import Drawn
@@ -108,6 +109,8 @@ class DesignCheck(Shown):
     needs two) and number."""
     fidelity: QuickFidelity
     """Fidelity of the attenuation: the atlas, or another one and why."""
+    enclosed: EnclosedFindings
+    """Effect of the air that the sensor encloses when it is worn or carried up, and the vent that would help."""
     stock: StockFit
     """Parts that the design is bought as, and what the catalogue lacks."""
     quality: DesignQuality | None = None
@@ -206,6 +209,7 @@ class DesignCheck(Shown):
                 for f, level, point in self.attenuation
             ],
             "fidelity": self.fidelity.words,
+            "enclosed": self.enclosed.to_dict(),
             "stock": self.stock.to_dict(),
             "quality": None if self.quality is None else self.quality.to_dict(),
             "verdict": None if self.verdict is None else self.verdict.to_dict(),
@@ -247,7 +251,7 @@ def check_design(
         check_extras("what judges points", "train")
     judge = drawn is not None or (quality and is_installed("train"))
     catalogue()  # before any work: a file of own parts may be wrong
-    steps = _Steps(display or Display(), 2 + 3 * is_installed("cad") + judge + quality)
+    steps = _Steps(display or Display(), 3 + 3 * is_installed("cad") + judge + quality)
     found = _judged(design, steps)
     if quality:
         with steps("Verdict and remedies") as report:
@@ -293,6 +297,8 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         fidelity = quick_fidelity(design, ATTENUATION_AT)
         library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity.name, progress=report)
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
+    with steps("Enclosed air"):
+        enclosed = enclosed_findings(design, library)
     counts, in_the_way, printing = _drawn(design, layout, steps) if is_installed("cad") else ({}, (), None)
     return DesignCheck(
         design=design,
@@ -310,6 +316,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         validity=model_validity(design, library.medium, levels[-1][1]),
         attenuation=tuple(levels),
         fidelity=fidelity,
+        enclosed=enclosed,
         stock=catalogue().fit(design),
     )
 

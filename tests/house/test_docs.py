@@ -30,6 +30,7 @@ LONG = {
             "bending",
             "calibration",
             "decoder",
+            "enclosed-air",
             "first-minutes",
             "localizer",
             "own-cavity",
