@@ -19,13 +19,14 @@ from acoustic_fem.membrane import (
     bulge,
     design_disc,
     design_membrane,
+    design_mounting_ratio,
     press_curve,
     press_limits,
 )
 from acoustic_fem.membrane.equilibrium import LoadedDisc, Setup
 from acoustic_fem.membrane.finite_elasticity import Section
 from acoustic_fem.membrane.press_table import solve_press
-from geometry import prototype_names
+from geometry import prototype, prototype_names
 from geometry.ground.whole_files import replace_section
 from tests.support.reference_data import PressedMembrane
 
@@ -138,6 +139,23 @@ def limits() -> Iterator[str]:
             yield f"| `{name}` | {words} | {' | '.join(cells)} | {found.stretch:.2f} |"
 
 
+def mountings() -> Iterator[str]:
+    """Changes of the compliance by strain and glue."""
+    mounted: dict[str, dict[str, float]] = {
+        "strain 0.001": {"membrane.prestrain": 0.001},
+        "cooled by 12 K": {"membrane.gluing_temperature": 32.0},
+        "glued at 60 °C": {"membrane.gluing_temperature": 60.0},
+        "warmed by 12 K": {"membrane.gluing_temperature": 8.0},
+        "0.1 mm of silicone glue": {"membrane.glue_thickness": 0.1},
+    }
+    yield f"| design | {' | '.join(mounted)} |"
+    yield "|---|---|---|---|---|---|"
+    yield "| `array-2x6`, audit | -4.1 | -9.9 | -27 | – | +8.6 |"
+    for name in ("array-2x6", "fingertip-3x4", "fingertip-4x6", "line-2"):
+        ratios = [design_mounting_ratio(prototype(name).with_values(values)) for values in mounted.values()]
+        yield f"| `{name}` | {' | '.join(f'{100 * (ratio - 1):+.1f}' for ratio in ratios)} |"
+
+
 def main() -> None:
     """Write and print the tables."""
     for name, lines in {
@@ -147,6 +165,7 @@ def main() -> None:
         "meshes": meshes(),
         "prototypes": prototypes(),
         "limits": limits(),
+        "mountings": mountings(),
     }.items():
         table = ["", *lines, ""]
         print("\n".join(table), flush=True)

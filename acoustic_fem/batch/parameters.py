@@ -16,7 +16,7 @@ import numpy as np
 
 from acoustic_fem.batch.numpy_or_torch import namespace
 from acoustic_fem.batch.topology import Topology, tubes_in_use
-from acoustic_fem.membrane.design_discs import design_disc, design_rubber
+from acoustic_fem.membrane.design_discs import design_disc, design_rubber, design_stiffening
 from acoustic_fem.membrane.disc import DiscSolution, KnownDiscs
 from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.network.microphone import circuit_elements as elements
@@ -315,8 +315,8 @@ class _Common:
 
     def disc(self, design: ArrayDesign) -> DiscSolution:
         """The membrane of a design whose points are alike."""
-        bulged = (design.air.overpressure, design.resonator.cavity_height) if design.air.overpressure else None
-        key = design.resonator.cavity_diameter, design.membrane, design.material(design.membrane.material), bulged
+        own = design.membrane, design.material(design.membrane.material)
+        key = design.resonator.cavity_diameter, *own, design_stiffening(design)
         return cast(DiscSolution, self._once(key, lambda: design_disc(design, known=self._known)))
 
 

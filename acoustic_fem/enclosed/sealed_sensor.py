@@ -10,11 +10,11 @@ from typing import Literal
 from scipy.optimize import brentq
 
 from acoustic_fem.membrane.bulged import BulgeLaw
-from acoustic_fem.membrane.design_discs import design_bulge
+from acoustic_fem.membrane.design_discs import design_bulge, mounted_modulus
 from acoustic_fem.network.yielding import design_leak
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import GAS_CONSTANT
-from acoustic_fem.quantities.units import cubic_metres, metres, pascals
+from acoustic_fem.quantities.units import cubic_metres, metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import positive_numbers
@@ -90,13 +90,12 @@ class SealedSensor:
         membranes, volume, leak = [], _tubes_and_microphones(design), 0.0
         for number, kind in enumerate(design.kinds):
             alike, count = design.of_kind(kind), kinds[number]
-            material = alike.material(alike.membrane.material)
             membranes.append(
                 Bulging(
                     count,
                     metres(alike.resonator.cavity_diameter) / 2,
                     metres(alike.membrane.thickness),
-                    stiffness * pascals(material.youngs_modulus),
+                    stiffness * mounted_modulus(alike),
                     design_bulge(alike),
                 )
             )

@@ -4,8 +4,11 @@ from .design_discs import (
     design_bulge_ratio as design_bulge_ratio,
     design_compliance as design_compliance,
     design_disc as design_disc,
+    design_mounting as design_mounting,
+    design_mounting_ratio as design_mounting_ratio,
     design_rubber as design_rubber,
     design_shape as design_shape,
+    design_stiffening as design_stiffening,
 )
 from .disc import (
     DiscOptions as DiscOptions,
@@ -36,6 +39,7 @@ from .large_deflection import (
     press as press,
     press_curve as press_curve,
 )
+from .mounting import Mounting as Mounting, mounting_ratio as mounting_ratio
 from .pressing_limits import PressLimits as PressLimits, press_limits as press_limits
 from .rubber import (
     ELASTIC as ELASTIC,

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from acoustic_fem.membrane.bulged import BulgeLaw, bulge_law
 from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, shape_of_disc, solve_disc
 from acoustic_fem.membrane.half_section import DiscShape
+from acoustic_fem.membrane.mounting import FITTING, Mounting, mounting_ratio
 from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.units import metres, pascals
@@ -23,8 +24,8 @@ def design_disc(
 ) -> DiscSolution:
     """The membrane of a design, mounted, shaped and stretched as it says; its draft is left out.
 
-    A clamped rim does not move, however thick it is. If enclosed air bulges the membrane (``air.overpressure``), the
-    modulus is divided by :func:`design_bulge_ratio`.
+    A clamped rim does not move, however thick it is. The modulus is multiplied by :func:`design_stiffening`: of a
+    membrane that enclosed air bulges, that is strained, or whose glue is soft.
 
     Args:
         design: the array.
@@ -32,16 +33,70 @@ def design_disc(
         known: discs that need not be solved.
 
     Raises:
-        Refusal: proportions outside what :func:`solve_disc` covers, or as :func:`design_bulge_ratio`.
+        Refusal: proportions outside what :func:`solve_disc` covers, or as :func:`design_stiffening`.
     """
     design = resolve_design(design)
     density = design.material(design.membrane.material).density
     sizes, options = _membrane_of(design, contact_radius)
-    if design.air.overpressure:
-        radius, thickness, modulus, *others = sizes
-        stiffer = modulus / float(design_bulge_ratio(design, design.air.overpressure))
-        return solve_disc(radius, thickness, stiffer, *others, density, options, known)
-    return solve_disc(*sizes, density, options, known)
+    radius, thickness, modulus, *others = sizes
+    modulus *= design_stiffening(design)
+    return solve_disc(radius, thickness, modulus, *others, density, options, known)
+
+
+def design_stiffening(design: DesignLike) -> float:
+    """Stiffness of the membrane of a design for small signals, by that of a flat one that fits, on rigid glue.
+
+    It is 1 but for a membrane that enclosed air bulges (``air.overpressure``), that is mounted with strain
+    (``membrane.prestrain``, ``membrane.gluing_temperature``), or whose glue is soft (``membrane.glue_thickness``).
+
+    Args:
+        design: the array.
+
+    Raises:
+        Refusal: as :func:`design_bulge_ratio` and :func:`acoustic_fem.membrane.mounting.mounting_ratio`.
+    """
+    design = resolve_design(design)
+    mounted = 1 / design_mounting_ratio(design)
+    if not design.air.overpressure:
+        return mounted
+    return mounted / float(design_bulge_ratio(design, design.air.overpressure))
+
+
+def design_mounting(design: DesignLike, prestrain: float = 0.0, glue_thickness: float = 0.0) -> Mounting:
+    """Strain and glue with which the membrane of a design is mounted.
+
+    Args:
+        design: the array, in the air whose temperature counts.
+        prestrain: further strain, a ratio.
+        glue_thickness: further thickness of the glue, m.
+    """
+    design = resolve_design(design)
+    membrane = design.membrane
+    strain = membrane.prestrain + prestrain
+    if membrane.gluing_temperature is not None:
+        strain += 1e-6 * membrane.expansion_mismatch * (membrane.gluing_temperature - design.air.temperature)
+    thickness = metres(membrane.glue_thickness) + glue_thickness
+    if thickness <= 0:
+        return Mounting(round(strain, 12))
+    glue = design.material(membrane.glue_material or membrane.material)
+    unit = pascals(design.material(membrane.material).youngs_modulus) / metres(design.resonator.cavity_diameter / 2)
+    shear = pascals(glue.youngs_modulus) / (2 * (1 + glue.poisson_ratio))
+    constrained = 2 * shear * (1 - glue.poisson_ratio) / (1 - 2 * glue.poisson_ratio)
+    layer = round(shear / thickness / unit, 9), round(constrained / thickness / unit, 9)
+    return Mounting(round(strain, 12), layer)
+
+
+def design_mounting_ratio(design: DesignLike, prestrain: float = 0.0, glue_thickness: float = 0.0) -> float:
+    """Compliance of the membrane of a design for small signals by that of one that fits, on rigid glue.
+
+    Arguments as for :func:`design_mounting`.
+
+    Raises:
+        Refusal: a membrane that is pressed together until it all but buckles.
+    """
+    design = resolve_design(design)
+    mounting = design_mounting(design, prestrain, glue_thickness)
+    return 1.0 if mounting == FITTING else mounting_ratio(design_shape(design), mounting)
 
 
 def design_bulge(design: DesignLike) -> BulgeLaw:
@@ -70,6 +125,11 @@ def design_bulge(design: DesignLike) -> BulgeLaw:
     return bulge_law(design_shape(design), round(depth, 12))
 
 
+def mounted_modulus(design: ArrayDesign) -> float:
+    """Young's modulus of a flat membrane that fits and is as stiff as that of the design without bulge, Pa."""
+    return pascals(design.material(design.membrane.material).youngs_modulus) / design_mounting_ratio(design)
+
+
 def design_bulge_ratio(design: DesignLike, overpressure: ArrayLike, stiffness: ArrayLike = 1.0) -> Array:
     """Compliance of the membrane of a design that enclosed air bulges, by that of the flat one.
 
@@ -85,7 +145,7 @@ def design_bulge_ratio(design: DesignLike, overpressure: ArrayLike, stiffness: A
         Refusal: as :func:`design_bulge`, or a pressure beyond the last equilibrium that was found.
     """
     design = resolve_design(design)
-    modulus = pascals(design.material(design.membrane.material).youngs_modulus) * np.asarray(stiffness, np.float64)
+    modulus = mounted_modulus(design) * np.asarray(stiffness, np.float64)
     return design_bulge(design).compliance_ratio(np.asarray(overpressure, np.float64) / modulus)
 
 

@@ -167,6 +167,9 @@ class LoadedDisc:
         residual = np.zeros(self.size)
         residual[: section.size] = section.residual(strain)
         blocks = section.tangent(strain)
+        if (glue := section.glue) is not None:
+            np.add.at(residual, glue.rows, np.einsum("eij,ej->ei", glue.values, state[glue.columns]))
+            blocks.append(glue)
         by_load = np.zeros(self.size)
         stiffness, force, touching = 0.0, 0.0, []
         volume = swept_volume(self.opening, state)

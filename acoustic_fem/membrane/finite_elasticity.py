@@ -21,6 +21,7 @@ import skfem
 from numpy.typing import NDArray
 
 from acoustic_fem.membrane.half_section import DiscShape, graded_from_both
+from acoustic_fem.membrane.mounting import FITTING, Mounting
 from geometry.ground.typed import Array
 
 #: Radial steps are at most max(thickness, this) / (refinement + 1).
@@ -74,10 +75,11 @@ class Section:
         shape: the disc, flat and without prestress.
         refinement: the largest step is a (refinement + 1)-th of the thickness, the smallest, at the edge of the clamp,
             2^-(refinement + 2) thicknesses.
+        mounting: strain and glue with which the disc is mounted; by default it fits and its glue is rigid.
     """
 
-    def __init__(self, shape: DiscShape, refinement: int) -> None:
-        self.shape = shape
+    def __init__(self, shape: DiscShape, refinement: int, mounting: Mounting = FITTING) -> None:
+        self.shape, self.mounting = shape, mounting
         ratio = shape.poisson_ratio
         self.shear = 1 / (2 * (1 + ratio))
         self.bulk = ratio / ((1 + ratio) * (1 - 2 * ratio))
@@ -87,7 +89,9 @@ class Section:
         self.size = self.displacement.N + self.pressure.N
         radius = self.displacement.global_coordinates()[0]
         self.weight = 2 * np.pi * radius * self.displacement.dx
-        self._strain = _strain_of(self.displacement, radius)
+        # By the free disc, which the mounting stretches: F is that of the mounted one over that of the free one.
+        self._free_length = 1 - mounting.prestrain
+        self._strain = _strain_of(self.displacement, radius) / self._free_length
         self._linear = np.stack([np.broadcast_to(each[0], radius.shape) for each in self.pressure.basis], axis=-1)
         self._moved = self.displacement.element_dofs.T
         self._squeezed = self.pressure.element_dofs.T + self.displacement.N
@@ -102,10 +106,10 @@ class Section:
         for unknowns, (function, *_) in zip(basis.element_dofs, basis.basis, strict=True):
             radial[unknowns] = bool(np.any(function[0]))
         held = radial & (radius < _ROUNDING)
-        if shape.rim:
+        if shape.rim and self.mounting.soft_glue is None:
             inside = (radius > 1 - _ROUNDING) & (radius < 1 + shape.glue + _ROUNDING)
             held |= inside & (height < _ROUNDING)
-        else:
+        elif not shape.rim:
             held |= radius > 1 - _ROUNDING
         return np.concatenate([np.flatnonzero(~held), np.arange(basis.N, self.size)])
 
@@ -119,10 +123,25 @@ class Section:
         """Facets of the lower face over the opening, (n,) int64."""
         return self._facets(0.0, 1.0)
 
-    def _facets(self, height: float, within: float) -> Numbers:
+    def _facets(self, height: float, within: float, beyond: float = 0.0) -> Numbers:
         facets = self.mesh.boundary_facets()
         middle = self.mesh.p[:, self.mesh.facets[:, facets]].mean(axis=1)
-        return np.asarray(facets[(np.abs(middle[1] - height) < _ROUNDING) & (middle[0] < within)], np.int64)
+        chosen = (np.abs(middle[1] - height) < _ROUNDING) & (middle[0] < within) & (middle[0] > beyond)
+        return np.asarray(facets[chosen], np.int64)
+
+    @cached_property
+    def glue(self) -> Block | None:
+        """Stiffness of a soft layer of glue under the rim, beside the elastic energy; None of a rigid one."""
+        if self.mounting.soft_glue is None:
+            return None
+        facets = self._facets(0.0, 1 + self.shape.glue, 1.0)
+        basis = skfem.FacetBasis(self.mesh, self.displacement.elem, facets=facets, intorder=5)
+        area = 2 * np.pi * basis.global_coordinates()[0] * basis.dx
+        functions = np.stack([np.broadcast_to(each[0], (2, *area.shape)) for each in basis.basis])
+        stiffness = np.array(self.mounting.soft_glue)
+        values = np.einsum("iaeq,a,jaeq,eq->eij", functions, stiffness, functions, area)
+        unknowns = np.asarray(basis.element_dofs.T, np.int64)
+        return Block(values, unknowns, unknowns)
 
     @cached_property
     def patch(self) -> Array:
@@ -139,7 +158,7 @@ class Section:
     def strain(self, state: Array) -> Strain | None:
         """Deformation of a state, (n,) float64; None where an element is turned inside out."""
         gradient = np.einsum("eqai,ei->eqa", self._strain, state[self._moved])
-        gradient[..., [0, 3, 4]] += 1
+        gradient[..., [0, 3, 4]] += 1 / self._free_length
         rr, rz, zr, zz, hoop = np.moveaxis(gradient, -1, 0)
         plane = rr * zz - rz * zr
         if not ((plane > 0).all() and (hoop > 0).all()):

@@ -17,9 +17,10 @@ import numpy as np
 
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
-from acoustic_fem.membrane.design_discs import design_bulge_ratio, design_rubber
+from acoustic_fem.membrane.design_discs import design_bulge_ratio, design_mounting_ratio, design_rubber
 from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, solve_disc
 from acoustic_fem.quantities.units import metres, pascals
+from acoustic_fem.scatter.mounted_membranes import MountedMembranes
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import check_choice, check_range
@@ -44,6 +45,8 @@ QUANTITIES = {
     "microphone_gain": "microphone",
     "microphone_corner": "microphone",
     "ovality": "tube",
+    "prestrain": "point",
+    "glue_thickness": "point",
 }
 #: Draws are cut off here, in standard deviations: beyond, a part is thrown away.
 CUT = 3.0
@@ -62,7 +65,7 @@ class Tolerance:
     quantity: str
     """Name of the quantity, one of :data:`QUANTITIES`."""
     deviation: float
-    """Standard deviation: mm where absolute, a fraction of the nominal value where relative."""
+    """Standard deviation: mm where absolute, a fraction of the nominal value where relative; a strain of prestrain."""
     kind: DeviationKind
     """Kind of the deviation."""
     source: str
@@ -71,8 +74,11 @@ class Tolerance:
     def __post_init__(self) -> None:
         check_choice("quantity", self.quantity, tuple(QUANTITIES))
         of_no_length = self.quantity.startswith(("modulus", "microphone", "ovality"))
-        check_choice(f"{self.quantity}.kind", self.kind, ("relative",) if of_no_length else get_args(DeviationKind))
+        kinds = ("relative",) if of_no_length else get_args(DeviationKind)
+        check_choice(f"{self.quantity}.kind", self.kind, ("absolute",) if self.quantity == "prestrain" else kinds)
         most, unit = (0.3, "") if self.kind == "relative" else (5.0, "mm")
+        if self.quantity == "prestrain":
+            most, unit = 0.01, ""
         check_range(f"{self.quantity}.deviation", self.deviation, 0, most, unit)
 
 
@@ -206,6 +212,11 @@ class ScatteredDesign:
         }
         self._discs = [_Discs(design.of_kind(kind), self.tolerances, known) for kind in design.kinds]
         self._kinds = np.array(design.kind_of_point)
+        self._mounted = [self._mounting(design.of_kind(kind)) for kind in design.kinds]
+
+    def _mounting(self, alike: ArrayDesign) -> MountedMembranes:
+        steps = {each.quantity: CUT * each.deviation * _unit(each, alike) for each in self.tolerances}
+        return MountedMembranes(alike, steps.get("prestrain", 0.0), steps.get("glue_thickness", 0.0))
 
     def draws(self, first: int, count: int, seed: int) -> dict[str, Array]:
         """Deviations of samples ``first`` to ``first + count - 1``.
@@ -256,7 +267,7 @@ class ScatteredDesign:
         opening = np.maximum(diameter / 2 - overrun, LEAST * nominal.cavity_radius)
         designed = np.array([disc.thickness for disc in self._discs])[self._kinds][None]
         thickness = scattered("membrane_thickness", designed)
-        modulus = scattered("modulus_of_part", one) * scattered("modulus_of_batch", one)
+        modulus = scattered("modulus_of_part", one) * scattered("modulus_of_batch", one) * self._stiffened(draws)
         compliance, share, frequency = self._membranes(opening, thickness, modulus)
         return replace(
             nominal,
@@ -270,6 +281,22 @@ class ScatteredDesign:
             membrane_fraction=share,
             membrane_frequency=frequency,
         )
+
+    def _stiffened(self, draws: Mapping[str, Array]) -> Array | float:
+        """Stiffness of membranes by strain and glue that are drawn, against the nominal ones, (count, n_point)."""
+        own = [each for each in self.tolerances if each.quantity in ("prestrain", "glue_thickness")]
+        if not own:
+            return 1.0
+        columns = []
+        for point, kind in enumerate(self._kinds):
+            alike = self.design.of_kind(self.design.kinds[kind])
+            deviations: dict[str, Array | float] = {"prestrain": 0.0, "glue_thickness": 0.0}
+            for each in own:
+                drawn = draws[each.quantity]
+                own_draw = drawn[:, min(point, drawn.shape[1] - 1)]
+                deviations[each.quantity] = own_draw * each.deviation * _unit(each, alike)
+            columns.append(self._mounted[kind].stiffness(**deviations))
+        return np.stack(columns, axis=1)
 
     def _narrowed(self, draws: Mapping[str, Array]) -> Array | float:
         """Round bore that resists as an oval one of the same mean diameter, by that diameter, (count, n_tube).
@@ -312,6 +339,13 @@ class ScatteredDesign:
         return self.parameters(self.draws(first, count, seed))
 
 
+def _unit(tolerance: Tolerance, alike: ArrayDesign) -> float:
+    """Unit of the deviation of a strain, a ratio, or of the thickness of glue, m."""
+    if tolerance.quantity == "prestrain":
+        return 1.0
+    return metres(alike.membrane.glue_thickness) if tolerance.kind == "relative" else metres(1.0)
+
+
 class _Discs:
     """Compliance and modes of a design's membrane for other openings, thicknesses and moduli.
 
@@ -345,6 +379,7 @@ class _Discs:
         self._fit = np.polynomial.chebyshev.chebfit(place, values, self.nodes - 1)
         self._modes = share.shape[1]
         self._design, self._bulged = design, design.air.overpressure
+        self._mounted = 1 / design_mounting_ratio(design)
 
     def _range(self, tolerances: Sequence[Tolerance]) -> tuple[float, float]:
         """Smallest and largest ratio of thickness and opening that may be drawn."""
@@ -372,7 +407,7 @@ class _Discs:
         place = (2 * np.log(ratio) - np.log(low) - np.log(high)) / (np.log(high) - np.log(low))
         values = np.moveaxis(np.polynomial.chebyshev.chebval(place, self._fit), 0, -1)
         scale = opening / self.opening
-        compliance = np.exp(values[..., 0]) * scale**3 / modulus
+        compliance = np.exp(values[..., 0]) * scale**3 / (modulus * self._mounted)
         share = np.clip(values[..., 1 : 1 + self._modes], 0, None)
         frequency = np.exp(values[..., 1 + self._modes :]) / (2 * math.pi * opening[..., None])
         if self._bulged:
@@ -380,4 +415,5 @@ class _Discs:
             stiffness = modulus * (ratio / (self.thickness / self.opening)) ** 4
             softer = design_bulge_ratio(self._design, self._bulged, stiffness)
             compliance, modulus = compliance * softer, modulus / softer
+        modulus = modulus * self._mounted
         return compliance, share / share.sum(axis=-1, keepdims=True), frequency * np.sqrt(modulus)[..., None]

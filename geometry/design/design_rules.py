@@ -143,6 +143,15 @@ def _membrane_shape(design: StatedArray) -> Iterator[Refusal]:
             f"1 for membrane.shape = {membrane.shape!r}: only a flat disc is stretched evenly",
             unit="",
         )
+    if membrane.shape != "flat" or membrane.stretch != 1:
+        other = "shape" if membrane.shape != "flat" else "stretch"
+        for name, fits in (("prestrain", 0.0), ("gluing_temperature", None), ("glue_thickness", 0.0)):
+            if getattr(membrane, name) != fits:
+                problem = f"needs a flat disc that is not stretched; membrane.{other} is {getattr(membrane, other)}"
+                yield conflict(f"membrane.{name}", getattr(membrane, name), problem=problem, unit="")
+    if membrane.glue_thickness and membrane.mounting == "clamped":
+        problem = "goes with membrane.mounting = 'rim': the rim of a clamped disc cannot move"
+        yield conflict("membrane.glue_thickness", membrane.glue_thickness, problem=problem)
     if membrane.total_height - membrane.thickness > cavity:
         name = "rim_height" if membrane.shape == "rim" else "boss_height"
         yield conflict(

@@ -187,6 +187,8 @@ class StatedArray(Section):
         """Names of the materials of all parts, each after its field."""
         yield "membrane.material", self.membrane.material
         yield "printing.material", self.printing.material
+        if self.membrane.glue_material is not None:
+            yield "membrane.glue_material", self.membrane.glue_material
         if self.resonator.floor_material is not None:
             yield "resonator.floor_material", self.resonator.floor_material
         for field, tube, _ in self.stated_tubes():

@@ -162,6 +162,35 @@ class Membrane(Section):
         le=1.9,
         description="lengths in the plane of the mounted disc divided by those of the cast disc",
     )
+    prestrain: Number = Field(
+        default=0.0,
+        ge=-0.02,
+        le=0.05,
+        description="small strain in the plane of the mounted disc, such as from shrinkage as it cures; negative: "
+        "pressed together",
+    )
+    gluing_temperature: Number | None = Field(
+        default=None,
+        ge=-20,
+        le=150,
+        description="temperature at which the disc was glued without stress; default: that of the air, always",
+        json_schema_extra={"unit": "degC"},
+    )
+    expansion_mismatch: Number = Field(
+        default=220.0,
+        ge=0,
+        le=1000,
+        description="linear thermal expansion of the disc beyond that of the shell; counts with gluing_temperature",
+        json_schema_extra={"unit": "1e-6/K"},
+    )
+    glue_thickness: Number = Field(
+        default=0.0,
+        ge=0,
+        le=1,
+        description="thickness of the layer of glue under the rim; 0: the glue does not yield",
+        json_schema_extra={"unit": "mm"},
+    )
+    glue_material: str | None = Field(default=None, description="material of that glue; default: that of the disc")
     shape: Literal["flat", "rim", "boss"] = Field(
         default="flat",
         description="flat: a disc; rim: thicker on the rim, outside the cavity; boss: with a button to be touched",

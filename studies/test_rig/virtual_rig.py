@@ -34,13 +34,14 @@ from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir, design_air, medium_of, standard_pressure
 from acoustic_fem.quantities.microphone_signals import OUTPUTS, Output
+from acoustic_fem.quantities.units import metres
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
 from studies.output.folders import check_folder, make_folder
-from studies.test_rig.enclosed_by_rig import bulged_sensor
+from studies.test_rig.hidden_membranes import bulged_sensor, mounted_sensor
 
 Complex = NDArray[np.complex128]
 
@@ -75,6 +76,8 @@ _RANGES = {
     "climb": (-1e3, 3e3),
     "humidity": (0.0, 1.0),
     "hours": (0.0, 1e4),
+    "prestrain": (-0.02, 0.05),
+    "glue": (0.0, 1.0),
 }
 
 
@@ -117,6 +120,11 @@ class HiddenScatter(PartScatter):
     """Height above the place where the enclosed air was at rest, m: a shift. Standard atmosphere."""
     humidity: float | None = None
     """Relative humidity of the air at the membranes, 0 to 1; sweat has 0.85. None: that of the design."""
+    prestrain: float = 0.0
+    """Strain with which all membranes are mounted beyond that of the design, a ratio: a shift. Silicone that was glued
+    at 60 degC has 0.009."""
+    glue: float = 0.0
+    """Thickness of the glue under the rims beyond that of the design, mm: a shift."""
     hours: float = 0.25
     """Time since the warming and the climb, h: vapour is through the membranes in minutes, air in hours."""
 
@@ -247,6 +255,7 @@ class Rig:
             membrane_frequency=self.hidden.membrane_frequency * np.sqrt(stiffer),
         )
         self.hidden = _relaxing(self.hidden, abs(float(steeper)) * scatter.slope)
+        self.hidden = mounted_sensor(self.hidden, self.design, scatter.prestrain, metres(scatter.glue))
         rested = LocalAir(pressure, None, air.temperature + warmer)
         self.overpressure = 0.0
         """Static pressure of the enclosed air above that outside, Pa."""

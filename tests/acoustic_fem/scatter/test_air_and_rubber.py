@@ -132,6 +132,28 @@ def test_bulged_membranes_that_scatter_are_those_of_a_changed_design(changed: di
     assert exact.membrane_compliance[0, 0] < 0.85 * flat.membrane_compliance[0, 0]
 
 
+@pytest.mark.parametrize(
+    ("tolerance", "field", "steps"),
+    [
+        (Tolerance("prestrain", 0.001, "absolute", "a test"), "prestrain", 0.001),
+        (Tolerance("glue_thickness", 0.02, "absolute", "a test"), "glue_thickness", 0.02),
+        (Tolerance("glue_thickness", 0.2, "relative", "a test"), "glue_thickness", 0.02),
+    ],
+)
+def test_strain_and_glue_that_scatter_are_those_of_a_changed_design(
+    tolerance: Tolerance, field: str, steps: float
+) -> None:
+    glued = DESIGN.with_values({"membrane.prestrain": 0.002, "membrane.glue_thickness": 0.1})
+    scattered = ScatteredDesign(glued, (tolerance,))
+    drawn = np.array([[-1.5, 0.0, 1.0, 2.5]])
+    found = scattered.parameters({field: drawn})
+    nominal = getattr(glued.membrane, field)
+    for point, draw in enumerate(drawn[0]):
+        exact = ArrayParameters.from_design(glued.with_values({f"membrane.{field}": nominal + draw * steps}))
+        assert found.membrane_compliance[0, point] == pytest.approx(exact.membrane_compliance[0, 0], rel=1e-3)
+        assert found.membrane_frequency[0, point] == pytest.approx(exact.membrane_frequency[0, 0], rel=1e-3)
+
+
 def test_ranges_that_descend_or_leave_what_air_may_have_are_refused() -> None:
     with refused(Kind.OUT_OF_RANGE, "air_and_rubber.slope"):
         AirAndRubber(slope=(2.0, 1.0))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from functools import cache
 
 import pytest
 
@@ -17,7 +16,6 @@ from studies.run.enclosed_air import EnclosedFindings, enclosed_findings
 ARRAY = prototype("array-2x6")
 
 
-@cache
 def findings(design: ArrayDesign = ARRAY) -> EnclosedFindings:
     return enclosed_findings(design, acoustic_fem.solve(design, [1.0, 10.0, 100.0], "lumped"))
 

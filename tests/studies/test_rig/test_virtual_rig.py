@@ -14,6 +14,7 @@ from acoustic_fem import LocalAir
 from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.calibration.manifest import read_manifest
 from acoustic_fem.enclosed import enclosed_air
+from acoustic_fem.membrane import design_mounting_ratio
 from acoustic_fem.network import output_response
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.sound import transfer_estimate
@@ -81,6 +82,16 @@ def test_a_worn_sensor_is_bulged_by_its_enclosed_air_each_membrane_by_its_stiffn
     assert rested.overpressure == 0
     with refused(Kind.OUT_OF_RANGE, "humidity"):
         HiddenScatter(humidity=1.5)
+
+
+def test_its_membranes_are_mounted_with_strain_and_on_glue() -> None:
+    plain, mounted = (
+        Rig(small_design(), 1, each, fidelity="lumped").hidden
+        for each in (STILL, replace(STILL, prestrain=0.002, glue=0.1))
+    )
+    design = small_design().with_values({"membrane.prestrain": 0.002, "membrane.glue_thickness": 0.1})
+    softer = mounted.membrane_compliance / plain.membrane_compliance
+    assert softer == pytest.approx(np.full(softer.shape, design_mounting_ratio(design)))
 
 
 def test_the_air_is_that_of_its_place() -> None:
