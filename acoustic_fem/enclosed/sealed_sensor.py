@@ -159,7 +159,7 @@ class SealedSensor:
                 field="overpressure",
                 remedy="give the sensor a vent",
             )
-        return float(brentq(excess, *sorted((0.0, end)), xtol=1e-6, rtol=1e-12))
+        return float(brentq(excess, 0.0, end, xtol=1e-6, rtol=1e-12))
 
     def time_constant(self, pressure: float, conductance: float) -> float:
         """Time in which a small static pressure falls to 1/e through a leak, s.

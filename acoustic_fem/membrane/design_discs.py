@@ -38,9 +38,8 @@ def design_disc(
     design = resolve_design(design)
     density = design.material(design.membrane.material).density
     sizes, options = _membrane_of(design, contact_radius)
-    radius, thickness, modulus, *others = sizes
-    modulus *= design_stiffening(design)
-    return solve_disc(radius, thickness, modulus, *others, density, options, known)
+    radius, thickness, modulus, ratio, rim = sizes
+    return solve_disc(radius, thickness, modulus * design_stiffening(design), ratio, rim, density, options, known)
 
 
 def design_stiffening(design: DesignLike) -> float:

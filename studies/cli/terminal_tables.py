@@ -237,8 +237,10 @@ def _show_enclosed(enclosed: EnclosedFindings) -> None:
                 change.state, f"{change.overpressure:.0f}", f"{change.compliance:+.0f}", f"{change.response:.0f}"
             )
         show_narrow(table)
-    for line in enclosed.lines:
-        _tell_wrapped(line)
+    table = table_of("enclosed air", "")
+    for row in enclosed.rows:
+        table.add_row(*row)
+    show_narrow(table)
 
 
 def show_verdict(verdict: Verdict) -> None:

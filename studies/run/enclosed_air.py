@@ -52,22 +52,25 @@ class EnclosedFindings:
     """Reason why nothing is known of the bulge; empty if it is."""
 
     @property
-    def lines(self) -> tuple[str, ...]:
-        """Lines on how long a static pressure lasts, and on the vent that would help."""
+    def rows(self) -> tuple[tuple[str, str], ...]:
+        """Name and value of how long a static pressure lasts, and of the vent that would help."""
         if self.unknown:
-            return (f"enclosed air is not checked: {self.unknown}",)
+            return (("enclosed air", f"is not checked: {self.unknown}"),)
         if self.vent is None:
-            corner = 1 / (2 * math.pi * self.leak_seconds)
+            level = 10 * math.log10(1 + 1 / (2 * math.pi * self.leak_seconds) ** 2)
             return (
-                f"the leak lets a static pressure out in {self.leak_seconds:.2g} s, so these states pass by themselves",
-                f"and takes {10 * math.log10(1 + corner**2):.2g} dB at 1 Hz",
+                ("these pressures last", f"{self.leak_seconds:.2g} s, because of the leak"),
+                ("the leak takes", f"{level:.2g} dB at 1 Hz"),
             )
         vent = self.vent
         return (
-            f"the sensor is sealed: these states last for {self.hours:.2g} h, until air has left through the silicone",
-            f"a vent of {vent.diameter:.2g} mm bore and {vent.length:g} mm length in one resonator lets it out in "
-            f"{vent.time_constant:.2g} s",
-            f"and takes {-vent.level(1.0):.2g} dB at 1 Hz (point_kinds, leak_diameter)",
+            ("these pressures last", f"{self.hours:.2g} h, until air has left through the silicone"),
+            (
+                "a vent would help",
+                f"{vent.diameter:.2g} mm bore, {vent.length:g} mm long, in one resonator (point_kinds, leak_diameter)",
+            ),
+            ("with it they last", f"{vent.time_constant:.2g} s"),
+            ("and it takes", f"{-vent.level(1.0):.2g} dB at 1 Hz"),
         )
 
     def to_dict(self) -> dict[str, Any]:

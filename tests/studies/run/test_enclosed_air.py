@@ -51,4 +51,4 @@ def test_a_membrane_whose_bulge_is_not_known_is_named() -> None:
     found = findings(ARRAY.with_values(stretched))
     assert found.changes == ()
     assert "membrane.stretch" in found.unknown
-    assert len(found.lines) == 1
+    assert len(found.rows) == 1
