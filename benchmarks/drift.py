@@ -37,8 +37,6 @@ DRIFTS = {
     "modulus -20 %": HiddenScatter(modulus=0.8),
     "modulus +15 %": HiddenScatter(modulus=1.15),
     "2000 m altitude": HiddenScatter(altitude=2000.0),
-    "worn, sweating": HiddenScatter(warming=12.0, humidity=0.85),
-    "fast climb, 1000 m": HiddenScatter(climb=1000.0, hours=0.0),
 }
 
 

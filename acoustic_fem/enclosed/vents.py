@@ -45,8 +45,21 @@ class Vent:
         Raises:
             Refusal: a frequency that is not above 0.
         """
-        check_range("frequency", frequency, 0, math.inf, "Hz", excluded="low")
-        return -10 * math.log10(1 + (self.corner / frequency) ** 2)
+        return vent_level(self.time_constant, frequency)
+
+
+def vent_level(time_constant: float, frequency: float) -> float:
+    """Level of a pressure in all cavities with a vent by that without it, at most 0, dB.
+
+    Args:
+        time_constant: time in which a static pressure falls to 1/e, s.
+        frequency: Hz.
+
+    Raises:
+        Refusal: a frequency that is not above 0.
+    """
+    check_range("frequency", frequency, 0, math.inf, "Hz", excluded="low")
+    return -10 * math.log10(1 + 1 / (2 * math.pi * time_constant * frequency) ** 2)
 
 
 def design_vent(design: DesignLike) -> float:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from acoustic_fem import Library, LocalAir
-from acoustic_fem.enclosed import SealedSensor, Vent, design_vent, enclosed_air, suggested_vent
+from acoustic_fem.enclosed import SealedSensor, Vent, design_vent, enclosed_air, suggested_vent, vent_level
 from acoustic_fem.quantities.medium import GAS_CONSTANT
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
@@ -57,10 +57,9 @@ class EnclosedFindings:
         if self.unknown:
             return (("enclosed air", f"is not checked: {self.unknown}"),)
         if self.vent is None:
-            level = 10 * math.log10(1 + 1 / (2 * math.pi * self.leak_seconds) ** 2)
             return (
                 ("these pressures last", f"{self.leak_seconds:.2g} s, because of the leak"),
-                ("the leak takes", f"{level:.2g} dB at 1 Hz"),
+                ("the leak takes", _levels(self.leak_seconds)),
             )
         vent = self.vent
         return (
@@ -70,7 +69,7 @@ class EnclosedFindings:
                 f"{vent.diameter:.2g} mm bore, {vent.length:g} mm long, in one resonator (point_kinds, leak_diameter)",
             ),
             ("with it they last", f"{vent.time_constant:.2g} s"),
-            ("and it takes", f"{-vent.level(1.0):.2g} dB at 1 Hz"),
+            ("and it takes", _levels(vent.time_constant)),
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -119,6 +118,12 @@ def enclosed_findings(design: ArrayDesign, library: Library) -> EnclosedFindings
     hours = sensor.time_constant(air.pressure, conductance) / 3600
     vent = suggested_vent(design) if sensor.leak == 0 else None
     return EnclosedFindings(tuple(changes), hours, design_vent(design), vent)
+
+
+def _levels(seconds: float) -> str:
+    """Words on the level that a vent takes from low frequencies, by the time in which a pressure falls to 1/e."""
+    each = (f"{-vent_level(seconds, frequency):.2g} dB at {frequency:g} Hz" for frequency in (1.0, 0.1))
+    return " and ".join(each)
 
 
 def _climbed() -> float:
