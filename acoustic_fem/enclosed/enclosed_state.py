@@ -69,9 +69,8 @@ def enclosed_air(
     checked_air(air)
     design = resolve_design(design)
     check_range("hours", hours, 0, math.inf, "h")
-    present = design.with_values((air or LocalAir()).design_values).air
-    filled = design.air
-    sensor = SealedSensor.of(design, stiffness)
+    filled, design = design.air, design.with_values((air or LocalAir()).design_values)
+    present, sensor = design.air, SealedSensor.of(design, stiffness)
     before, kelvin = filled.temperature + _ZERO, present.temperature + _ZERO
     saturated, outside = saturation_pressure(kelvin), present.pressure
     wet = filled.humidity * saturation_pressure(before)

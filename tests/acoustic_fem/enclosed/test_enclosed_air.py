@@ -65,6 +65,13 @@ def test_a_worn_and_a_carried_sensor_have_the_pressures_of_the_audit_while_their
     assert higher < enclosed_air(ARRAY, LocalAir(altitude=1000.0)).overpressure < 1.4 * higher
 
 
+def test_a_membrane_that_warming_presses_together_makes_more_room() -> None:
+    air = LocalAir(temperature_c=32.0)
+    glued = ARRAY.with_values({"membrane.gluing_temperature": 20.0})
+    pressed, free = (enclosed_air(each, air).overpressure for each in (glued, ARRAY))
+    assert 0.85 * free < pressed < 0.97 * free
+
+
 def test_a_stiffer_membrane_holds_more_pressure() -> None:
     air = LocalAir(temperature_c=32.0)
     soft, stiff = (enclosed_air(ARRAY, air, stiffness=factor) for factor in (0.8, 1.25))
