@@ -10,6 +10,7 @@ import numpy as np
 
 from acoustic_fem import Library, LocalAir
 from acoustic_fem.enclosed import SealedSensor, Vent, design_vent, enclosed_air, suggested_vent, vent_level
+from acoustic_fem.membrane import design_stiffening
 from acoustic_fem.quantities.medium import GAS_CONSTANT
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
@@ -108,7 +109,7 @@ def enclosed_findings(design: ArrayDesign, library: Library) -> EnclosedFindings
                 EnclosedChange(
                     state,
                     found.overpressure,
-                    100 * (found.compliance_ratio - 1),
+                    100 * (_softer(design, moved.design) - 1),
                     100 * float(np.abs(ratio - 1).max()),
                 )
             )
@@ -118,6 +119,12 @@ def enclosed_findings(design: ArrayDesign, library: Library) -> EnclosedFindings
     hours = sensor.time_constant(air.pressure, conductance) / 3600
     vent = suggested_vent(design) if sensor.leak == 0 else None
     return EnclosedFindings(tuple(changes), hours, design_vent(design), vent)
+
+
+def _softer(before: ArrayDesign, after: ArrayDesign) -> float:
+    """Compliance of the membranes by that before, the mean of all points: by their bulge and their strain."""
+    ratios = [design_stiffening(before.of_kind(kind)) / design_stiffening(after.of_kind(kind)) for kind in before.kinds]
+    return float(np.mean([ratios[kind] for kind in before.kind_of_point]))
 
 
 def _levels(seconds: float) -> str:
