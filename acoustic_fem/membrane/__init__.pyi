@@ -24,7 +24,7 @@ from .disc_table import (
     disc_tables as disc_tables,
 )
 from .elasticity import ElasticDisc as ElasticDisc, solve_dimensionless as solve_dimensionless
-from .half_section import DiscShape as DiscShape
+from .half_section import DiscShape as DiscShape, Mounting as Mounting
 from .large_deflection import (
     BulgeResponse as BulgeResponse,
     FlatPunch as FlatPunch,
@@ -39,7 +39,7 @@ from .large_deflection import (
     press as press,
     press_curve as press_curve,
 )
-from .mounting import Mounting as Mounting, mounting_ratio as mounting_ratio
+from .mounting import mounting_ratio as mounting_ratio
 from .pressing_limits import PressLimits as PressLimits, press_limits as press_limits
 from .rubber import (
     ELASTIC as ELASTIC,

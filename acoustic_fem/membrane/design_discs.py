@@ -7,8 +7,8 @@ from numpy.typing import ArrayLike
 
 from acoustic_fem.membrane.bulged import BulgeLaw, bulge_law
 from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, shape_of_disc, solve_disc
-from acoustic_fem.membrane.half_section import DiscShape
-from acoustic_fem.membrane.mounting import FITTING, Mounting, mounting_ratio
+from acoustic_fem.membrane.half_section import FITTING, DiscShape, Mounting
+from acoustic_fem.membrane.mounting import mounting_ratio
 from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.units import metres, pascals
@@ -88,7 +88,10 @@ def design_mounting(design: DesignLike, prestrain: float = 0.0, glue_thickness: 
 def design_mounting_ratio(design: DesignLike, prestrain: float = 0.0, glue_thickness: float = 0.0) -> float:
     """Compliance of the membrane of a design for small signals by that of one that fits, on rigid glue.
 
-    Arguments as for :func:`design_mounting`.
+    Args:
+        design: the array, in the air whose temperature counts.
+        prestrain: further strain, a ratio.
+        glue_thickness: further thickness of the glue, m.
 
     Raises:
         Refusal: a membrane that is pressed together until it all but buckles.

@@ -20,8 +20,7 @@ import numpy as np
 import skfem
 from numpy.typing import NDArray
 
-from acoustic_fem.membrane.half_section import DiscShape, graded_from_both
-from acoustic_fem.membrane.mounting import FITTING, Mounting
+from acoustic_fem.membrane.half_section import FITTING, DiscShape, Mounting, graded_from_both
 from geometry.ground.typed import Array
 
 #: Radial steps are at most max(thickness, this) / (refinement + 1).

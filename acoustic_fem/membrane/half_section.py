@@ -68,6 +68,21 @@ class DiscShape:
     """
 
 
+@dataclass(frozen=True)
+class Mounting:
+    """Strain and glue with which a disc is mounted."""
+
+    prestrain: float = 0.0
+    """Strain of a disc that was too small for its rim, the same in all directions, a ratio; negative of one that was
+    too large. Free of stress it would be shorter by this fraction."""
+    soft_glue: tuple[float, float] | None = None
+    """Stiffness of the layer of glue under the rim by its area, along it and across it, in E / a; None: rigid."""
+
+
+#: A disc that fits, on rigid glue.
+FITTING = Mounting()
+
+
 class Matrices(NamedTuple):
     """Matrices of the free unknowns: displacements along r, then along z, then pressures."""
 

@@ -9,13 +9,13 @@ G / t along it and by its constrained modulus M / t across it.
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from acoustic_fem.membrane.half_section import DiscShape
+from acoustic_fem.membrane.half_section import FITTING, DiscShape, Mounting
 from acoustic_fem.numerics import disk_cache
 from geometry.ground.refusal import Kind, Refusal
 
@@ -28,21 +28,6 @@ BUCKLING = 3.0
 """Compliance by that of the disc that fits at which a disc that is pressed together all but buckles, a ratio."""
 #: Refinement of the section, as for tables of presses.
 _REFINEMENT = 2
-
-
-@dataclass(frozen=True)
-class Mounting:
-    """Strain and glue with which a disc is mounted."""
-
-    prestrain: float = 0.0
-    """Strain of a disc that was too small for its rim, the same in all directions, a ratio; negative of one that was
-    too large. Free of stress it would be shorter by this fraction."""
-    soft_glue: tuple[float, float] | None = None
-    """Stiffness of the layer of glue under the rim by its area, along it and across it, in E / a; None: rigid."""
-
-
-#: A disc that fits, on rigid glue.
-FITTING = Mounting()
 
 
 @lru_cache(maxsize=1024)
