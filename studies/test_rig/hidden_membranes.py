@@ -11,6 +11,7 @@ from acoustic_fem.enclosed import enclosed_air
 from acoustic_fem.membrane import design_bulge_ratio, design_mounting_ratio
 from acoustic_fem.quantities.local_air import LocalAir
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 
 
@@ -27,8 +28,12 @@ def bulged_sensor(
         stiffness: Young's modulus of all membranes together by that of the design, a ratio.
 
     Raises:
-        Refusal: a membrane that is stretched or not flat, air out of range, or no equilibrium.
+        Refusal: a design whose enclosed air is not at rest, a membrane that is stretched or not flat, air out of range,
+            or no equilibrium.
     """
+    if rested.air.overpressure:
+        problem = "must be 0 if the rig is warmed, carried up or in other humidity, because its air was at rest before"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="air.overpressure", value=rested.air.overpressure, unit="Pa")
     found = enclosed_air(rested, present, hours=hours, stiffness=stiffness)
     nominal = np.array(
         [ArrayParameters.from_design(rested.of_kind(kind)).membrane_compliance[0, 0] for kind in rested.kinds]

@@ -80,6 +80,8 @@ def test_a_worn_sensor_is_bulged_by_its_enclosed_air_each_membrane_by_its_stiffn
     own, softer = flat.membrane_compliance[0], (bulged.membrane_compliance / flat.membrane_compliance)[0]
     assert (np.diff(softer[np.argsort(own)]) < 0).all()
     assert rested.overpressure == 0
+    with refused(Kind.CONFLICT, "air.overpressure"):
+        Rig(small_design().with_values({"air.overpressure": 10.0}), 1, replace(still, climb=100.0), fidelity="lumped")
     with refused(Kind.OUT_OF_RANGE, "humidity"):
         HiddenScatter(humidity=1.5)
 
