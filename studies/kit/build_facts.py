@@ -166,7 +166,7 @@ def _dangers(model: ArrayModel, bill: Bill, process: PrintProcess) -> Iterator[D
     glues = dict.fromkeys(filter(None, (glue_of(bill, joint) for joint in ("tube", "membrane", "board"))))
     for glue in glues:
         words = next((text for word, text in _GLUE_DANGERS.items() if word in glue.chemistry), _OTHER_GLUE)
-        yield Danger(f"{glue.name} ({glue.chemistry})", f"{words} {glue.note}".strip())
+        yield Danger(f"{glue.name} ({glue.chemistry})", words)
 
 
 def wiring_of(design: ArrayDesign) -> Wiring:

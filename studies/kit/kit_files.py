@@ -35,6 +35,10 @@ _PLACES: dict[Origin, str] = {
 }
 
 
+#: Name of the file that a maker opens first.
+FIRST = "READ-ME-FIRST.txt"
+
+
 @dataclass(frozen=True)
 class KitFiles:
     """A kit that was written, and the findings on its parts."""
@@ -94,6 +98,7 @@ def write_kit(
     manual = write_manual(
         model, folder, plates, shapes, printing, order, process, lambda what, done: report(what, 0.75 + 0.25 * done)
     )
+    write_text(folder / FIRST, _first_words(design.name))
     report("done", 1.0)
     return KitFiles(manual, page, files, printing, order, plates.too_large)
 
@@ -129,6 +134,24 @@ def _write_orders(model: ArrayModel, plates: Plates, process: PrintProcess, fold
     write_text(folder / "work-hours.csv", order.work_csv())
     write_bill(bill, folder)
     return order
+
+
+def _first_words(name: str) -> str:
+    """Text of the file that a maker opens first."""
+    jobs = {
+        BUY: "order parts, consumables and tools: order-list.csv",
+        PRINT: "print the plates in the order of their numbers, molds first",
+        CAST: "cast the membranes while the array is printed",
+        CUT: "cut springs and sheaths on the template",
+        BUILD: "glue, test, mount, record and calibrate",
+    }
+    lines = [
+        f"Kit of {name}",
+        "",
+        f"Open {BUILD}/manual.html in a browser: it leads through all steps. Jobs in order:",
+        "",
+    ]
+    return "\n".join([*lines, *(f"{job}  {words}" for job, words in jobs.items())]) + "\n"
 
 
 def _made(folder: Path) -> Path:

@@ -166,8 +166,8 @@ def _stack_picture(model: ArrayModel, group: str, kinds: Sequence[PartKind], wor
             colour, opacity = LOOKS[kind]
             plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
             anchor = (float(mesh.bounds[1]) + 0.5, 0.0, float(mesh.center[2]))
-            draw_labels(plotter, [anchor], [words[kind]], _WORDS, ("left", "center"))
-        aim(plotter, (0.2, -1.0, 0.5), left=0.25, right=0.35)
+            draw_labels(plotter, [anchor], [words[kind]], 26, ("left", "center"))
+        aim(plotter, (0.2, -1.0, 0.5), left=0.1, right=0.45)
         save_picture(plotter, path)
 
     return _png(draw)

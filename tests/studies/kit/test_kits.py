@@ -82,6 +82,8 @@ def test_the_folder_has_the_five_jobs_and_all_their_files(kit: studies.MadeParts
     for job, names in FILES.items():
         for name in names:
             assert (kit.folder / job / name).stat().st_size > 40, f"{job}/{name}"
+    first = (kit.folder / "READ-ME-FIRST.txt").read_text(encoding="utf-8")
+    assert [line.split()[0] for line in first.splitlines()[4:]] == list(JOBS)
     listed = (kit.folder / "files.txt").read_text(encoding="utf-8").split()
     written = {path.relative_to(kit.folder).as_posix() for path in kit.folder.rglob("*") if path.is_file()}
     assert set(listed) == written

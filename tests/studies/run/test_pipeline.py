@@ -44,7 +44,8 @@ def test_the_folder_of_a_run_is_complete() -> None:
     assert names == {
         MARK, "design.toml", "library.nc", "parts", "localizer", "figures", "results.json", "report.html", MANIFEST
     }  # fmt: skip
-    assert sorted(path.name for path in (folder / "parts").iterdir()) == list(JOBS)  # the kit that parts writes
+    kit = sorted(path.name for path in (folder / "parts").iterdir())  # the kit that the verb parts writes
+    assert kit == [*JOBS, "READ-ME-FIRST.txt"]
     assert (folder / "parts" / BUILD / "manual.html").is_file()
     assert (folder / "parts" / BUY / "bill.json").is_file()
     places = (f"{PRINT}/parts", f"{CAST}/reference", f"{BUILD}/reference")
