@@ -27,14 +27,19 @@ if TYPE_CHECKING:
 SPACING = 3.0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Plate:
     """A plate of a machine and what lies on it."""
 
     path: Path
     """Path of its 3MF file."""
-    copies: dict[str, int]
-    """How many copies of each part lie on it, by name."""
+    places: dict[str, tuple[Array, ...]]
+    """Matrix that lays each copy of each part, by name, (4, 4) float64 each, mm."""
+
+    @property
+    def copies(self) -> dict[str, int]:
+        """How many copies of each part lie on it, by name."""
+        return {name: len(places) for name, places in self.places.items()}
 
 
 @dataclass(frozen=True)
@@ -104,7 +109,7 @@ def export_plates(
             if (read := sorted(read_3mf(beside))) != sorted(distinct):
                 problem = f"has the parts {', '.join(read)} instead of {', '.join(sorted(distinct))}"
                 raise Refusal(problem, kind=Kind.NO_RESULT, file=path)
-        plates.append(Plate(path, {body.name: len(body.places) for body in bodies}))
+        plates.append(Plate(path, {body.name: tuple(body.places) for body in bodies}))
     return Plates(tuple(plates), tuple(too_large))
 
 

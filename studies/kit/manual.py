@@ -98,7 +98,7 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
     return {
         "design": design,
         "facts": facts,
-        "pictures": _pictures(facts, report),
+        "pictures": _pictures(facts, shapes, report),
         "drawings": _drawings(facts),
         "jobs": {"buy": BUY, "print": PRINT, "cast": CAST, "cut": CUT, "build": BUILD},
         "answers": answers_of(facts),
@@ -128,13 +128,13 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
     }
 
 
-def _pictures(facts: Facts, report: Report) -> dict[str, str]:
+def _pictures(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dict[str, str]:
     """Pictures of steps as addresses that hold them."""
     model, plates = facts.model, facts.plates.plates
     last = plates[-1]
     drawn: dict[str, Callable[[], bytes]] = {
-        "molds": lambda: step_pictures.plate_picture(plates[0], facts.process),
-        "plate": lambda: step_pictures.plate_picture(last, facts.process),
+        "molds": lambda: step_pictures.plate_picture(plates[0], shapes, facts.process),
+        "plate": lambda: step_pictures.plate_picture(last, shapes, facts.process),
         "parts": lambda: step_pictures.parts_picture(model),
         "mold": lambda: step_pictures.mold_picture(model),
         "membrane": lambda: step_pictures.membrane_picture(model),

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pyvista as pv
-import trimesh
 
 import geometry
 from geometry.assembly.model import LOOKS, ArrayModel, PartKind
+from geometry.formats.part_files import SharedShape
 from geometry.ground.typed import Array
 from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
 from geometry.printing.plates import Plate
@@ -39,18 +39,19 @@ def _png(draw: Callable[[Path], object]) -> bytes:
         return path.read_bytes()
 
 
-def plate_picture(plate: Plate, process: PrintProcess) -> bytes:
-    """A plate of the printer with what lies on it, as its file has it."""
+def plate_picture(plate: Plate, shapes: Sequence[SharedShape], process: PrintProcess) -> bytes:
+    """A plate of the printer with what lies on it."""
     width, depth, _ = process.build_volume
+    facets = {shape.names[0]: shape.facets for shape in shapes}
 
     def draw(path: Path) -> None:
         plotter = open_plotter(_SIZE)
         ground = pv.Plane(center=(width / 2, depth / 2, -0.2), i_size=width, j_size=depth)
         plotter.add_mesh(ground, color=_PLATE, lighting=False)
-        scene = trimesh.load_scene(plate.path)
-        mesh = scene.to_geometry()
-        faces = pv.PolyData.from_regular_faces(np.asarray(mesh.vertices), np.asarray(mesh.faces))
-        plotter.add_mesh(faces, color=LOOKS["shell"][0], split_sharp_edges=True, smooth_shading=True)
+        for name, places in plate.places.items():
+            mesh = pv.PolyData.from_regular_faces(facets[name].vertices, facets[name].triangles)
+            copies = pv.merge([mesh.transform(place, inplace=False) for place in places])
+            plotter.add_mesh(copies, color=LOOKS["shell"][0], split_sharp_edges=True, smooth_shading=True)
         aim(plotter, (0.0, -0.5, 1.0))
         save_picture(plotter, path)
 
