@@ -12,11 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from acoustic_fem.batch import ArrayParameters
 from acoustic_fem.duct.leak import leak_conductance
-from acoustic_fem.membrane import bulge, design_membrane
-from acoustic_fem.quantities.local_air import design_air, medium_of
-from acoustic_fem.quantities.units import metres
+from acoustic_fem.membrane import bulge, design_disc, design_membrane
+from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.quantities.units import cubic_metres, metres
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 
@@ -68,11 +67,10 @@ def leak_tests(design: ArrayDesign) -> tuple[LeakTest, ...]:
 
 def _test_of(design: ArrayDesign, kind: str) -> LeakTest:
     air = design_air(design)
-    parameters = ArrayParameters.from_design(design, air)
-    membrane = float(np.asarray(parameters.membrane_compliance).min())
-    radius, height = (float(np.asarray(x).min()) for x in (parameters.cavity_radius, parameters.cavity_height))
+    membrane = float(np.real(design_disc(design).compliance(LARGEST_CORNER)))
+    radius = metres(design.resonator.cavity_diameter) / 2
     # Slow changes are isothermal.
-    cell = membrane + math.pi * radius**2 * height / medium_of(air).pressure
+    cell = membrane + cubic_metres(design.resonator.cavity_volume) / air.pressure
     pressure, rise, linear = _bulge(design, membrane, radius)
     largest = 2 * math.pi * LARGEST_CORNER * cell
     gauge = math.pi / 4 * GAUGE_BORE**2 / _WATER
