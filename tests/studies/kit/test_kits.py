@@ -253,7 +253,7 @@ def test_prusaslicer_slices_every_plate_without_error_repair_or_empty_layer(
     assert report["process"]["name"] == process.name
     for plate in sorted((kit.folder / PRINT).glob("plate-*.3mf")):
         sliced = tmp_path / f"{plate.stem}.sl1"
-        line = [program, "--export-sla", "--load", tmp_path / "process.ini", "--output", sliced, plate]
+        line = [program, "--export-sla", "--load", str(tmp_path / "process.ini"), "--output", str(sliced), str(plate)]
         done = subprocess.run(line, capture_output=True, text=True, timeout=600, check=False)
         said = (done.stdout + done.stderr).lower()
         assert done.returncode == 0, said[-500:]

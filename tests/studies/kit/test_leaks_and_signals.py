@@ -67,4 +67,5 @@ def test_a_hole_lowers_the_signal_of_its_point_as_the_design_with_that_leak_says
     ]
     (signal,) = expected_signals(one)
     assert signal.leak == pytest.approx(20 * np.log10(levels[1] / levels[0]), abs=0.02)
+    assert signal.leak is not None
     assert signal.leak < -0.1

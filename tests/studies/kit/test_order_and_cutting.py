@@ -7,6 +7,7 @@ import math
 import re
 import zlib
 from pathlib import Path
+from typing import Any
 
 import ezdxf
 import pytest
@@ -79,7 +80,7 @@ def test_the_template_has_every_piece_at_full_scale(design: str, tmp_path: Path)
     assert drawing.units == ezdxf.units.MM
     assert not drawing.audit().errors
     for what in ("spring", "sheath"):
-        drawn = drawing.modelspace().query(f'LWPOLYLINE[layer=="{what}"]')
+        drawn: list[Any] = list(drawing.modelspace().query(f'LWPOLYLINE[layer=="{what}"]'))
         lengths = {round(max(x for x, *_ in line) - min(x for x, *_ in line), 6) for line in drawn}
         assert lengths == {round(s.length, 6) for s in strips if s.what == what}
         assert all(line.closed for line in drawn)
