@@ -40,7 +40,7 @@ design = geometry.prototype("array-2x6").with_values(
 print(design.description, "-", design.layout.kind, "of", design.layout.diameter, "mm")
 
 # %% [markdown]
-# How good is it? `acoustic-fem check` prints these figures too.
+# How good is it? `acoustic-fem check --full` prints these figures too.
 
 # %%
 quality = design_quality(design)

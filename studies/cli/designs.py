@@ -13,14 +13,14 @@ import studies
 from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
 from geometry.formats.part_files import FORMATS
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
+from studies.cli.check_tables import show_check
 from studies.cli.options import Altitude, Design, Frequencies, OwnStock, Pressure, Temperature, display_on_stderr
-from studies.cli.stock_tables import show_stock_fit
 from studies.cli.terminal_tables import (
     say,
     show,
-    show_check,
     show_fields,
     show_findings,
+    show_folded,
     show_library,
     show_parts,
     show_verdict,
@@ -82,14 +82,16 @@ def check(
             metavar="FILE", help="New design file to write, with the changes that help most, one after the other."
         ),
     ] = None,
+    full: Annotated[bool, typer.Option("--full", help="Print every table of the findings.")] = False,
 ) -> None:
     """Say whether a design will work, why not, and which change helps most.
 
     The verdict comes first: works, marginal or does not work, with the worst reasons and a computed remedy for each.
-    Four figures follow: as-built accuracy of taps, smallest force, size and cost. Then come the wiring, the layout, the
-    print rules and the validity of the models. The exit code is 0 if the design works, 3 if it is marginal, and 1 if it
-    does not work or cannot be read. With --fix the exit code is that of the fixed design. Parts are drawn and measured
-    but nothing is solved in 3-D, so it takes seconds. Guide: docs/verdict.md.
+    Four figures follow: as-built accuracy of taps, smallest force, size and cost. Everything else, such as the print
+    rules and the parts to buy, takes a line each with its worst finding; --full prints the tables. The exit code is 0
+    if the design works, 3 if it is marginal, and 1 if it does not work or cannot be read. With --fix the exit code is
+    that of the fixed design. Parts are drawn and measured but nothing is solved in 3-D, so it takes seconds. Guide:
+    docs/verdict.md.
 
     Example: [bold]acoustic-fem check mine.toml --fix fixed.toml[/bold]
     """
@@ -102,8 +104,7 @@ def check(
         check_new_file(fix, ".toml", kept="a design", option="fix")
     with display_on_stderr() as display:
         found = studies.check_design(design, out, picture=picture, display=display)
-    show_check(found)
-    show_stock_fit(found.stock)
+    show_check(found, full=full)
     if picture is not None:
         say(as_picture(picture))
     verdict = found.verdict
@@ -266,12 +267,8 @@ def run(
     """
     with display_on_stderr() as display:
         result = studies.run_design(design, out, allow_overlaps=allow_overlaps, display=display)
-    say(studies.run.summary(result))
-    table = table_of("top-1 accuracy", "trained localizer", "Bayes decoder", "tolerance-aware decoder")
-    for row in studies.run.accuracy_rows(result):
-        table.add_row(row.touches, row.localizer, row.bayes, row.tolerant)
-    show(table)
     show_verdict(result.verdict)
+    show_folded("more, in report.html", studies.run.folded_sections(result).values())
     say(f"{out / 'report.html'}")
 
 

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 _Answer = TypeVar("_Answer")
 _DEFAULTS = defaults_of(new_design)
+#: Length and width that are offered where the place has no usual ones, mm.
+_ROOM = (100.0, 60.0)
 
 
 def prototypes(
@@ -122,17 +124,21 @@ def _dialogue(given: dict[str, Any]) -> dict[str, Any]:
     """Options with answers in place of those that matter most and were not given; each is checked as it is given."""
     known = dict(given)
 
+    def check(values: dict[str, Any]) -> None:
+        question(**{**values, "size": values["size"] or _ROOM})  # it may still be asked, and "most" points need one
+
     def ask(field: str, words: str, usual: Any) -> None:
         if known[field] is None:
-            known[field] = _answer(words, usual, lambda value: question(**{**known, field: value}))
+            known[field] = _answer(words, usual, lambda value: check({**known, field: value}))
 
+    check(given)  # no answer would make a wrong option right
     if known["around"] is None:
         ask("place", f"Where does it go ({', '.join(PLACES)})?", "flat")
     place = PLACES[known["place"] or "wrist"]
     if place.around is not None:
         ask("around", "Circumference of what it goes around, mm?", place.around)
     elif known["pitch"] is None and known["place"] != "hand":
-        usual = place.size or (100.0, 60.0)
+        usual = place.size or _ROOM
         ask("size", "Length x width, mm?", f"{usual[0]:g}x{usual[1]:g}")
     if known["rows"] is None or known["columns"] is None:
         ask("points", "How many points?", str(place.points))
@@ -175,7 +181,7 @@ def _show_proposals(found: Proposals) -> None:
         figures = each.verdict.figures
         table.add_row(
             str(number),
-            each.strength,
+            each.strength.replace(", ", "\n"),
             str(each.design.point_count),
             " x ".join(f"{side:.1f}" for side in figures.size),
             force_in_words(figures.smallest_force),

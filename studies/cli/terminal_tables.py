@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import textwrap
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,22 +13,16 @@ from rich.console import Console
 from rich.table import Column, Table
 
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.extras import is_installed
 from geometry.ground.refusal import counted, in_one_line, visible
 from geometry.layout.cutting import cutting_list
-from geometry.plan.wiring_graph import WiringCounts
 from geometry.schema.declared_fields import fields_of
 from studies.kit.jobs import BUILD, BUY
-from studies.output.display import number
-from studies.verdict import SHOWN, figure_rows, reason_lines
+from studies.verdict import figure_rows, reason_lines
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from geometry.printing.printability import PrintReport
     from studies.kit.making import MadeParts
-    from studies.run.check import DesignCheck
-    from studies.run.enclosed_air import EnclosedFindings
-    from studies.run.quality import DesignQuality
     from studies.verdict import Verdict
 
 #: Blanks of a table: at both its edges, and between columns.
@@ -87,7 +81,7 @@ def show_narrow(table: Table) -> None:
     show(table, unbroken=_NARROW)
 
 
-def _tell_wrapped(text: str) -> None:
+def tell_wrapped(text: str) -> None:
     """Print one line on stdout; on a terminal a long one goes on below, broken between words."""
     line, width = in_one_line(text), _terminal_width()
     inside = len(line) - len(line.lstrip(" -"))
@@ -176,69 +170,15 @@ def show_fields() -> None:
     show(table)
 
 
-def show_check(found: DesignCheck) -> None:
-    """All findings on a design: the verdict, its reasons and remedies, four figures, then everything else."""
-    if found.verdict is not None:
-        show_verdict(found.verdict)
-    say(f"{found.design.name}: {found.buildability}")
-    if not _is_stated(found):
-        _show_first(found.overlaps or found.misfits, "- {}")
-    if found.mend:
-        _tell_wrapped(f"- {found.mend}")
-    _show_unjudged(found)
-    if found.printing is not None:
-        _show_verdict(found.printing)
-    length, width, height = max(found.size[:2]), min(found.size[:2]), found.size[2]
-    say(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
-    say(found.covered)
-    _show_quality(found.quality)
-    _show_wiring(found.wiring)
-    table = table_of("distinct cell", "places", numbers=(1,))
-    for cell, places in found.cells:
-        table.add_row(cell.label, str(places))
-    show_narrow(table)
-    if found.kinds:
-        table = table_of("kind", "of", "sizes", "count", numbers=(3,))
-        for kind in found.kinds:
-            table.add_row(kind.name or "as stated", kind.what, kind.sizes, str(kind.count))
-        show_narrow(table)
-    table = table_of("fidelity", "computing time, and error")
-    for line in found.fidelities:
-        table.add_row(*line.split(": ", 1))
-    show_narrow(table)
-    if found.part_counts:
-        _show_counts(found.part_counts)
-    _show_notes(found.notes, found.misfits if found.overlaps else ())
-    if found.fidelity.too_large:
-        _tell_wrapped(f"transfer functions are {found.fidelity.words}")
-    table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
-    for frequency, level, point in found.attenuation:
-        table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")
-    show_narrow(table)
-    _show_enclosed(found.enclosed)
-    table = table_of("the models assume", "value", "limit", "", numbers=(1,))
-    for item in found.validity:
-        table.add_row(
-            f"{item.assumption}\n  {item.meaning}",
-            f"{number(item.value)} {item.unit}",
-            f"{item.relation} {item.limit:g} {item.unit}",
-            "ok" if item.holds else "warn",
-        )
-    show_narrow(table)
-    if found.printing is not None:
-        _show_print_problems(found.printing)
+def show_folded(where: str, rows: Iterable[tuple[str, str]]) -> None:
+    """Print a line for each table that is not printed: its title and its worst finding.
 
-
-def _show_enclosed(enclosed: EnclosedFindings) -> None:
-    if enclosed.changes:
-        table = table_of("enclosed air", "pressure (Pa)", "compliance (%)", "responses (%)", numbers=(1, 2, 3))
-        for change in enclosed.changes:
-            table.add_row(
-                change.state, f"{change.overpressure:.0f}", f"{change.compliance:+.0f}", f"{change.response:.0f}"
-            )
-        show_narrow(table)
-    table = table_of("enclosed air", "")
-    for row in enclosed.rows:
+    Args:
+        where: heading, which says where the tables are.
+        rows: title and worst finding of each.
+    """
+    table = table_of(where, "worst finding")
+    for row in rows:
         table.add_row(*row)
     show_narrow(table)
 
@@ -247,54 +187,9 @@ def show_verdict(verdict: Verdict) -> None:
     """Print a verdict: its outcome, the worst reasons with their remedies, and the four figures."""
     say(f"{verdict.design.name}: {verdict.outcome}")
     for line in reason_lines(verdict):
-        _tell_wrapped(line)
+        tell_wrapped(line)
     table = table_of("figure", "value", "remark", numbers=(1,))
     for row in figure_rows(verdict):
-        table.add_row(*row)
-    show_narrow(table)
-
-
-def _is_stated(found: DesignCheck) -> bool:
-    """True if a reason of the verdict is the only problem; a table lists those of the print rules."""
-    shown = () if found.verdict is None else found.verdict.broken[:SHOWN]
-    return len(found.overlaps or found.misfits) == 1 and any(rule.name == "buildable" for rule in shown)
-
-
-def _show_unjudged(found: DesignCheck) -> None:
-    """Print the findings that need a package which is not installed."""
-    if not is_installed("train"):
-        tell("accuracy is not predicted because torch is missing: pip install 'acoustic-fem[train]'")
-    if found.printing is None:
-        tell("fit and printing are not checked because CadQuery is missing: pip install 'acoustic-fem[cad]'")
-
-
-def _show_counts(counts: Mapping[str, int]) -> None:
-    table = table_of("part", "count", numbers=(1,))
-    for part, count in counts.items():
-        table.add_row(part, str(count))
-    show_narrow(table)
-
-
-def _show_quality(quality: DesignQuality | None) -> None:
-    if quality is not None:
-        table = table_of("predicted quality", "value", "remark", numbers=(1,))
-        for row in quality.lines:
-            table.add_row(*row)
-        show_narrow(table)
-
-
-def _show_wiring(wiring: WiringCounts) -> None:
-    table = table_of("wiring", "", numbers=(1,))
-    lines = f"microphones joined by {counted(wiring.lines, 'line')}"
-    if wiring.most_lines > wiring.lines:
-        lines += f"; {wiring.most_lines} are possible"
-    for row in (
-        (lines, str(wiring.microphones)),
-        ("points", str(wiring.points)),
-        ("points per microphone", f"{wiring.points_per_microphone:.3g}"),
-        ("  compared with one microphone per point", f"{wiring.gain_over_one_transducer_per_point:.3g} times"),
-        ("  compared with rows + columns", f"{wiring.gain_over_row_column:.3g} times"),
-    ):
         table.add_row(*row)
     show_narrow(table)
 
@@ -348,35 +243,27 @@ def show_parts(made: MadeParts) -> None:
     say(f"which part goes to which point, and which tube between: {BUILD}/assembly.txt")
     for name in made.too_large:
         tell(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
-    _show_notes(made.notes, made.misfits)
+    show_notes(made.notes, made.misfits)
 
 
-def _show_notes(notes: tuple[str, ...], misfits: tuple[str, ...]) -> None:
+def show_notes(notes: tuple[str, ...], misfits: tuple[str, ...]) -> None:
     """Print the parts that could not be built as drawn, and the first parts that do not fit together."""
     for note in notes:
-        _tell_wrapped(f"note: {note}")
-    _show_first(misfits, "note: {}")
+        tell_wrapped(f"note: {note}")
+    show_first(misfits, "note: {}")
 
 
-def _show_first(lines: tuple[str, ...], form: str) -> None:
+def show_first(lines: tuple[str, ...], form: str) -> None:
     """The first of some lines, and how many more there are."""
     for line in lines[:_FIRST]:
-        _tell_wrapped(form.format(line))
+        tell_wrapped(form.format(line))
     if len(lines) > _FIRST:
         say(form.format(f"and {counted(len(lines) - _FIRST, 'more problem')}"))
 
 
 def show_findings(printing: PrintReport) -> None:
     """The print verdict and what leads to it."""
-    _show_verdict(printing)
-    _show_print_problems(printing)
-
-
-def _show_verdict(printing: PrintReport) -> None:
     tell(f"printing, {printing.process.title}: {printing.verdict}")
-
-
-def _show_print_problems(printing: PrintReport) -> None:
     if printing.problems:
         table = table_of("part, measure and place (mm)", "value", "must be", "verdict", numbers=(1,))
         for finding in printing.problems:

@@ -63,6 +63,7 @@ def render_sweep(table: ResultTable, command: str) -> str:
             {
                 "command": command,
                 "parameters": [_about(column) for column in table.parameters],
+                "free": len(table.free),
                 "metrics": [_about(column) for column in table.metrics],
                 "leading": table.metrics.index(table.leading),
                 "cloud": _cloud(table, best),
@@ -123,11 +124,11 @@ def _cloud(table: ResultTable, best: dict[str, list[int]]) -> dict[str, Any]:
 
 
 def _effects(table: ResultTable) -> list[list[dict[str, Any]]]:
-    """Per metric and parameter."""
+    """Per metric and parameter that has values of its own."""
     found = []
     for metric in table.metrics:
         row = []
-        for parameter in table.parameters:
+        for parameter in table.free:
             own = effect(parameter, metric)
             row.append(
                 {key: _numbers(getattr(own, key)) for key in ("centres", "mean", "low", "high")} | {"share": own.share}
@@ -137,14 +138,14 @@ def _effects(table: ResultTable) -> list[list[dict[str, Any]]]:
 
 
 def _shares(table: ResultTable) -> list[tuple[Column, list[float]]]:
-    """Per metric the share of its variance that each parameter explains alone."""
-    return [(metric, [effect(parameter, metric).share for parameter in table.parameters]) for metric in table.metrics]
+    """Per metric the share of its variance that each parameter with values of its own explains alone."""
+    return [(metric, [effect(parameter, metric).share for parameter in table.free]) for metric in table.metrics]
 
 
 def _maps(table: ResultTable) -> list[dict[str, Any]]:
     """Per pair of parameters, for each metric."""
     found = []
-    for first, second in combinations(range(len(table.parameters)), 2):
+    for first, second in combinations(range(len(table.free)), 2):
         a, b = table.parameters[first], table.parameters[second]
         entry: dict[str, Any] = {"first": first, "second": second, "means": []}
         for metric in table.metrics:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import combinations
@@ -20,6 +20,7 @@ from studies.optimization.problem import Optimization
 from studies.optimization.search import OptimizationResult, pareto_front
 from studies.study.cases import by_kind
 from studies.study.metric_registry import METRICS
+from studies.study.parameter import followers
 from studies.sweep.results import Sweep, base_of
 
 Values = NDArray[np.float64]
@@ -43,6 +44,8 @@ class Column:
     """Texts that the values stand for; empty for numbers."""
     better: str = ""
     """Word for the values that are wanted, "larger" or "smaller"; empty for parameters."""
+    follows: str = ""
+    """Name of the parameter whose values decide those of this one; empty if it varies on its own, and for metrics."""
     caution: str = ""
     """Caution to whoever ranks designs by it alone; empty where there is none."""
 
@@ -82,7 +85,7 @@ class ResultTable:
     number: NDArray[np.int64]
     """Number of the case or trial of each row; (n,) int64."""
     parameters: tuple[Column, ...]
-    """Columns of what was varied."""
+    """Columns of what was varied; those that follow others come last."""
     metrics: tuple[Column, ...]
     """Columns of what was computed, all finite."""
     failures: tuple[tuple[str, int], ...]
@@ -96,6 +99,11 @@ class ResultTable:
     def base(self) -> ArrayDesign:
         """Design that was varied."""
         return self.open_base()
+
+    @property
+    def free(self) -> tuple[Column, ...]:
+        """Columns of the parameters that vary on their own, so that effects can be told apart."""
+        return tuple(column for column in self.parameters if not column.follows)
 
     def values(self, row: int) -> dict[str, Any]:
         """Parameters of a design by dotted name."""
@@ -252,7 +260,9 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
         frequency=sweep.frequency,
         open_base=partial(base_of, sweep.records.path, about["base_design"]),
         number=rows.astype(np.int64),
-        parameters=tuple(_parameter(name, values[name][rows], sweep.units(name)) for name in sweep.parameters),
+        parameters=_in_order(
+            [_parameter(name, values[name][rows], sweep.units(name)) for name in sweep.parameters], sweep.followers
+        ),
         metrics=tuple(_metric(name, column[rows]) for name, column in columns.items()),
         failures=tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items()),
         waiting=int((~sweep.done & ~sweep.failed).sum()),
@@ -281,10 +291,13 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
         frequency=problem.study.frequency,
         open_base=partial(_same, problem.study.base),
         number=np.array([each.number for each in kept], dtype=np.int64),
-        parameters=tuple(
-            _parameter(parameter.name, np.array([each.values[parameter.name] for each in kept], dtype=object),
-                       unit_of(parameter.name))
-            for parameter in problem.study.parameters
+        parameters=_in_order(
+            [
+                _parameter(parameter.name, np.array([each.values[parameter.name] for each in kept], dtype=object),
+                           unit_of(parameter.name))
+                for parameter in problem.study.parameters
+            ],
+            followers([[(each.name, each.values) for each in axis] for axis in problem.study.axes]),
         ),
         metrics=tuple(
             _metric(metric.name, np.array([each.metrics[metric.name] for each in kept])) for metric in problem.metrics
@@ -293,6 +306,12 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
         waiting=0,
         base_metrics=result.base.metrics,
     )  # fmt: skip
+
+
+def _in_order(columns: Iterable[Column], follow: Mapping[str, str]) -> tuple[Column, ...]:
+    """Columns with what they follow; those that follow others come last."""
+    named = [replace(column, follows=follow.get(column.name, "")) for column in columns]
+    return tuple(sorted(named, key=lambda column: bool(column.follows)))
 
 
 def _same(design: ArrayDesign) -> ArrayDesign:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,7 @@ _MICROPHONES = ("SPH1878LR5H-C", "IM73A135V01")
 #: Silicones that are tried, Shore A.
 _SHORE = (10, 20, 30, 50)
 #: Ranges of the sizes that are drawn: cavity by the space between two axes, membrane by cavity, cavity's height.
-_CAVITY, _MEMBRANE, _HEIGHT = (0.3, 0.95), (0.06, 0.35), (2.0, 4.0)
+_CAVITY, _MEMBRANE, _HEIGHT = (0.3, 0.95), (0.06, 0.35), (2.0, 6.0)
 #: Height of a cavity by its radius, which the atlas of 3-D cells covers with scatter: nobody waits for a solution.
 _SLENDER = (0.36, 1.9)
 #: Walls of the shells, mm, and widest glued rim.
@@ -41,6 +42,9 @@ _BORE = 0.12
 _KEPT = 0.7
 #: Chambers of larger microphone housings, by the smallest one, where the sockets of the tubes need them.
 _CHAMBERS = (1.0, 1.5, 2.2)
+
+#: Designs that are drawn to learn what keeps others from being drawn.
+_LOOKED = 40
 
 #: Sizes and parts of one design, by name.
 Sizes = dict[str, Any]
@@ -57,6 +61,7 @@ class Candidates:
         #: Material over and under a socket, mm.
         self._cover = max(process.wall.limit, SOCKET_COVER) + 0.03
         widest = _BORE * self._widest_pitch()
+        self._bores = least, widest
         self._springs = [spring for spring in stock.tubes.enclosed if least <= spring.bore <= widest]
         self._sheaths = stock.tubes
         cast = {material for part in stock.of(Silicone) for material in part.materials}
@@ -68,7 +73,7 @@ class Candidates:
             {name.removeprefix("microphone."): value for name, value in part.values.items()}
             for part in known
             if part is not None
-        ]
+        ] or [{}]
         resins = [part for part in stock.of(Resin) if asked.printer in part.processes and part.materials]
         names = [chr(ord("A") + k) for k in range(asked.microphones)]
         base = prototype(_BASE).model_dump()
@@ -81,6 +86,30 @@ class Candidates:
         if resins and base["printing"]["material"] not in {each for part in resins for each in part.materials}:
             base["printing"]["material"] = resins[0].materials[0]
         self._base = base
+
+    @property
+    def obstacle(self) -> str:
+        """Reason in words why no design of the layout can be drawn, as far as one is known."""
+        asked, points = self.asked, self.grid.points
+        if not self._springs:
+            least, widest = self._bores
+            return (
+                f"no tube of the catalogue has a bore of {least:.2g} mm or more, which {asked.printer} leaves open, "
+                f"and of {widest:.2g} mm or less, which points {self._widest_pitch():.3g} mm apart have room for"
+            )
+        if asked.tubes_below is not None:
+            free = Candidates(replace(asked, tubes_below=None), "free", self.grid)
+            depths = [depth_below(design) for design, _ in free.drawn(_LOOKED)]
+            if depths:
+                least = math.ceil(10 * min(depths)) / 10
+                return f"microphones take {least:g} mm below the shells, and there are {asked.tubes_below:g} mm"
+        if asked.pitch is not None:
+            return f"the parts of points {asked.pitch:g} mm apart are in each other's way"
+        if asked.size is not None:
+            return f"{points} points with their walls and tubes do not fit on {asked.size[0]:g} x {asked.size[1]:g} mm"
+        if asked.around is not None:
+            return f"{points} points with their walls and tubes do not fit around {asked.around:g} mm"
+        return f"the parts of {points} points are in each other's way"
 
     def _widest_pitch(self) -> float:
         """Distance of neighbours that no design of the layout exceeds, mm."""
@@ -100,6 +129,8 @@ class Candidates:
             count: number of draws.
             near: sizes that are taken in turn, a few of them drawn anew; by default all are.
         """
+        if not self._springs or not self._rubbers or not self._thicknesses:
+            return []
         random = np.random.default_rng([len(near), count, self.grid.points, self.grid.columns])
         found = []
         for number in range(count):
@@ -152,7 +183,9 @@ class Candidates:
         if asked.pitch is not None:
             return asked.pitch
         if asked.size is None:
-            return PLACES[asked.place].pitch
+            usual = PLACES[asked.place].pitch
+            # a row goes around once at most, and the microphones lie between its ends
+            return usual if asked.around is None else min(usual, asked.around / (grid.columns + 1))
         gaps = [max(count - 1, 1) for count in (grid.columns, grid.rows)]
         # the shells take what the cavities and walls do; the longer side goes with more points
         sides = sorted(asked.size), sorted(gaps)
@@ -183,11 +216,8 @@ class Candidates:
 
     def _has_room_below(self, design: ArrayDesign) -> bool:
         """True where the housings of the microphones take no more room below the shells than there is."""
-        room, microphone, resonator = self.asked.tubes_below, design.microphone, design.resonator
-        if room is None:
-            return True
-        housing = microphone.chamber_height / 2 + microphone.wall_thickness
-        return usual_depth(design) - resonator.port_axis_height - resonator.floor_thickness + housing <= room
+        room = self.asked.tubes_below
+        return room is None or depth_below(design) <= room
 
     def _gaps(self, design: ArrayDesign, along: bool) -> tuple[int, int]:
         columns, rows = min(design.layout.columns, design.point_count), self.grid.rows
@@ -273,6 +303,13 @@ class Candidates:
         if turn <= 2 * math.atan(outer / radius) or turn >= math.pi:
             return None
         return round(wound_length(turn, (inner, inner), (outer, outer), radius), 3)
+
+
+def depth_below(design: ArrayDesign) -> float:
+    """Room that the housings of the microphones take below the shells, mm."""
+    microphone, resonator = design.microphone, design.resonator
+    housing = microphone.chamber_height / 2 + microphone.wall_thickness
+    return usual_depth(design) - resonator.port_axis_height - resonator.floor_thickness + housing
 
 
 def _where(asked: Question) -> str:

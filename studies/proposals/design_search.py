@@ -24,8 +24,8 @@ from studies.verdict.tap_levels import tap_levels
 
 #: Rules whose figures closed forms give in milliseconds.
 QUICK = ("slow", "separate", "bottoming", "printable", "coverage", "affordable")
-
-
+#: Those of them that need the layout alone.
+_OF_LAYOUT = ("separate", "printable", "coverage", "affordable")
 #: Loss at 10 Hz from the touched cavity to the second microphone up to which noise hardly counts, dB, and the error
 #: that each decibel beyond adds: fitted to predicted accuracies of arrays of 36 points on four microphones.
 _LOSS, _PER_DECIBEL = 20.0, 0.01
@@ -41,13 +41,13 @@ _MANY = 48
 class Effort:
     """How much is tried."""
 
-    draws: int = 160
+    draws: int = 480
     """Designs that are drawn for the first layout of a question; of each further one a quarter."""
-    judged: int = 3
+    judged: int = 5
     """Designs of a round that are given a verdict."""
-    near: int = 80
+    near: int = 160
     """Designs that are drawn near the best ones in each further round."""
-    rounds: int = 3
+    rounds: int = 4
     """Rounds at most."""
 
 
@@ -57,7 +57,7 @@ LEAN = Effort(draws=48, judged=1, near=32, rounds=2)
 
 def thorough(points: int) -> Effort:
     """Effort for the answer to a question; less where a verdict takes seconds."""
-    return Effort() if points <= _MANY else Effort(draws=60, judged=1, near=40, rounds=2)
+    return Effort() if points <= _MANY else Effort(draws=max(4800 // points, 24), judged=1, near=40, rounds=2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,9 +156,26 @@ def _told(progress: Progress, name: str, number: int, rounds: int, step: str, fr
 
 
 def look(asked: Question, name: str, points: int, draws: int) -> Screened | None:
-    """The best of a few designs as closed forms see it, in a fraction of a second; None where none is valid."""
-    layouts = [Candidates(asked, name, grid) for grid in grids(asked, points)[:1]]
-    return next(iter(_first(layouts, draws)), None)
+    """The best of a few designs as closed forms see it, in a fraction of a second.
+
+    Rules of the layout take the least time, so they are computed first. None if no design keeps them.
+    """
+    for grid in grids(asked, points)[:1]:
+        layout = Candidates(asked, name, grid)
+        drawn = layout.drawn(draws)
+        values = measure([design for design, _ in drawn], _OF_LAYOUT) if drawn else []
+        kept = [each for each, own in zip(drawn, values, strict=True) if not any(_broken(own)[:2])]
+        return min(screened(layout, kept), key=lambda each: each.merit, default=None)
+    return None
+
+
+def obstacle(asked: Question) -> str:
+    """Reason in words why no design answers a question at all."""
+    points = asked.points or asked.microphones
+    layouts = grids(asked, points)
+    if not layouts:
+        return f"{points} points have no such rows and columns"
+    return Candidates(asked, "none", layouts[0]).obstacle
 
 
 def judge(candidate: Screened) -> Found | None:

@@ -42,12 +42,21 @@ class Grid:
         return own
 
     def lines(self, names: list[str]) -> list[dict[str, Any]]:
-        """A chain of lines from microphone to microphone, of whole rows where these suffice, as equal as can be."""
+        """A chain of lines from microphone to microphone, of whole rows where these suffice, as equal as can be.
+
+        Lines along fingers go to a tip and back, so all but the last have an even number of fingers. Their microphones
+        then lie at the palm, where the next line begins.
+        """
         pairs = list(itertools.pairwise(names))
         whole = self.points % self.columns == 0 and self.points // self.columns >= len(pairs)
         unit = self.columns if whole else 1
-        each, more = divmod(self.points // unit, len(pairs))
-        return [{"between": list(pair), "points": unit * (each + (k < more))} for k, pair in enumerate(pairs)]
+        count = self.points // unit
+        each, more = divmod(count, len(pairs))
+        counts = [each + (k < more) for k in range(len(pairs))]
+        even = max(2 * round(count / len(pairs) / 2), 2)
+        if self.kind == "hand" and whole and even * (len(pairs) - 1) < count:
+            counts = [even] * (len(pairs) - 1) + [count - even * (len(pairs) - 1)]
+        return [{"between": list(pair), "points": unit * own} for pair, own in zip(pairs, counts, strict=True)]
 
 
 def grids(asked: Question, points: int) -> list[Grid]:
@@ -108,4 +117,4 @@ def _columns(asked: Question, points: int, aspect: float) -> list[int]:
         for columns in range(1, points + 1)
         if unlike(columns) <= min(math.log(2) if points % columns else math.inf, math.log(widest))
     ]
-    return sorted(possible, key=last)[:GRIDS]
+    return sorted(possible, key=last)[:GRIDS] or sorted(range(1, points + 1), key=unlike)[:1]  # as near as there is

@@ -28,16 +28,27 @@ def most_points(asked: Question, name: str, progress: Progress) -> list[Found]:
     found: list[Found] = []
     while high - low > 1:
         middle = (low + high) // 2
-        progress(f"{counts[middle]} points", (middle + 1) / (len(counts) + 1))
+        progress(f"{counts[middle]} points", 0.5 * (middle + 1) / (len(counts) + 1))
         tried = search(replace(asked, points=counts[middle]), name, counts[middle], LEAN, silent)
-        if tried and tried[0].verdict.outcome == "works":
+        if _works(tried):
             low, found = middle, tried
         else:
             high = middle
-    if low < 0:
-        return search(replace(asked, points=counts[0]), name, counts[0], thorough(counts[0]), progress)
+    # Few designs of each number were tried, so larger numbers may work after all.
+    tried, climbed = list[Found](), False
+    for points in counts[low + 1 :]:
+        tried = search(replace(asked, points=points), name, points, thorough(points), progress)
+        if not _works(tried):
+            break
+        found, climbed = tried, True
+    if climbed or not found:
+        return found or tried
     more = search(replace(asked, points=counts[low]), name, counts[low], thorough(counts[low]), progress)
-    return more if more and more[0].verdict.outcome == "works" else found
+    return more if _works(more) else found
+
+
+def _works(found: list[Found]) -> bool:
+    return bool(found) and found[0].verdict.outcome == "works"
 
 
 def grid_counts(asked: Question) -> list[int]:

@@ -16,12 +16,20 @@ SECONDS = 6.0
 """Processor time after which no further question is tried, s."""
 #: Factors by which points and sizes are tried, and numbers of microphones.
 _FEWER, _SIZES, _COUNTS = (0.8, 0.64, 0.5, 0.36, 0.25, 0.16), (1.25, 0.8, 1.6, 0.6, 0.45), (3, 4, 6, 8, 11, 16)
-#: Designs that are looked at for each question, and the error up to which the best of them is given a verdict.
-_DRAWS, _PROMISING = 24, 0.15
+#: Factors by which a budget and a force are tried.
+_DEARER, _GENTLER = (1.25, 1.6, 2.5, 4.0), (0.5, 0.2, 0.1, 0.02)
+#: Least ratio of two numbers of microphones that are tried.
+_APART = 1.2
+#: Designs that are looked at for each question, times its points, and the error up to which the best gets a verdict.
+_DRAWS, _PROMISING = 2400, 0.3
+#: Factor of these where an option is left out, because then all else stays as it was wished.
+_MORE = 6
 #: Number of answers that a refusal states.
 _TOLD = 2
 
-#: Rules that only another room or another touch can mend.
+#: Options that a question works without.
+_PRESCRIBED = ("pitch", "rows", "columns", "tubes_below")
+#: Rules that only another room or another touch can keep.
 _OF_ROOM = {"coverage", "separate"}
 #: Values of a question that change, by name, and their words.
 Change = tuple[dict[str, Any], tuple[str, ...]]
@@ -55,7 +63,8 @@ def alternatives(
     for other, text, best in _promising(asked, name, set(broken)):
         spent = time.process_time() - begun
         progress("what would work instead", min(spent / SECONDS, 1.0))
-        found = None if best is None or best.error > _PROMISING else judge(best)
+        known = any(_is_more(text, each.text) for each in told)
+        found = None if known or best is None or best.error > _PROMISING else judge(best)
         if found is not None and found.verdict.outcome == "works":
             told.append(Alternative(other, text, found))
         if spent > (SECONDS / 2 if told else SECONDS) or len(told) == _TOLD:
@@ -64,13 +73,25 @@ def alternatives(
     return tuple(told)
 
 
+def _is_more(text: Text, other: Text) -> bool:
+    """True where a change is another one and more, or changes the same options further."""
+    own, known = ([piece for piece in each if isinstance(piece, Field)] for each in (text, other))
+    return text[: len(other)] == other or own == known
+
+
 def _promising(asked: Question, name: str, broken: set[str]) -> Iterator[tuple[Question, Text, Screened | None]]:
     """Other questions, their changes in words, and the best design of each that breaks no rule of closed forms.
 
     First those with one change, the smallest change of each kind first; then those with two, of which the first alone
-    leaves only the accuracy to be improved. No design comes with a question that is not promising.
+    leaves only the accuracy to be improved. Where a rule of the layout is broken, the first change that keeps it is
+    taken further. No design comes with a question that is not promising.
     """
-    fields = {"size": list(_sizes(asked)), "target": list(_targets(asked))}
+    fields = {
+        "prescribed": list(_freed(asked)),
+        "budget": list(_budgets(asked, broken)),
+        "size": list(_sizes(asked, broken)),
+        "target": list(_targets(asked, broken)),
+    }
     if not broken & _OF_ROOM:
         fields |= {"microphones": list(_microphones(asked)), "points": list(_points(asked))}
     halves: list[tuple[str, Change]] = []
@@ -79,34 +100,59 @@ def _promising(asked: Question, name: str, broken: set[str]) -> Iterator[tuple[Q
             if step is None:
                 continue
             other = replace(asked, **step[0])
-            best = look(other, name, other.points or 0, _DRAWS)
+            best = look(other, name, other.points or 0, _draws(other) * (_MORE if field == "prescribed" else 1))
             sound = best is not None and sum(best.merit[:2]) == 0
             if sound:
                 halves.append((field, step))
             yield other, step[1], best if sound else None
+        if halves and broken & _OF_ROOM:
+            break  # the rules of the layout are kept, so that only the accuracy is left
     for field, (values, text) in halves:
         half = replace(asked, **values)
         for second in (*_microphones(half), *_points(half)):
             if field in second[0]:
                 continue
             other = replace(half, **second[0])
-            best = look(other, name, other.points or 0, _DRAWS)
+            best = look(other, name, other.points or 0, _draws(other))
             sound = best is not None and sum(best.merit[:2]) == 0
             yield other, (*text, " and ", *second[1]), best if sound else None
 
 
+def _draws(asked: Question) -> int:
+    """Designs that are looked at: each takes the longer the more points it has."""
+    return min(max(_DRAWS // (asked.points or 1), 24), 100)
+
+
+def _freed(asked: Question) -> Iterator[Change]:
+    for field in _PRESCRIBED:
+        if getattr(asked, field) is not None:
+            yield {field: None}, ("without ", Field(field))
+
+
 def _microphones(asked: Question) -> Iterator[Change]:
-    for count in _COUNTS:
+    for count in _counts(asked.points):
         if asked.microphones < count <= most_microphones(asked) and asked.kind == "flat":
-            yield {"microphones": count}, (Field("microphones"), f" = {count}")
+            yield {"microphones": count}, (Field("microphones"), f"={count}")
 
 
-def _sizes(asked: Question) -> Iterator[Change]:
+def _counts(points: int | None) -> list[int]:
+    """Numbers of microphones in ascending order; those whose lines have equally many points, if there are several."""
+    even = [count for count in range(3, 17) if points and points % (count - 1) == 0]
+    kept: list[int] = []
+    for count in even:
+        if not kept or count >= _APART * kept[-1]:
+            kept.append(count)
+    return kept if len(kept) > 1 else list(_COUNTS)
+
+
+def _sizes(asked: Question, broken: set[str]) -> Iterator[Change]:
     if asked.size is None or asked.pitch is not None:
         return
     for factor in _SIZES:
+        if broken & _OF_ROOM == ({"coverage"} if factor > 1 else {"separate"}):
+            continue  # points that lie too far apart want no more room, and those too near no less
         sides = (float(f"{factor * asked.size[0]:.2g}"), float(f"{factor * asked.size[1]:.2g}"))
-        yield {"size": sides}, (Field("size"), f" = {sides[0]:g}x{sides[1]:g}")
+        yield {"size": sides}, (Field("size"), f"='{sides[0]:g}x{sides[1]:g}'")
 
 
 def _points(asked: Question) -> Iterator[Change]:
@@ -119,12 +165,27 @@ def _points(asked: Question) -> Iterator[Change]:
         fewer = max(side * round(factor * asked.points / side), asked.microphones, 2)
         if fewer < asked.points and fewer not in known:
             known.add(fewer)
-            yield {"points": fewer}, (Field("points"), f" = {fewer}")
+            yield {"points": fewer}, (Field("points"), f"={fewer}")
 
 
-def _targets(asked: Question) -> Iterator[Change]:
+def _budgets(asked: Question, broken: set[str]) -> Iterator[Change]:
+    if asked.budget is None or "affordable" not in broken:
+        return
+    for factor in _DEARER:
+        budget = float(f"{factor * asked.budget:.2g}")
+        yield {"budget": budget}, (Field("budget"), f"={budget:g}")
+
+
+def _targets(asked: Question, broken: set[str]) -> Iterator[Change]:
+    if "bottoming" in broken:
+        word = next(word for word, radius in CONTACTS.items() if radius == asked.contact_radius)
+        for factor in _GENTLER:
+            force = float(f"{factor * asked.force:.2g}")
+            touch = f"{word} {force:g} N"
+            yield {"force": force, "touch": touch}, (Field("target"), f"='{touch}'")
+        return
     for word, radius in CONTACTS.items():
         if radius > asked.contact_radius and asked.size is not None and min(asked.size) > 10 * radius:
             force = 10 * asked.force
             touch = f"{word} {force:g} N"
-            yield {"contact_radius": radius, "force": force, "touch": touch}, (Field("target"), f" = '{touch}'")
+            yield {"contact_radius": radius, "force": force, "touch": touch}, (Field("target"), f"='{touch}'")

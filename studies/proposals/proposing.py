@@ -12,7 +12,7 @@ from typing import Any
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Field, Kind, Refusal, Text
 from geometry.ground.shown import Shown
-from studies.proposals.design_search import Found, Progress, search, silent, thorough
+from studies.proposals.design_search import Found, Progress, obstacle, search, silent, thorough
 from studies.proposals.designer_question import SHOWN, Question, question
 from studies.proposals.drawn_designs import drawn_findings
 from studies.proposals.most_points import most_points
@@ -77,7 +77,7 @@ class Proposals(Shown):
         if not self.designs:
             if self._is_too_narrow:
                 return f"{self.question.around:g} mm around is {self._diameter:.0f} mm wide without the shells"
-            return "no design of these points, this room and this printer can be built"
+            return obstacle(self.question)
         verdict = self.designs[0].verdict
         return verdict.values[verdict.broken[0].name].words
 

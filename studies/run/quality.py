@@ -110,6 +110,14 @@ class DesignQuality:
         return f"{self.touches}: {as_built}{percent(self.nominal)} on the nominal sensor"
 
     @property
+    def in_short(self) -> str:
+        """Predicted accuracy in half a line: of as-built sensors where they are known, otherwise of the nominal one."""
+        if self.predicted is None:
+            return f"{percent(self.nominal)} of {self.touches} on the nominal sensor"
+        low, high = self.interval
+        return f"{percent(self.as_built)} ({100 * low:.0f} to {100 * high:.0f} %) of {self.touches}, as built"
+
+    @property
     def lines(self) -> tuple[tuple[str, str, str], ...]:
         """Rows of a table: what, value, and what the value is of."""
         from localize.signals.finger_strokes import PEAK  # needs torch, without which verbs print help

@@ -32,6 +32,7 @@ from studies.run.findings import (
     training_sentence,
 )
 from studies.run.run_result import RunResult
+from studies.run.worst_findings import folded_sections
 from studies.verdict import figure_rows, remedy_in_words
 
 #: Frequencies at which lumped cells are compared with 3-D cells, Hz.
@@ -60,6 +61,7 @@ def render(result: RunResult) -> str:
             for reason in result.verdict.reasons
         ],
         four=figure_rows(result.verdict),
+        folded=folded_sections(result),
         summary=summary(result),
         accuracies=accuracy_rows(result),
         figures=key_figures(result),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -97,6 +98,25 @@ class Parameter:
         if self.whole:
             return np.unique(np.round(self.low + (self.high - self.low) * steps).astype(np.int64))
         return self.at(steps)
+
+
+def followers(axes: Iterable[Sequence[tuple[str, Sequence[Any]]]]) -> dict[str, str]:
+    """Parameters that have no values of their own: name of each, and of the first parameter of its group.
+
+    Such a parameter has one value for every combination of those before it in its group, like the wire of a spring
+    whose bore varies.
+
+    Args:
+        axes: groups of parameters that go together, each a name and the values of its list; no values for a range.
+    """
+    found = {}
+    for axis in axes:
+        for place, (name, values) in enumerate(axis[1:], 1):
+            before = [own for _, own in axis[:place]]
+            rows = list(zip(*before, strict=True)) if values and all(before) else []
+            if len({*zip(rows, values, strict=False)}) == len(set(rows)):
+                found[name] = axis[0][0]
+    return found
 
 
 def _decimals(value: float) -> int:

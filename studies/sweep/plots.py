@@ -30,6 +30,10 @@ class Results(Protocol):
         """Names of the parameters."""
 
     @property
+    def followers(self) -> Mapping[str, str]:
+        """Parameters without values of their own, and what they follow."""
+
+    @property
     def done(self) -> NDArray[np.bool_]:
         """True if a case was computed; (n_case,) bool."""
 
@@ -38,9 +42,9 @@ class Results(Protocol):
 
 
 def plot_effects(sweep: Results, metric: str) -> Figure:
-    """Figure with a panel for each parameter: the metric of each case against it, and the median along it."""
+    """Figure with a panel for each parameter that varies on its own: the metric against it, and the median along it."""
     rows = sweep.done & np.isfinite(sweep.values[metric])
-    names = sweep.parameters
+    names = [name for name in sweep.parameters if name not in sweep.followers]
     figure = new_figure(3.2 * min(len(names), 3) + 1.0, 0.4 + 2.8 * -(-len(names) // 3))
     grid = figure.subplots(-(-len(names) // 3), min(len(names), 3), squeeze=False, sharey=True).flat
     values = sweep.values[metric][rows]

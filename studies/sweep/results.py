@@ -26,7 +26,7 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.shown import Shown
 from studies.output.zarr_files import METADATA
 from studies.study.metric_registry import METRICS
-from studies.study.parameter import StudyError
+from studies.study.parameter import StudyError, followers
 from studies.sweep.plots import plot_effects, plot_trade_off
 from studies.sweep.records import DONE, FAILED, FOLDER, FORMAT, MARK, SPLIT, WAITING, Records, case_key
 from studies.sweep.summary import Summary
@@ -116,6 +116,11 @@ class Sweep(Shown):
     def parameters(self) -> tuple[str, ...]:
         """Names of the variables that were varied."""
         return self.records.parameters
+
+    @property
+    def followers(self) -> dict[str, str]:
+        """Parameters without values of their own, such as the wire of a spring whose bore varies, and their leaders."""
+        return followers([[(each["name"], each["values"]) for each in axis] for axis in self.records.content["vary"]])
 
     @property
     def metrics(self) -> tuple[str, ...]:

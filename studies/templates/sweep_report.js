@@ -1,6 +1,6 @@
 "use strict";
 const data = JSON.parse(document.getElementById("data").textContent);
-const P = data.parameters, M = data.metrics, cloud = data.cloud;
+const P = data.parameters, F = P.slice(0, data.free), M = data.metrics, cloud = data.cloud;
 const INK = "#1d2730", SOFT = "#5a6772", ACCENT = "#2a6f97", HOT = "#c8553d", LINE = "#d8dee3";
 const byId = (id) => document.getElementById(id);
 const config = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["lasso2d", "select2d", "autoScale2d"] };
@@ -37,9 +37,9 @@ const chosen = (id) => Number(byId(id).value);
 
 /* -- main effects ------------------------------------------------------------------------------ */
 function drawEffects() {
-  const m = chosen("effect-metric"), columns = Math.min(3, P.length), rows = Math.ceil(P.length / columns);
+  const m = chosen("effect-metric"), columns = Math.min(3, F.length), rows = Math.ceil(F.length / columns);
   const traces = [], figure = layout({ height: 60 + 260 * rows, grid: { rows, columns, pattern: "independent", xgap: 0.12, ygap: 0.32 }, margin: { l: 70, r: 15, t: 15, b: 60 } });
-  P.forEach((parameter, p) => {
+  F.forEach((parameter, p) => {
     const own = data.effects[m][p], n = p ? p + 1 : "", ax = { xaxis: "x" + n, yaxis: "y" + n };
     traces.push({ type: "scattergl", mode: "markers", x: cloud.parameters[p], y: cloud.metrics[m], marker: { size: 3, color: SOFT, opacity: 0.25 }, hoverinfo: "skip", ...ax });
     traces.push({ type: "scatter", mode: "lines", x: own.centres.concat([...own.centres].reverse()), y: own.high.concat([...own.low].reverse()), fill: "toself", fillcolor: "rgba(42,111,151,.16)", line: { width: 0 }, hoverinfo: "skip", ...ax });
@@ -153,8 +153,8 @@ document.querySelectorAll("[data-base-metric]").forEach((cell) => { cell.textCon
 const strongest = data.effects[0].map((own, p) => [own.share, p]).sort((a, b) => b[0] - a[0]).map((pair) => pair[1]);
 fill("effect-metric", M, 0, drawEffects);
 fill("map-metric", M, 0, drawMap);
-fill("map-x", P, strongest[0], drawMap);
-fill("map-y", P, strongest.length > 1 ? strongest[1] : 0, drawMap);
+fill("map-x", F, strongest[0], drawMap);
+fill("map-y", F, strongest.length > 1 ? strongest[1] : 0, drawMap);
 fill("front-x", M, 0, drawFront);
 fill("front-y", M, Math.min(1, M.length - 1), drawFront);
 fill("front-colour", P.concat(M), strongest[0], drawFront);

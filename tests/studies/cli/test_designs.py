@@ -38,7 +38,7 @@ def prototypes(quick: set[str]) -> list[object]:
 
 @pytest.mark.parametrize("name", prototypes(quick={"line-2"}))
 def test_a_prototype_passes_the_check(command: Command, name: str, tmp_path: Path) -> None:
-    told = command("check", name, "--out", tmp_path / "check.json")
+    told = command("check", name, "--full", "--out", tmp_path / "check.json")
     design = geometry.prototype(name)
     found = json.loads((tmp_path / "check.json").read_text(encoding="utf-8"))
     outcome = found["verdict"]["outcome"]

@@ -48,6 +48,13 @@ def test_the_verb_asks_on_a_terminal_and_a_wrong_answer_is_asked_again(command, 
     assert (design.point_count, design.target.size) == (8, (60.0, 30.0))
 
 
+def test_a_wrong_option_ends_the_dialogue_before_the_first_question(command, tmp_path, monkeypatch):
+    monkeypatch.setattr("sys.stdin.isatty", lambda: True, raising=False)
+    monkeypatch.setattr("typer.prompt", lambda *words, **more: pytest.fail("something was asked"))
+    told = command("new", "mine", "--printer", "laser", "--points", "most", "--out", tmp_path / "mine.toml")
+    assert "--printer" in told.refusal()
+
+
 @pytest.mark.parametrize(
     ("words", "option"),
     [(["--size", "30"], "--size"), (["--points", "none"], "--points"), (["--printer", "laser"], "--printer"),

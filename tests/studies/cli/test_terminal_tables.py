@@ -9,8 +9,9 @@ from typing import Any, cast
 import pytest
 
 from geometry.design.design_file import prototype
+from studies.cli.check_tables import show_check
 from studies.cli.localizers import _show_evaluations
-from studies.cli.terminal_tables import show, show_check, show_fields, show_findings, table_of
+from studies.cli.terminal_tables import show, show_fields, show_findings, table_of
 from studies.run.check import check_design
 
 
@@ -61,12 +62,22 @@ def test_a_check_fits_and_says_of_a_wiring_what_its_figures_compare_with(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("studies.run.check.is_installed", lambda extra: False)  # drawing the parts takes seconds
-    show_check(check_design(prototype("array-2x6")))
+    found = check_design(prototype("array-2x6"))
+    show_check(found, full=True)
     told = capsys.readouterr().out
     assert max(len(line) for line in told.splitlines() if "pip install" not in line) <= 80
     assert " ".join(told.split()).count("navier-stokes, the default about") == 1
     assert re.search(r"microphones joined by 1 line +2\b", told)
     assert re.search(r"compared with one microphone per point +6 times", told)
+    show_check(found)
+    folded = capsys.readouterr().out
+    assert max(len(line) for line in folded.splitlines() if "pip install" not in line) <= 80
+    assert "navier-stokes, the default" not in folded
+    assert re.search(r"model limits +all 6 kept; nearest: ", folded)
+    assert re.search(r"parts to buy +all \d+ in the catalogue", folded)
+    assert re.search(r"wiring +12 points on 1 line, 6 points per microphone", folded)
+    first = [line.split()[0] for line in folded.splitlines() if line.strip()]
+    assert first.index("array-2x6:") < first.index("smallest") < first.index("more,") < first.index("coverage")
 
 
 def test_tables_of_a_check_are_narrow_in_a_file_too(
@@ -74,7 +85,7 @@ def test_tables_of_a_check_are_narrow_in_a_file_too(
 ) -> None:
     monkeypatch.delenv("COLUMNS")
     monkeypatch.setattr("studies.run.check.is_installed", lambda extra: False)
-    show_check(check_design(prototype("array-2x6"), quality=False))
+    show_check(check_design(prototype("array-2x6"), quality=False), full=True)
     told = capsys.readouterr().out
     assert "the models assume" in told
     assert max(len(line) for line in told.splitlines() if "pip install" not in line) <= 80

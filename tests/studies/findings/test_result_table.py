@@ -12,9 +12,18 @@ import numpy as np
 import pytest
 
 from geometry import prototype
-from studies.findings.page import design_of
-from studies.findings.result_table import Column, ResultTable, effect, fast_front, pair_map, unit_of
+from studies.findings.page import _effects, design_of
+from studies.findings.result_table import (
+    Column,
+    ResultTable,
+    effect,
+    fast_front,
+    pair_map,
+    table_of_sweep,
+    unit_of,
+)
 from studies.optimization.search import pareto_front
+from studies.study.parameter import followers
 from studies.study.study import load_study
 from studies.sweep.results import open_sweep
 from studies.sweep.run import run_sweep
@@ -97,3 +106,17 @@ def test_the_best_of_a_sweep_are_listed_without_what_computes_them(tmp_path: Pat
     assert told.stdout.splitlines() == [str(tuple(np.argsort(mass).tolist())), str(mass), "[]"]
     assert sweep.to_xarray()["transfer_function"].shape == (2, 12, 2, 16)
     assert sweep.to_xarray().sizes["case"] == len(sweep.values["case"]) == 2
+    table = table_of_sweep(sweep)
+    assert [column.name for column in table.free] == ["tube.inner_diameter"]
+    follow = {column.name: column.follows for column in table.parameters if column.follows}
+    assert set(follow.values()) == {"tube.inner_diameter"}
+    assert "tube.wire_diameter" in follow
+    assert len(_effects(table)[0]) == 1
+    assert [name for name in sweep.parameters if name not in sweep.followers] == ["tube.inner_diameter"]
+
+
+def test_a_parameter_follows_where_those_before_it_in_its_group_decide_its_value() -> None:
+    alone, bore, wire = ("length", ()), ("bore", (0.4, 0.4, 0.5)), ("wire", (0.1, 0.1, 0.2))
+    assert followers([[alone], [bore, wire]]) == {"wire": "bore"}
+    assert followers([[bore, ("outside", (1.0, 1.2, 1.2))]]) == {}
+    assert followers([[("a", ()), ("b", ())]]) == {"b": "a"}  # two ranges that go together

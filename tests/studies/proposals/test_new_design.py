@@ -18,8 +18,9 @@ from studies.proposals.design_search import Effort, Found
 from studies.proposals.design_writing import write_proposal
 from studies.proposals.designer_question import question
 from studies.proposals.drawn_designs import drawn_findings
-from studies.proposals.grids import grids
+from studies.proposals.grids import Grid, grids
 from studies.proposals.most_points import grid_counts
+from studies.proposals.other_questions import _budgets, _counts, _freed, _sizes, _targets
 from studies.verdict import Drawn, Measured
 
 #: Enough for a small array.
@@ -158,3 +159,40 @@ def test_a_design_that_cannot_be_built_is_no_answer():
     design = geometry.prototype("array-2x6")
     assert searching.can_be_built(design)
     assert not searching.can_be_built(geometry.prototype("line-4"))  # drawn schematically
+
+
+def test_a_line_along_fingers_ends_at_the_palm_where_the_next_one_begins():
+    asked = question(place="hand", points=15)
+    lines = grids(asked, 15)[0].lines(["A", "B", "C"])
+    assert [line["points"] for line in lines] == [6, 9]
+    assert [line["points"] for line in Grid("hand", 9, 3, "ends").lines(["A", "B", "C"])] == [6, 3]
+    assert [line["points"] for line in Grid("area", 15, 3, "ends").lines(["A", "B", "C"])] == [9, 6]
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        ({"size": "6x6", "points": 12}, "no tube of the catalogue"),
+        ({"size": "30x30", "points": 16, "tubes_below": 2.0}, "mm below the shells, and there are 2 mm"),
+        ({"rows": 3, "columns": 5, "points": 15, "size": "12x12"}, "do not fit on 12 x 12 mm"),
+    ],
+    ids=str,
+)
+def test_a_question_without_any_design_is_told_the_obstacle(asked, words):
+    assert words in searching.obstacle(question(**asked))
+
+
+def test_what_would_work_starts_from_the_rule_that_is_broken():
+    mat = question(size="1000x1000", points=100, microphones=4)
+    assert all(max(step[0]["size"]) < 1000 for step in _sizes(mat, {"coverage"}))
+    assert all(max(step[0]["size"]) > 1000 for step in _sizes(mat, {"separate"}))
+    assert _counts(100) == [3, 5, 6, 11]
+    assert _counts(13) == [3, 4, 6, 8, 11, 16]  # a prime number of points
+    poor = question(points=12, budget=2.0)
+    assert [step[0]["budget"] for step in _budgets(poor, {"affordable"})] == [2.5, 3.2, 5.0, 8.0]
+    assert list(_budgets(poor, {"taps"})) == []
+    foot = question(points=20, size="1000x1000", target="foot 100 N")
+    assert [step[0]["touch"] for step in _targets(foot, {"bottoming"})][:2] == ["foot 50 N", "foot 20 N"]
+    assert [step[1] for step in _freed(question(points=16, pitch=5.0, rows=4))] == [
+        ("without ", "pitch"), ("without ", "rows"),
+    ]  # fmt: skip
