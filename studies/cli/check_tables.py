@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import studies.run
 from geometry.ground.extras import is_installed
 from geometry.ground.refusal import counted
 from studies.cli.stock_tables import show_stock_fit
@@ -22,7 +23,6 @@ from studies.cli.terminal_tables import (
     tell_wrapped,
 )
 from studies.output.display import number
-from studies.run.worst_findings import worst_assumption, worst_of_air, worst_of_printing, worst_of_stock
 from studies.verdict import SHOWN
 
 if TYPE_CHECKING:
@@ -81,11 +81,11 @@ def _sections(found: DesignCheck) -> Iterator[_Section]:
     if quality is not None:
         yield _Section("accuracy in a run", quality.in_short, lambda: _show_quality(quality))
     if printing is not None:
-        yield _Section("printing", worst_of_printing(printing), lambda: show_findings(printing))
-    yield _Section("parts to buy", worst_of_stock(found.stock), lambda: show_stock_fit(found.stock))
-    yield _Section("model limits", worst_assumption(found.validity), lambda: _show_validity(found))
+        yield _Section("printing", studies.run.worst_of_printing(printing), lambda: show_findings(printing))
+    yield _Section("parts to buy", studies.run.worst_of_stock(found.stock), lambda: show_stock_fit(found.stock))
+    yield _Section("model limits", studies.run.worst_assumption(found.validity), lambda: _show_validity(found))
     yield _Section("attenuation", _weakest(found), lambda: _show_attenuation(found))
-    yield _Section("enclosed air", worst_of_air(found.enclosed), lambda: _show_enclosed(found.enclosed))
+    yield _Section("enclosed air", studies.run.worst_of_air(found.enclosed), lambda: _show_enclosed(found.enclosed))
     yield _Section("fidelity", found.fidelity.words, lambda: _show_fidelities(found))
     yield _Section("wiring", _points_by_microphones(found.wiring), lambda: _show_wiring(found.wiring))
     yield _Section("cells", counted(len(found.cells), "distinct cell"), lambda: _show_cells(found))

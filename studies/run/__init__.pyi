@@ -8,4 +8,10 @@ from .quality import DesignQuality as DesignQuality, design_quality as design_qu
 from .starting import copy_prototype as copy_prototype
 from .stock_listing import StockListing as StockListing, list_stock as list_stock
 from .wiring import draw_wirings as draw_wirings, wiring_table as wiring_table, wirings as wirings
-from .worst_findings import folded_sections as folded_sections
+from .worst_findings import (
+    folded_sections as folded_sections,
+    worst_assumption as worst_assumption,
+    worst_of_air as worst_of_air,
+    worst_of_printing as worst_of_printing,
+    worst_of_stock as worst_of_stock,
+)
