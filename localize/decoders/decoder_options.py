@@ -155,7 +155,7 @@ class TolerantOptions(DecoderOptions):
     def sealed(cls) -> TolerantOptions:
         """Options for a sensor without a vent that is worn or carried up: its membranes may be up to twice as stiff.
 
-        See :data:`acoustic_fem.scatter.SEALED_AIR_AND_RUBBER`. A sensor whose membranes are flat loses 0.5 to 2 % of
+        See :data:`acoustic_fem.scatter.SEALED_AIR_AND_RUBBER`. A sensor whose membranes are flat loses up to 3 % of
         its touches by it (docs/evidence/large-presses.md), so it is not the default.
         """
         return cls(hypotheses=HypothesisOptions(air_and_rubber=SEALED_AIR_AND_RUBBER))
