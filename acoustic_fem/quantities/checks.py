@@ -15,6 +15,8 @@ from geometry.ground.typed import Array
 
 _BAND = (1e-3, 2e3)
 """Lowest and highest frequency of a grid, Hz."""
+#: Beginning of a text whose frequencies have a constant ratio.
+_LOGARITHMIC = "log:"
 #: Endings of files that list frequencies.
 _LISTS = (".txt", ".csv")
 _MOST_FREQUENCIES = 100_000
@@ -102,14 +104,12 @@ def _stated(text: str) -> Array:
     """The frequencies that a text names, in Hz."""
     if text.lower().endswith(_LISTS):
         return _listed(text)
-    spacing, _, rest = text.rpartition("log:")
+    rest = text.removeprefix(_LOGARITHMIC)
     allowed = (
         "FIRST:LAST:COUNT or log:FIRST:LAST:COUNT in Hz with COUNT from 1 to 100000, or a .txt or .csv file that lists "
         "frequencies"
     )
     try:
-        if spacing:
-            raise ValueError
         first, last, count = rest.split(":")
         start, stop, number = float(first), float(last), int(count)
     except ValueError:
