@@ -1,6 +1,7 @@
 from . import (
     air as air,
     assembly as assembly,
+    body as body,
     design as design,
     formats as formats,
     ground as ground,
@@ -12,6 +13,7 @@ from . import (
     schema as schema,
     solids as solids,
     stock as stock,
+    surface as surface,
 )
 from .assembly.bill import bill_of_materials as bill_of_materials
 from .assembly.model import build_assembly as build_assembly
@@ -29,3 +31,4 @@ from .formats.part_files import export as export
 from .ground.refusal import Kind as Kind, Refusal as Refusal
 from .printing.printability import print_report as print_report
 from .schema.field_errors import DesignError as DesignError
+from .surface.fit_file import fit_design as fit_design

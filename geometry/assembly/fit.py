@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from geometry.assembly.facets import Facets
 from geometry.assembly.model import ArrayModel, plane_of
 from geometry.assembly.part_list import PlacedPart
 from geometry.ground.refusal import Kind, Refusal
@@ -22,6 +23,10 @@ if TYPE_CHECKING:
 CONTACT_VOLUME = 1e-4
 #: A hole belongs to a tube where their axes are within this angle (sine) and distance (mm).
 _SAME_DIRECTION, _SAME_AXIS = 0.01, 0.1
+#: Common volumes of facets below this are those of the facets, mm^3.
+FACET_VOLUME = 1e-3
+#: Kinds of parts that are swept along the course of a tube.
+_OF_TUBES = ("spring", "sheath")
 #: Misfits below this are rounding, mm: directions of ports are rounded to 0.1 degrees.
 _ROUNDING = 0.01
 
@@ -68,12 +73,23 @@ def interferences(model: ArrayModel) -> tuple[Interference, ...]:
 
     Tubes and the parts they end in may share what the rounding of ports makes of their contact.
 
-    Boxes only sieve the pairs, solids decide; pairs that lie to each other as one before are not computed again.
+    Boxes only sieve the pairs, solids decide; pairs that lie to each other as one before are not computed again. On a
+    body no two pairs are alike. There :func:`port_fits` measures tubes in the parts that they end in, a spring and its
+    sheath are swept along one course, and other parts of different groups, which must not touch at all, are compared by
+    their facets.
     """
     found = []
     shared: dict[object, float] = {}
     joined, wedge = _joined(model), _wedge(model)
+    facets = Facets(model.shapes) if model.design.layout.frozen is not None else None
     for i, j in _near(model, 0.0):
+        first, second = model.placed[i], model.placed[j]
+        if facets is not None and (first.group != second.group or first.kind in _OF_TUBES):
+            if first.group != second.group and frozenset((first.group, second.group)) not in joined:
+                volume = facets.shared(first, second)
+                if volume > FACET_VOLUME:
+                    found.append(Interference(first.label, second.label, volume))
+            continue
         key, other = _relative(model, i, j)
         if key not in shared:
             shared[key] = model.shapes[model.placed[i].part].intersect(other()).Volume()

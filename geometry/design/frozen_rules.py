@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 from collections.abc import Iterator
 
@@ -13,6 +14,7 @@ from geometry.schema.array_fields import StatedArray
 from geometry.schema.field_errors import conflict
 from geometry.schema.frozen_fields import FrozenPart, FrozenPlaces
 from geometry.schema.part_fields import STUB_LENGTH_IN_RADII
+from geometry.schema.surface_fields import SurfaceFit
 
 #: How far a stated course may be from the length of its tube: a fraction of it, and mm.
 _NEAR = (0.02, 0.05)
@@ -67,7 +69,7 @@ def surface_rules(design: StatedArray) -> Iterator[Refusal]:
         problem = "is not allowed for layout.kind = 'surface', whose places are frozen"
         yield conflict("layout.pitch", layout.pitch, problem=problem, remedy="change [surface], and fit again")
         return
-    for rule in (_counts, _sizes, _frames):
+    for rule in (_counts, _inputs, _sizes, _frames):
         found = next(rule(design, frozen), None)
         if found is not None:
             yield found
@@ -129,6 +131,16 @@ def sizes_of(design: StatedArray) -> dict[str, tuple[str, float]]:
         "seat_width": ("width of the microphones' seats", seat[1]),
         "tube_diameter": ("tubes", max(tube.outer_diameter for tube in design.tubes)),
     }
+
+
+def inputs_of(stated: SurfaceFit) -> str:
+    """SHA-256 of what an array is fitted to."""
+    return hashlib.sha256(stated.model_dump_json().encode()).hexdigest()
+
+
+def _inputs(design: StatedArray, frozen: FrozenPlaces) -> Iterator[Refusal]:
+    if design.surface is not None and frozen.inputs and frozen.inputs != inputs_of(design.surface):
+        yield conflict("surface", problem="has changed since the places were fitted", remedy=_AGAIN)
 
 
 def _frames(design: StatedArray, frozen: FrozenPlaces) -> Iterator[Refusal]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from collections.abc import Mapping, Sequence
@@ -50,11 +51,24 @@ def with_places(data: Mapping[str, Any], source: str, folder: Path | None) -> di
             remedy="save the design beside the file, and give its path",
         )
     found = read_places(folder / named)
+    _check_body(data.get("surface"), found.get("body", ""), source, folder)
     lines = data.get("lines")
     if isinstance(lines, list):
         lines = _lines(lines, found.pop("lines"), source)
     layout["frozen"] = found
     return {**data, "layout": layout, "lines": lines}
+
+
+def _check_body(stated: Any, digest: str, source: str, folder: Path) -> None:
+    """Refuse places that were fitted to another file of the body; where that is not at hand, its places stand alone."""
+    named = stated.get("body") if isinstance(stated, Mapping) else None
+    if not digest or not isinstance(named, str) or not (folder / named).is_file():
+        return
+    if hashlib.sha256((folder / named).read_bytes()).hexdigest() != digest:
+        problem = "has changed since the places were fitted"
+        raise DesignError(
+            problem, kind=Kind.CONFLICT, file=source, field="surface.body", value=named, remedy="fit again"
+        )
 
 
 def _lines(stated: Sequence[Any], frozen: Sequence[Mapping[str, Any]], source: str) -> list[Any]:

@@ -9,7 +9,7 @@ from geometry.ground.refusal import Kind, Refusal
 #: Extra of pyproject.toml: packages by which it is known to be there, as they are imported.
 EXTRAS = {
     "plots": ("matplotlib",),
-    "cad": ("cadquery", "trimesh", "lib3mf", "pyvista"),
+    "cad": ("cadquery", "trimesh", "lib3mf", "manifold3d", "pyvista"),
     "fem": ("gmsh",),
     "onnx": ("onnx", "onnxruntime"),
     "train": ("torch", "safetensors"),

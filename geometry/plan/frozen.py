@@ -16,7 +16,7 @@ from geometry.schema.frozen_fields import FrozenPart
 #: Chords per tube.
 _CHORDS = 32
 #: Tubes are of their length to this fraction, and found within that many steps.
-_EXACT, _STEPS = 1e-9, 60
+_EXACT, _STEPS = 1e-8, 60
 
 
 def frame_of(part: FrozenPart) -> Frame:
@@ -25,18 +25,18 @@ def frame_of(part: FrozenPart) -> Frame:
     Raises:
         Refusal: the normal has no length, or the direction is along it.
     """
-    z = np.array(part.normal)
-    long = float(np.linalg.norm(z))
+    long = math.hypot(*part.normal)
     if long < 1e-9:
         raise Refusal("has no direction", kind=Kind.OUT_OF_RANGE, field="normal", value=list(part.normal))
-    z = z / long
-    x = np.array(part.x) - (np.array(part.x) @ z) * z
-    across = float(np.linalg.norm(x))
-    if across < 1e-6 * max(float(np.linalg.norm(part.x)), 1e-9):
+    # Without numpy: a layout asks it of every part, and is itself asked often.
+    a, b, c = (each / long for each in part.normal)
+    along = a * part.x[0] + b * part.x[1] + c * part.x[2]
+    u, v, w = part.x[0] - along * a, part.x[1] - along * b, part.x[2] - along * c
+    across = math.hypot(u, v, w)
+    if across < 1e-6 * max(math.hypot(*part.x), 1e-9):
         raise Refusal("is along the normal", kind=Kind.CONFLICT, field="x", value=list(part.x))
-    x = x / across
-    axes = tuple(tuple(float(entry) for entry in row) for row in (x, np.cross(z, x), z))
-    return Frame(part.at, (axes[0], axes[1], axes[2]))  # type: ignore[arg-type]
+    u, v, w = u / across, v / across, w / across
+    return Frame(part.at, ((u, v, w), (b * w - c * v, c * u - a * w, a * v - b * u), (a, b, c)))
 
 
 @dataclass(frozen=True)

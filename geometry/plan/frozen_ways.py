@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from geometry.ground.typed import Array
@@ -24,7 +26,10 @@ def ways_of(design: StatedArray, frozen: FrozenPlaces) -> Ways:
     """
     resonator, microphone, height = design.resonator, design.microphone, design.resonator.port_axis_height
     shell = resonator.cavity_diameter / 2, resonator.outer_diameter / 2
-    chamber = microphone.chamber_diameter / 2, microphone.chamber_diameter / 2 + microphone.wall_thickness
+    # Tubes are straight until they have left the seat of the board, in whatever direction.
+    seat = math.hypot(*(side / 2 + microphone.board_gap + microphone.wall_thickness for side in microphone.board_size))
+    radius = microphone.chamber_diameter / 2
+    chamber = radius, max(radius + microphone.wall_thickness, seat)
     ports = microphone_ports(design)
     points = [(part, frame_of(part)) for part in frozen.points]
     housings = {name: (part, frame_of(part)) for name, part in zip(design.microphones, frozen.microphones, strict=True)}

@@ -15,6 +15,7 @@ from geometry.schema.kinds import PLAIN, Pattern, PointKind
 from geometry.schema.manufacture import Molding, Printing
 from geometry.schema.materials import MATERIALS, Material
 from geometry.schema.part_fields import Membrane, Microphone, Resonator, Shell, Tube
+from geometry.schema.surface_fields import SurfaceFit
 from geometry.schema.target import Target
 
 MicrophoneName = Annotated[str, Field(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
@@ -145,6 +146,7 @@ class StatedArray(Section):
     microphone: Microphone = Field(description="microphones, which are all alike")
     lines: tuple[Line, ...] = Field(min_length=1, description="lines of points")
     layout: Layout = Field(description="positions of the points")
+    surface: SurfaceFit | None = Field(default=None, description="body on which `acoustic-fem fit` lays the array")
     air: Air = Field(default=Air(), description="temperature, humidity and pressure of the air")
     printing: Printing = Field(default=Printing(), description="printing of the parts")
     mold: Molding = Field(default=Molding(), description="mold in which the membranes are cast")

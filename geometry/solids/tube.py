@@ -87,14 +87,23 @@ def _sleeve(points: Array, inner: float, outer: float, name: str) -> cq.Workplan
     """A round sleeve along an axis that begins at the origin along +x, radii in mm."""
     import cadquery as cq
     from OCP.BRepOffsetAPI import BRepOffsetAPI_MakePipe
+    from OCP.GeomFill import GeomFill_Trihedron
+    from OCP.Standard import Standard_ConstructionError, Standard_Failure, Standard_NullObject
 
     if tightest_bend(points) <= outer:
         raise unsuitable(name, f"bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm")
     start, along = cq.Vector(*points[0]), cq.Vector(*(points[1] - points[0]))
     circles = [cq.Wire.makeCircle(radius, start, along) for radius in (outer, inner)]
     section = cq.Face.makeFromWires(circles[0], circles[1:])
-    pipe = BRepOffsetAPI_MakePipe(_wire(points).wrapped, section.wrapped)
-    return geometry.solids.one_solid(cq.Shape.cast(pipe.Shape()), name)
+    path = _wire(points).wrapped
+    # The default frame fails along some twisted curves; the section is round, so any frame gives the same sleeve.
+    for frame in (None, GeomFill_Trihedron.GeomFill_IsDiscreteTrihedron, GeomFill_Trihedron.GeomFill_IsFrenet):
+        try:
+            pipe = BRepOffsetAPI_MakePipe(path, section.wrapped, *(() if frame is None else (frame, False)))
+            return geometry.solids.one_solid(cq.Shape.cast(pipe.Shape()), name)
+        except (Standard_ConstructionError, Standard_NullObject, Standard_Failure) as error:
+            failed = error
+    raise unsuitable(name, f"cannot be drawn along its course: {failed}")
 
 
 def _wire(points: Array) -> cq.Wire:

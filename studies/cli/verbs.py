@@ -47,6 +47,9 @@ VERBS = {
         ("fem", "train", "studies", "studio"),
     ),
     "check": Entry("designs", "Design", "Say whether a design will work, why not, and which change helps most."),
+    "fit": Entry(
+        "fits", "Design", "Lay an array on a body from your CAD, and write the places that the design names.", ("cad",)
+    ),
     "compare": Entry(
         "comparisons",
         "Design",

@@ -1,0 +1,164 @@
+"""Bodies from files: STEP, STL, 3MF, OBJ and PLY as closed facets. Faults are reported and never repaired."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.body.closed_surface import check_closed, check_crossings, check_size, skins
+from geometry.ground.extras import check_extras
+from geometry.ground.file_checks import read_bytes
+from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.typed import Array
+
+#: Largest distance of facets from the surface of a STEP file, mm, and angle between neighbouring ones, rad.
+_TOLERANCE, _FACET_ANGLE = 0.02, 0.15
+#: Most bytes of the file of a body.
+_LARGEST = 200_000_000
+#: Units of lengths in files, mm.
+UNITS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
+#: Endings of files that are read.
+_STEP, _MESHES = (".step", ".stp"), (".stl", ".3mf", ".obj", ".ply")
+#: Facets lower than this are of no area, mm.
+_NO_AREA = 1e-9
+
+Corners = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Body:
+    """The closed surface of a body, mm."""
+
+    vertices: Array
+    """Corners of the facets, (n, 3) float64, mm; facets share them."""
+    triangles: Corners
+    """Corners of each facet, (m, 3) int64, anticlockwise from outside."""
+    faces: Corners
+    """Number of the face that each facet belongs to, from 1 as CAD programs count, (m,) int64; 1 for a mesh file."""
+    sha256: str
+    """SHA-256 of the file."""
+    findings: tuple[str, ...] = ()
+    """Sentences on the file, such as facets that were left out."""
+
+    @property
+    def extent(self) -> Array:
+        """Size along x, y and z, (3,) float64, mm."""
+        return np.asarray(np.ptp(self.vertices, axis=0))
+
+
+def read_body(
+    path: str | os.PathLike[str], unit: str = "mm", skin: int | None = None, least: float = 0.0, most: float = 2000.0
+) -> Body:
+    """The body in a file.
+
+    Args:
+        path: STEP, STL, 3MF, OBJ or PLY.
+        unit: of the lengths in a mesh file: mm, cm, m or inch; STEP files state their own.
+        skin: which of several closed surfaces, from 1, the largest first; None: there must be one.
+        least: smallest size that makes sense, mm.
+        most: largest size that makes sense, mm.
+
+    Raises:
+        Refusal: the file cannot be read, or its surface is open, forked, inside out, crosses itself, has several
+            skins, or has a size that makes no sense.
+    """
+    path = Path(path)
+    suffix = path.suffix.lower()
+    if suffix not in (*_STEP, *_MESHES):
+        allowed = f"a file of {', '.join((*_STEP, *_MESHES))}"
+        raise Refusal(kind=Kind.UNSUITABLE, file=path, field="body", value=suffix or path.name, allowed=allowed)
+    content = read_bytes(path, "a body", Refusal, _LARGEST)
+    digest = hashlib.sha256(content).hexdigest()
+    findings: list[str] = []
+    if suffix in _STEP:
+        vertices, triangles, faces = _of_step(path)
+    else:
+        vertices, triangles = _of_mesh(path, UNITS[unit])
+        faces = np.ones(len(triangles), np.int64)
+        vertices, triangles, faces, lost = _welded(vertices, triangles, faces)
+        if lost:
+            findings.append(f"{counted(lost, 'facet')} of no area left out")
+    if not len(triangles):
+        raise Refusal("has no facets", kind=Kind.UNSUITABLE, file=path)
+    check_size(path, vertices, least, most)
+    check_closed(path, vertices, triangles)
+    which = skins(triangles, len(vertices))
+    count = int(which.max()) + 1
+    if count > 1:
+        sizes = np.array([np.ptp(vertices[np.unique(triangles[which == k])], axis=0).max() for k in range(count)])
+        ranked = np.argsort(-sizes, kind="stable")
+        if skin is None or not 1 <= skin <= count:
+            listed = ", ".join(f"{number} is {sizes[k]:.3g} mm long" for number, k in enumerate(ranked[:4], 1))
+            raise Refusal(
+                f"has {count} separate skins: {listed}",
+                kind=Kind.UNSUITABLE,
+                file=path,
+                remedy="export one solid, or choose one with surface.skin",
+            )
+        own = which == ranked[skin - 1]
+        vertices, triangles, faces, _ = _welded(vertices, triangles[own], faces[own])
+        findings.append(f"skin {skin} of {count} is used")
+    if suffix not in _STEP:
+        check_crossings(path, vertices, triangles)
+    return Body(vertices, triangles, faces, digest, tuple(findings))
+
+
+def _of_step(path: Path) -> tuple[Array, Corners, Corners]:
+    check_extras("reading a body", "cad")
+    import cadquery as cq
+
+    from geometry.solids.measure import tessellate
+
+    try:
+        shape = cq.importers.importStep(str(path)).val()
+        solids = shape.Solids() if isinstance(shape, cq.Shape) else []
+    except (ValueError, RuntimeError, IndexError) as error:
+        raise Refusal(f"is not a STEP file that can be read: {error}", kind=Kind.UNREADABLE, file=path) from None
+    if not solids:
+        problem = "has no solid, only surfaces or curves"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, file=path, remedy="join them to a solid in your CAD program")
+    if len(solids) > 1:
+        problem = f"has {len(solids)} solids"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, file=path, remedy="export the one that carries the array")
+    if not solids[0].isValid():
+        problem = "has a solid that is not valid"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, file=path, remedy="check and heal it in your CAD program")
+    found = tessellate(solids[0], _TOLERANCE, _FACET_ANGLE)
+    return found.vertices, found.triangles, found.faces + 1
+
+
+def _of_mesh(path: Path, scale: float) -> tuple[Array, Corners]:
+    check_extras("reading a body", "cad")
+    import trimesh
+
+    try:
+        mesh = trimesh.load(path, force="mesh", process=False)
+        vertices, triangles = np.asarray(mesh.vertices, np.float64), np.asarray(mesh.faces, np.int64)
+    except Exception as error:  # each format has errors of its own
+        said = " ".join(str(error).split())[:80] or type(error).__name__
+        raise Refusal(f"cannot be read as a mesh: {said}", kind=Kind.UNREADABLE, file=path) from None
+    if vertices.ndim != 2 or triangles.ndim != 2 or not len(triangles):
+        raise Refusal("has no facets", kind=Kind.UNSUITABLE, file=path)
+    if not np.isfinite(vertices).all():
+        raise Refusal("has corners that are not finite numbers", kind=Kind.UNSUITABLE, file=path)
+    return vertices * scale, triangles
+
+
+def _welded(vertices: Array, triangles: Corners, faces: Corners) -> tuple[Array, Corners, Corners, int]:
+    """Facets that share equal corners, without those of no area, and how many these are."""
+    span = float(np.ptp(vertices, axis=0).max())
+    grid = max(span, 1e-9) * 1e-9
+    _, first, place = np.unique(np.round(vertices / grid), axis=0, return_index=True, return_inverse=True)
+    triangles = place.reshape(-1)[triangles]
+    vertices = vertices[first]
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    longest = np.max([np.linalg.norm(b - a, axis=1), np.linalg.norm(c - b, axis=1), np.linalg.norm(a - c, axis=1)], 0)
+    height = np.linalg.norm(np.cross(b - a, c - a), axis=1) / np.maximum(longest, 1e-300)
+    real = height > _NO_AREA
+    used, place = np.unique(triangles[real], return_inverse=True)
+    return vertices[used], place.reshape(-1, 3), faces[real], int((~real).sum())

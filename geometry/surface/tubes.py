@@ -1,0 +1,116 @@
+"""Ports, lengths and sides of the tubes between parts on a body: few shells differ, and nothing bends too far."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from geometry.ground.typed import Array
+from geometry.plan.frozen import Ways, smooth_courses
+
+#: Least angle between the two ports of a shell, degrees.
+LEAST_ANGLE = 45.0
+#: Steps of the lengths that are tried, mm, below the stated one.
+_FINER = (0.2, 0.1, 0.05, 0.02, 0.01)
+
+
+def directions(places: Array, normals: Array, targets: Array) -> Array:
+    """Unit vectors across the normals towards targets, all (n, 3) float64."""
+    way = targets - places
+    way = way - np.einsum("nc,nc->n", way, normals)[:, None] * normals
+    return np.asarray(way / np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-12))
+
+
+def turned(vectors: Array, normals: Array, angles: Array) -> Array:
+    """Vectors across normals, turned about these by angles, radians; (n, 3) float64."""
+    cos, sin = np.cos(angles)[:, None], np.sin(angles)[:, None]
+    return np.asarray(cos * vectors + sin * np.cross(normals, vectors))
+
+
+def rounded_ports(forward: Array, backward: Array, normals: Array, step: float) -> tuple[Array, Array, float]:
+    """Directions to the next part turned so that the angle to the one before is a multiple of a step.
+
+    Both tubes turn by half of what is rounded away.
+
+    Args:
+        forward: unit vectors towards the next part, (n, 3) float64.
+        backward: the same towards the one before.
+        normals: of the shells.
+        step: degrees.
+
+    Returns:
+        Turned forward vectors (n, 3), angles from these to the ports before in degrees (n,), and the largest turn of a
+        tube in degrees.
+    """
+    across = np.einsum("nc,nc->n", np.cross(forward, backward), normals)
+    angle = np.degrees(np.arctan2(across, np.einsum("nc,nc->n", forward, backward))) % 360
+    least = math.ceil(LEAST_ANGLE / step - 1e-9) * step
+    wanted = np.clip(np.round(angle / step) * step, least, 360 - least)
+    half = (wanted - angle) / 2
+    return turned(forward, normals, np.radians(-half)), wanted, float(np.abs(half).max(initial=0.0))
+
+
+def bends(courses: Array) -> Array:
+    """Smallest radius of each axis, (n,) float64, mm, of polylines (n, m, 3): of circles through three places."""
+    a, b = courses[:, 1:-1] - courses[:, :-2], courses[:, 2:] - courses[:, 1:-1]
+    lengths = (np.linalg.norm(each, axis=2) for each in (a, b, a + b))
+    first, second, chord = lengths
+    area = np.linalg.norm(np.cross(a, b), axis=2)
+    radius = np.where(area > 1e-9 * first * second, first * second * chord / np.maximum(2 * area, 1e-300), np.inf)
+    return np.asarray(radius.min(axis=1))
+
+
+def chosen_lengths(
+    ways: Ways, stated: float, smallest: Array, least: Array, obstacles: Array, reach: float
+) -> tuple[Array, Array, float]:
+    """Lengths in steps, and the side to which each tube bulges.
+
+    Each tube has the coarsest step at which it bends no further than it may.
+
+    Args:
+        ways: both ends of each tube.
+        stated: coarsest step, mm.
+        smallest: radius to which each tube may be bent, (n,) mm.
+        least: length below which a tube is too short for its walls, (n,) mm.
+        obstacles: axes of the shells, (k, 3) mm.
+        reach: radius of a shell, mm, within which its own tubes do not count as near.
+
+    Returns:
+        Lengths (n,), sides (n,) and the finest step, mm.
+    """
+    smooth = np.maximum(ways.smooth, least)
+    count = len(smooth)
+    lengths, sides, bent, coarse = smooth.copy(), np.ones(count), np.full(count, -np.inf), np.zeros(count)
+    for step in (stated, *(each for each in _FINER if each < stated - 1e-9)):
+        longer = np.ceil(smooth / step - 1e-6) * step
+        shorter = np.floor(smooth / step + 1e-6) * step
+        possible = (shorter >= ways.shortest + 1e-6) & (shorter >= least - 1e-9)
+        options = []
+        for own in (longer, np.where(possible, shorter, longer)):
+            for side in (1.0, -1.0):
+                courses = smooth_courses(replace(ways, sides=np.full(count, side)), own)
+                spare = np.minimum(bends(courses) / smallest - 1, 0.0)
+                room = np.minimum(_room(courses, obstacles, reach), reach)
+                options.append((10 * spare + 0.01 * room / reach, own, np.full(count, side), spare))
+        best = np.argmax(np.stack([score for score, *_ in options]), axis=0)
+        pick = np.arange(count)
+        own, side_of, spare = (np.stack(column)[best, pick] for column in list(zip(*options, strict=True))[1:])
+        better = (bent < -1e-6) & (spare > bent + 1e-9)
+        lengths, sides = np.where(better, own, lengths), np.where(better, side_of, sides)
+        bent, coarse = np.where(better, spare, bent), np.where(better, step, coarse)
+        if bent.min() > -1e-6:
+            break
+    return np.asarray(np.round(lengths, 6), np.float64), sides, float(coarse.min())
+
+
+def _room(courses: Array, obstacles: Array, reach: float) -> Array:
+    """Distance of the middle of each course from the nearest axis that is not at its ends, (n,) float64, mm."""
+    middles = courses[:, courses.shape[1] // 2]
+    apart = np.linalg.norm(middles[:, None] - obstacles[None], axis=2)
+    ends = np.minimum(
+        np.linalg.norm(courses[:, None, 0] - obstacles[None], axis=2),
+        np.linalg.norm(courses[:, None, -1] - obstacles[None], axis=2),
+    )
+    return np.asarray(np.where(ends > reach, apart, np.inf).min(axis=1, initial=1e9))

@@ -1,0 +1,288 @@
+"""An array laid on a body: even places, lines that do not cross, few kinds of shells, and nothing that overlaps."""
+
+import itertools
+import shutil
+from functools import partial
+from pathlib import Path
+
+import bodies
+import numpy as np
+import pytest
+from refusals import check_messages, refused
+
+import geometry
+from geometry import Kind
+from geometry.body import read_body
+from geometry.layout import array_size, lay_out
+from geometry.layout.overlaps import overlaps
+from geometry.plan.routing import path_length, tightest_bend
+from geometry.schema.ports import least_angle
+from geometry.surface import fit_design, fit_surface
+from geometry.surface.order import Order, crossings, steps_of
+from geometry.surface.spread import nearest_spacing
+from geometry.surface.tubes import rounded_ports
+from geometry.surface.unrolled import unrolled
+
+HERE = Path(__file__).parent
+EXAMPLE = Path("docs/examples/robot")
+FINE = geometry.prototype("fingertip-3x4")
+#: What each body carries: parts, microphones, and the table [surface].
+PAD = {"normal": {"towards": (0.8, 0, 0.6), "within": 78}, "above": ({"point": (0, 0, 5), "normal": (0, 0, 1)},)}
+
+
+def wishes(**places):
+    return tuple({"name": name, "at": place} for name, place in places.items())
+
+
+def half(point, normal):
+    return {"point": point, "normal": normal}
+
+
+def cases():
+    wrist = geometry.load_design("docs/examples/wristband-16.toml")
+    ends = (half((0, 0, 14), (0, 0, 1)), half((0, 0, 96), (0, 0, -1)))
+    sides = (half((38, 0, 0), (-1, 0, 0)), half((-38, 0, 0), (1, 0, 0)), half((0, 41, 0), (0, -1, 0)))
+    up = {"towards": (0, 0, 1), "within": 45}
+    return {
+        "capsule": (FINE, "AB", {"pitch": 4.0, "region": PAD, "microphones": wishes(A=(-6, -7, 7), B=(-6, 7, 7))}),
+        "capsule in pockets": (FINE, "AB", {"pitch": 4.0, "region": PAD, "seat": "in"}),
+        "handle": (wrist, "AB", {"pitch": 15.0, "region": {"above": ends}}),
+        "palm": (
+            wrist,
+            "ABC",
+            {
+                "pitch": 14.0,
+                "region": {"normal": up, "above": (*sides, half((0, -41, 0), (0, 1, 0)))},
+                "microphones": wishes(A=(-40, -44, 20), B=(40, -44, 20), C=(40, 44, 20)),
+            },
+        ),
+        "panel": (
+            wrist,
+            "ABCD",
+            {
+                "pitch": 15.0,
+                "region": {"normal": up},
+                "microphones": wishes(A=(-70, 0, 108), B=(0, 70, 108), C=(70, 0, 108), D=(0, -70, 108)),
+            },
+        ),
+    }
+
+
+def design_of(parts, names, stated, points=1):
+    data = parts.model_dump()
+    lines = [{"between": pair, "points": points} for pair in itertools.pairwise(names)]
+    return geometry.ArrayDesign.model_validate(
+        {**data, "microphones": tuple(names), "lines": lines, "layout": {"kind": "serpentine"},
+         "surface": {"body": "body.step", **stated}}
+    )  # fmt: skip
+
+
+def fitted(case, folder):
+    parts, names, stated = cases()[case]
+    body = read_body(bodies.written(bodies.BODIES[case.split()[0]](), folder / "body.step"))
+    return fit_surface(design_of(parts, names, stated), body)
+
+
+def check_fit(found):
+    """What every array on a body must be."""
+    design, layout = found.design, lay_out(found.design)
+    assert overlaps(design, layout) == ()
+    assert found.spacing[1] <= 0.08
+    assert found.shell_kinds <= 12
+    for tube in layout.tubes:
+        assert tightest_bend(tube.course) >= tube.tube.smallest_bend_radius * (1 - 1e-6)
+        assert path_length(tube.course) == pytest.approx(tube.tube.length, rel=1e-6)
+    for point in layout.points:
+        assert least_angle(point.port_angles) >= 45 - 1e-9
+    steps = [(place, place + 1) for place in range(design.point_count - 1)]
+    steps = [s for s, (a, b) in zip(steps, itertools.pairwise(layout.points), strict=True) if a.line == b.line]
+    frames = [layout.frame(point) for point in layout.points]
+    places, normals = (np.array(column) for column in zip(*[(f.origin, f.axes[2]) for f in frames], strict=True))
+    assert crossings(steps, places, normals) == []
+
+
+@pytest.fixture(scope="module")
+def example():
+    return geometry.load_design(EXAMPLE / "fingertip.toml")
+
+
+def test_the_example_has_no_overlap_and_few_kinds_of_shells(example):
+    layout = lay_out(example)
+    assert overlaps(example, layout) == ()
+    assert example.point_count == 24
+    assert len({point.turned[0] for point in layout.points}) <= 12
+    assert all(point.position != (0.0, 0.0) for point in layout.points)
+    assert max(array_size(example)) < 30
+    assert all(least_angle(point.port_angles) >= 45 - 1e-9 for point in layout.points)
+
+
+def test_shells_of_the_example_stand_on_the_capsule(example):
+    base = example.surface.base + example.resonator.floor_thickness
+    for part in example.layout.frozen.points:
+        x, y, z = part.at
+        radius = np.hypot(x, y) if z < 18 else np.linalg.norm([x, y, z - 18])
+        assert radius == pytest.approx(9 + base, abs=0.05)
+        outwards = np.array([x, y, max(z - 18, 0.0)]) / radius
+        assert outwards @ part.normal > 0.995
+
+
+def test_the_example_is_as_the_command_writes_it(tmp_path):
+    for name in ("fingertip.toml", "fingertip.step"):
+        shutil.copy(EXAMPLE / name, tmp_path / name)
+    found, places = fit_design(tmp_path / "fingertip.toml")
+    check_fit(found)
+    first = places.read_bytes()
+    fit_design(tmp_path / "fingertip.toml")
+    assert places.read_bytes() == first
+    again = geometry.load_design(tmp_path / "fingertip.toml")
+    assert again.lines == found.design.lines
+
+    text = (tmp_path / "fingertip.toml").read_text(encoding="utf-8")
+    (tmp_path / "fingertip.toml").write_text(text.replace("pitch = 6.0", "pitch = 5.5"), encoding="utf-8")
+    with refused(Kind.CONFLICT, "surface") as error:
+        geometry.load_design(tmp_path / "fingertip.toml")
+    assert "fit again" in error.value.remedy
+    (tmp_path / "fingertip.toml").write_text(text, encoding="utf-8")
+    with open(tmp_path / "fingertip.step", "a", encoding="utf-8") as file:
+        file.write(" ")
+    with refused(Kind.CONFLICT, "surface.body"):
+        geometry.load_design(tmp_path / "fingertip.toml")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", ["capsule", "capsule in pockets", "handle", "palm", "panel"])
+def test_an_array_on_a_body_keeps_every_rule(case, tmp_path):
+    check_fit(fitted(case, tmp_path))
+
+
+@pytest.mark.slow
+def test_parts_on_a_body_go_together(example):
+    from geometry.assembly.fit import misfits
+    from geometry.assembly.model import array_model
+
+    assert misfits(array_model(example)) == ()
+
+
+@pytest.mark.slow
+def test_membranes_of_an_array_in_pockets_are_flush_with_the_body(tmp_path):
+    found = fitted("capsule in pockets", tmp_path)
+    membrane = found.design.resonator.cavity_height + found.design.membrane.thickness
+    for part in found.design.layout.frozen.points:
+        x, y, z = np.array(part.at) + membrane * np.array(part.normal)
+        radius = np.hypot(x, y) if z < 18 else np.linalg.norm([x, y, z - 18])
+        assert radius == pytest.approx(9, abs=0.06)
+
+
+# -- order, ports and plan -----------------------------------------------------------------------------
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("counts", [[8], [4, 4]])
+def test_the_order_of_few_points_is_close_to_the_best_of_all(seed, counts):
+    places = np.random.default_rng(seed).uniform(0, 4, (8, 2))
+    apart = np.linalg.norm(places[:, None] - places[None], axis=2)
+    ends = np.random.default_rng(seed + 9).uniform(0, 4, (len(counts) + 1, 8))
+    order = Order(apart, ends, counts, 1.0)
+
+    def cost(tour):
+        own = sum(order.cost[pair] for pair in steps_of(tour, counts))
+        stops = np.cumsum([0, *counts])
+        for k in range(len(counts)):
+            own += order.ends[k, tour[stops[k]]] + order.ends[k + 1, tour[stops[k + 1] - 1]]
+        return own
+
+    best = min(map(cost, itertools.permutations(range(8))))
+    assert cost(order.found(seed)) <= 1.03 * best
+
+
+def test_crossing_steps_are_found():
+    places = np.array([[0.0, 0, 0], [1, 1, 0], [0, 1, 0], [1, 0, 0], [2, 0, 0]])
+    normals = np.tile([0.0, 0.0, 1.0], (5, 1))
+    assert crossings([(0, 1), (2, 3)], places, normals) == [(0, 1)]
+    assert crossings([(0, 2), (1, 3), (3, 4)], places, normals) == []
+
+
+def test_ports_are_rounded_by_turning_both_tubes_alike():
+    angles = np.radians([10.0, 52.0, 100.0, 187.0, 340.0])
+    forward, normals = np.tile([1.0, 0.0, 0.0], (5, 1)), np.tile([0.0, 0.0, 1.0], (5, 1))
+    backward = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(5)])
+    x, ports, turned = rounded_ports(forward, backward, normals, 15.0)
+    assert ports.tolist() == [45, 45, 105, 180, 315]
+    halves = (ports - np.degrees(angles)) / 2
+    np.testing.assert_allclose(np.degrees(np.arctan2(x[:, 1], x[:, 0])), -halves, atol=1e-9)
+    assert turned == pytest.approx(np.abs(halves).max())
+
+
+def test_a_plan_of_places_in_a_plane_is_that_plane():
+    places = np.column_stack([np.random.default_rng(1).uniform(0, 40, (30, 2)), np.zeros(30)])
+    found = unrolled(places, np.tile([0.0, 0.0, 1.0], (30, 1)), 8.0)
+    apart, own = (np.linalg.norm(p[:, None] - p[None], axis=2) for p in (places[:, :2], found.places))
+    near = apart < 10
+    np.testing.assert_allclose(own[near], apart[near], rtol=0.03, atol=0.05)
+    # Seen from outside: three places turn the same way round.
+    a, b = places[1, :2] - places[0, :2], places[2, :2] - places[0, :2]
+    p, q = found.places[1] - found.places[0], found.places[2] - found.places[0]
+    assert np.sign(a[0] * b[1] - a[1] * b[0]) == np.sign(p[0] * q[1] - p[1] * q[0])
+
+
+def test_distances_on_a_ball_are_arcs():
+    angles = np.radians([0.0, 20.0, 55.0])
+    normals = np.column_stack([np.sin(angles), np.zeros(3), np.cos(angles)])
+    assert nearest_spacing(12 * normals, normals) == pytest.approx(12 * np.radians([20.0, 20.0, 35.0]))
+
+
+# -- what cannot be laid -------------------------------------------------------------------------------
+def laid(folder, body=bodies.capsule, parts=FINE, names="AB", points=1, **stated):
+    path = bodies.written(body(), folder / "body.step")
+    fit_surface(design_of(parts, names, {"pitch": 4.0, **stated}, points), read_body(path))
+
+
+def dumbbell():
+    """Two plates joined by a strip."""
+    import cadquery as cq
+
+    plates = cq.Workplane().box(30, 30, 4).union(cq.Workplane().box(30, 30, 4).translate((50, 0, 0)))
+    return plates.union(cq.Workplane().box(40, 6, 4).translate((25, 0, 0)))
+
+
+def plate():
+    import cadquery as cq
+
+    return cq.Workplane().box(40, 7, 4)
+
+
+TOP = {"faces": (), "normal": {"towards": (0, 0, 1), "within": 20}}
+UNSUITABLE = {
+    "an empty region": {"region": {"above": (half((0, 0, 90), (0, 0, 1)),)}},
+    "a region without direction": {"region": {"normal": {"towards": (0, 0, 0), "within": 20}}},
+    "a strip narrower than two pitches": {"body": plate, "region": TOP},
+    "plates that hang together by a strip": {"body": dumbbell, "region": TOP},
+    "shells too wide for the body": {"parts": geometry.prototype("array-2x6"), "pitch": 15.0},
+    "a pitch at which shells touch": {"pitch": 2.0},
+    "more points than there is room for": {"pitch": None, "points": 200, "region": PAD},
+    "a microphone that no line has": {"microphones": wishes(C=(0, 0, 0)), "region": PAD},
+    "no face for a microphone": {"forbidden": (1, 2, 3), "region": PAD},
+}
+
+
+def test_messages(tmp_path):
+    calls = {name: partial(laid, tmp_path, **case) for name, case in UNSUITABLE.items()}
+    check_messages(HERE / "messages.txt", calls, hidden={f"{tmp_path}/": ""})
+
+
+FILES = {
+    "no table": lambda text: text.split("[surface]")[0] + "[printing]" + text.split("[printing]")[1],
+    "no file of places": lambda text: text.replace('places = "fingertip.places.json"', "columns = 4"),
+    "points beside a pitch": lambda text: text.replace('between = ["A", "B"]', 'between = ["A", "B"]\npoints = 9'),
+    "stated lengths": lambda text: text.replace('between = ["A", "B"]', 'between = ["A", "B"]\nlengths = [1.0]'),
+    "no body": lambda text: text.replace("fingertip.step", "missing.step"),
+}
+
+
+def test_messages_of_files(tmp_path):
+    text = (EXAMPLE / "fingertip.toml").read_text(encoding="utf-8")
+
+    def call(change):
+        (tmp_path / "a.toml").write_text(change(text), encoding="utf-8")
+        fit_design(tmp_path / "a.toml")
+
+    calls = {name: partial(call, change) for name, change in FILES.items()}
+    check_messages(HERE / "messages_of_files.txt", calls, hidden={f"{tmp_path}/": ""})
