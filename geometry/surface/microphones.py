@@ -74,7 +74,7 @@ class Found:
 
 
 def room_for_microphones(samples: Samples, stated: SurfaceFit, seats: Seats) -> Mask:
-    """Samples of a body where a housing may stand.
+    """Samples of a body where a housing may stand, (n,) bool.
 
     Raises:
         Refusal: there is none.
