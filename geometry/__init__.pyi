@@ -31,4 +31,3 @@ from .formats.part_files import export as export
 from .ground.refusal import Kind as Kind, Refusal as Refusal
 from .printing.printability import print_report as print_report
 from .schema.field_errors import DesignError as DesignError
-from .surface.fit_file import fit_design as fit_design

@@ -58,6 +58,7 @@ from .optimization.problem import load_optimization as load_optimization
 from .output.display import Display as Display
 from .proposals.design_writing import new_design as new_design
 from .proposals.proposing import Proposal as Proposal, Proposals as Proposals, propose_designs as propose_designs
+from .run.body_fit import fit_design as fit_design
 from .run.check import DesignCheck as DesignCheck, check_design as check_design
 from .run.file_list import FolderCheck as FolderCheck, verify_run as verify_run
 from .run.library_files import convert_library as convert_library, solve_library as solve_library

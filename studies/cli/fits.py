@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
-import geometry
+import studies
 from geometry.ground.refusal import counted
 from studies.cli.options import display_on_stderr
 from studies.cli.terminal_tables import say, tell
@@ -26,12 +25,12 @@ def fit(
 
     Example: [bold]acoustic-fem fit finger.toml[/bold], then acoustic-fem check finger.toml
     """
-    with display_on_stderr() as display, display.stage("Fit") as report:
-        fitted, places = geometry.fit_design(design, report)
+    with display_on_stderr() as display:
+        fitted, places = studies.fit_design(design, display=display)
     for finding in fitted.findings:
         tell(f"- {finding}")
     tell(
         f"{fitted.design.name}: {counted(fitted.design.point_count, 'point')} laid without overlaps; no place of the "
         f"region is further than {fitted.uncovered:.2g} mm from a membrane"
     )
-    say(Path(places))
+    say(places)

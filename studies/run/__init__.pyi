@@ -1,3 +1,4 @@
+from .body_fit import fit_design as fit_design
 from .check import DesignCheck as DesignCheck, check_design as check_design
 from .enclosed_air import EnclosedChange as EnclosedChange, EnclosedFindings as EnclosedFindings
 from .file_list import FolderCheck as FolderCheck, verify_run as verify_run
