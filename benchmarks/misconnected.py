@@ -100,7 +100,7 @@ def is_found(fault: ConnectionFault | None, found: ConnectionFault | None, count
 def recorded(rig: Rig, folder: Path) -> list[tuple[int, NDArray[np.float64]]]:
     """Points and recordings, (n_microphone, n) Pa, of touches at some of a rig's points."""
     chosen = np.random.default_rng(rig.seed).choice(np.arange(1, rig.design.point_count + 1), POINTS, replace=False)
-    recorder = Recorder()
+    recorder = Recorder(output="pressure")
     record_touches(rig, folder, sorted(chosen.tolist()), SESSION, recorder)
     names = rig.design.microphones
     return [

@@ -12,7 +12,7 @@ from __future__ import annotations
 import argparse
 import tempfile
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -89,7 +89,7 @@ def counted(manifest: Path, model: Path, decoding: Decoding, points: int) -> Cou
         points: of the array.
     """
     session, counts = read_touch_manifest(manifest, points), Counts()
-    opened = open_decoding(model, decoding)
+    opened = open_decoding(model, replace(decoding, microphone_output=session.output))
     array = opened.locator.array
     for k in np.random.default_rng(FIRST).permutation(len(session.recordings)):
         each = session.recordings[k]

@@ -35,7 +35,7 @@ SESSION = TouchSession(takes=1, seconds=4.0, parts=("taps", "friction"))
 def recorded(rig: Rig, points: int, folder: Path) -> list[NDArray[np.float64]]:
     """Recordings by the microphones of a rig for touches at some of its points, (n_microphone, n) Pa each."""
     chosen = np.random.default_rng(rig.seed).choice(np.arange(1, points + 1), POINTS, replace=False)
-    recorder = Recorder()
+    recorder = Recorder(output="pressure")
     record_touches(rig, folder, sorted(chosen.tolist()), SESSION, recorder)
     names = rig.design.microphones
     return [read_recording(path, names, recorder.full_scale).signals for path in sorted(folder.glob("*.wav"))]

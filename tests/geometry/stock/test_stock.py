@@ -58,6 +58,9 @@ def test_what_a_microphone_determines_makes_a_valid_design(stock):
         changed = design.with_values(part.values)
         assert changed.microphone.model == part.part_number
         assert changed.microphone.package_length == part.length
+        if part.overload is not None:  # dB SPL of a sine, whose peak is stated
+            peak = math.sqrt(2) * 20e-6 * 10 ** (part.overload / 20)
+            assert changed.microphone.overload == pytest.approx(peak, rel=2e-3)
 
 
 # -- sleeves and tubing over a spring -------------------------------------------------------------------

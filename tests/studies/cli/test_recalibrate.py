@@ -44,7 +44,16 @@ def test_the_command_makes_the_library_of_the_sensor_from_recordings_of_touches(
     session = TouchSession(takes=1, seconds=4.0, parts=("random-1-100",))
     record_touches(rig, tmp_path / "touches", range(1, 13), session, Recorder(hum=2e-4, drift=1e-3))
     files = sorted((tmp_path / "touches").glob("*.wav"))
-    arguments = (tmp_path / "last.nc", *files, "--full-scale", 2, "--out", tmp_path / "now.nc")
+    arguments = (
+        tmp_path / "last.nc",
+        *files,
+        "--full-scale",
+        2,
+        "--out",
+        tmp_path / "now.nc",
+        "--microphone-output",
+        "voltage",
+    )
     assert run(monkeypatch, *arguments) == 0
     assert "frames with touches" in capsys.readouterr().out
     made = acoustic_fem.load(tmp_path / "now.nc")
