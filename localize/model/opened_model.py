@@ -93,37 +93,45 @@ class Decoding:
     microphone_output: Output = "pressure"
     """Content of the signals that are read or listened to: pressures in front of the microphones, or ``voltage``, the
     outputs of microphones that nobody has equalised."""
-    lowest: float = LOWEST
-    """Frequency down to which outputs are equalised to pressures, Hz."""
+    lowest: float | None = None
+    """Frequency down to which outputs are equalised to pressures, Hz; None for 1 Hz, and 0.2 Hz for a pulse."""
 
     def __post_init__(self) -> None:
         checked_air(self.air)
         check_noise(self.microphone_noise, "microphone_noise")
         check_sound_level(self.ambient)
         check_choice("microphone_output", self.microphone_output, OUTPUTS)
-        check_range("lowest", self.lowest, *LOWEST_RANGE, "Hz")
+        if self.lowest is not None:
+            check_range("lowest", self.lowest, *LOWEST_RANGE, "Hz")
         if self.rejected_fraction is not None:
             StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
 
-    def equaliser(self, array: ArrayFacts) -> Equaliser | None:
+    def equaliser(self, array: ArrayFacts, usual: float = LOWEST) -> Equaliser | None:
         """Filter from the outputs of an array's microphones to pressures, new; None where signals are pressures.
+
+        Args:
+            array: facts of the array.
+            usual: lowest frequency if :attr:`lowest` is not given, Hz.
 
         Raises:
             Refusal: an array whose design is not known.
         """
-        return array.equaliser(self.lowest) if self.microphone_output == "voltage" else None
+        if self.microphone_output == "pressure":
+            return None
+        return array.equaliser(usual if self.lowest is None else self.lowest)
 
-    def pressures(self, signals: Array, array: ArrayFacts) -> Array:
+    def pressures(self, signals: Array, array: ArrayFacts, usual: float = LOWEST) -> Array:
         """Pressures in front of the microphones of an array, from a whole recording.
 
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz, as they were read.
             array: facts of the array.
+            usual: lowest frequency if :attr:`lowest` is not given, Hz.
 
         Raises:
             Refusal: outputs of an array whose design is not known.
         """
-        equaliser = self.equaliser(array)
+        equaliser = self.equaliser(array, usual)
         return signals if equaliser is None else equaliser.begin(signals)
 
 
@@ -150,7 +158,7 @@ class Model(Shown):
             "follows drift": "yes" if decoding.follow_drift else "",
             "equalises the microphones": ""
             if decoding.microphone_output == "pressure"
-            else f"down to {decoding.lowest:g} Hz",
+            else f"down to {decoding.lowest or LOWEST:g} Hz",
             "warnings": f"{len(self.warnings)}, the first: {self.warnings[0]}" if self.warnings else "none",
             "files": ", ".join(str(path) for path in self.files),
         }
@@ -350,7 +358,7 @@ def open_model(
     follow_drift: bool = False,
     tolerances: bool = True,
     microphone_output: Output = "pressure",
-    lowest: float = LOWEST,
+    lowest: float | None = None,
 ) -> Model:
     """Model from a file, a folder, a library or a localizer in memory; a file is recognised by its content.
 
@@ -373,7 +381,7 @@ def open_model(
         tolerances: whether a computed library is decoded with manufacturing tolerances.
         microphone_output: content of the signals that are read or listened to: ``pressure`` in front of the
             microphones, or ``voltage``, outputs of the microphones that nobody has equalised.
-        lowest: frequency down to which outputs are equalised to pressures, Hz.
+        lowest: frequency down to which outputs are equalised to pressures, Hz; by default 1 Hz.
 
     Returns:
         The model; a :class:`Model` is handed back as it is.

@@ -11,7 +11,6 @@ import acoustic_fem
 import localize
 import studies
 from acoustic_fem.quantities.fidelity import ONE_DESIGN, Fidelity
-from acoustic_fem.quantities.microphone_signals import LOWEST
 from geometry.ground.refusal import counted
 from localize.signals.stimulus import BAND
 from studies.cli.options import (
@@ -189,7 +188,7 @@ def recalibrate(
     out: Annotated[Path, typer.Option(help="Library to write, netCDF, a new file.")],
     full_scale: FullScale = None,
     microphone_output: MicrophoneOutput = "pressure",
-    lowest: Lowest = LOWEST,
+    lowest: Lowest = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Seed that chooses the held-out touches.", min=0)] = SEED,
     channels: Channels = None,

@@ -15,7 +15,6 @@ from rich.console import Console
 import acoustic_fem
 import localize
 import studies
-from acoustic_fem.quantities.microphone_signals import LOWEST
 from geometry.ground.argument_checks import whole_number
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
@@ -77,7 +76,7 @@ def live(
         float, typer.Option(help="Pressure at full scale of the sound card or file, Pa.")
     ] = FULL_SCALE,
     microphone_output: MicrophoneOutput = "pressure",
-    lowest: Lowest = LOWEST,
+    lowest: Lowest = None,
     replay: Annotated[
         Path | None, typer.Option(metavar="FILE.wav", help="Recording to play in real time in place of a sound card.")
     ] = None,

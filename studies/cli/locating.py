@@ -9,7 +9,6 @@ import typer
 
 import acoustic_fem
 import studies
-from acoustic_fem.quantities.microphone_signals import LOWEST
 from geometry.ground.refusal import counted
 from localize.live.stream_options import MOVING
 from studies.cli.options import (
@@ -168,7 +167,7 @@ def locate(
     ] = None,
     full_scale: FullScale = None,
     microphone_output: MicrophoneOutput = "pressure",
-    lowest: Lowest = LOWEST,
+    lowest: Lowest = None,
     noise: DecoderNoise = None,
     library: ArrayLibrary = None,
     waveform: Annotated[
@@ -265,7 +264,7 @@ def recognize(
     ] = None,
     full_scale: FullScale = None,
     microphone_output: MicrophoneOutput = "pressure",
-    lowest: Lowest = LOWEST,
+    lowest: Lowest = None,
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
     pressure: Pressure = None,
@@ -325,7 +324,7 @@ def track(
     radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm; a stylus has 0.5.")] = MOVING,
     full_scale: FullScale = None,
     microphone_output: MicrophoneOutput = "pressure",
-    lowest: Lowest = LOWEST,
+    lowest: Lowest = None,
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
     channels: Channels = None,
@@ -382,7 +381,7 @@ def pulse(
     ] = None,
     full_scale: FullScale = None,
     microphone_output: MicrophoneOutput = "pressure",
-    lowest: Lowest = LOWEST,
+    lowest: Lowest = None,
     noise: DecoderNoise = None,
     pressure: Pressure = None,
     altitude: Altitude = None,

@@ -96,8 +96,12 @@ MicrophoneOutput = Annotated[
     ),
 ]
 Lowest = Annotated[
-    float,
-    typer.Option(metavar="HZ", help="Frequency down to which voltages are equalised to pressures, Hz, 0.1 to 20."),
+    float | None,
+    typer.Option(
+        metavar="HZ",
+        help="Frequency down to which voltages are equalised to pressures, Hz, 0.1 to 20. Default: 1, and 0.2 for a "
+        "pulse.",
+    ),
 ]
 Channels = Annotated[
     str | None,

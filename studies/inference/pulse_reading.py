@@ -21,6 +21,8 @@ from localize.signals.array_response import response_of
 from studies.output.figure_style import WIDTH, figure_in_style, line_colours, save_figure
 from studies.output.folders import check_new_file, is_own_table, new_picture
 
+#: Frequency down to which outputs of microphones are equalised unless it is given, Hz: a fifth of a slow pulse.
+LOWEST_OF_PULSE = 0.2
 #: Columns of the waveform, at 1 kHz.
 COLUMNS = ("time (s)", "force (N)")
 
@@ -75,7 +77,7 @@ def read_pulse(
     check_point(point, array.point_count)
     reader = localize.PulseReader(response, given.microphone_noise)
     heard = read_recording(Path(recording), array.microphones, full_scale)
-    reading = reader.read(given.pressures(heard.signals, array), point)
+    reading = reader.read(given.pressures(heard.signals, array, LOWEST_OF_PULSE), point)
     if table is not None:
         write_text(table, _rows(reading))
     if drawn is not None:

@@ -15,7 +15,7 @@ import acoustic_fem
 import localize
 from acoustic_fem import Library
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
-from acoustic_fem.quantities.microphone_signals import LOWEST, Output
+from acoustic_fem.quantities.microphone_signals import Output
 from geometry.ground.refusal import Field, Kind
 from geometry.ground.typed import PathLike
 from localize import read_recording
@@ -60,7 +60,7 @@ def recalibrate(
     air: LocalAir | None = None,
     channels: Mapping[str, int] | None = None,
     microphone_output: Output = "pressure",
-    lowest: float = LOWEST,
+    lowest: float | None = None,
     display: Display | None = None,
 ) -> Recalibration:
     """Recalibration of a sensor from touches whose points need not be known.
@@ -81,7 +81,7 @@ def recalibrate(
             channels or by their order.
         microphone_output: content of the recordings: ``pressure`` in front of the microphones, or ``voltage``, outputs
             of microphones that nobody has equalised.
-        lowest: frequency down to which outputs are equalised to pressures, Hz.
+        lowest: frequency down to which outputs are equalised to pressures, Hz; by default 1 Hz.
         display: shows progress.
 
     Raises:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,7 +11,10 @@ import pytest
 import acoustic_fem
 import geometry
 import studies
+from acoustic_fem.network import output_response
+from acoustic_fem.quantities.local_air import design_air
 from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.contacts import pulse_wave, record
 from localize.signals.array_response import response_of
 
@@ -45,6 +49,27 @@ def test_a_pulse_is_read_from_a_recording(folder: Path, tmp_path: Path) -> None:
     np.testing.assert_allclose(waveform[:, 1], found.reading.waveform, rtol=1e-3)
     assert picture.stat().st_size > 10_000
     studies.read_pulse(folder / "library.nc", folder / "pulse.npz", table, point=3)  # its own table is replaced
+
+
+def test_the_outputs_of_microphones_give_the_waveform_of_the_pressures(folder: Path, tmp_path: Path) -> None:
+    library = acoustic_fem.load(folder / "library.nc")
+    pressures = np.load(folder / "pulse.npz")["signals"]
+    grid = np.fft.rfftfreq(2 * pressures.shape[1], 1e-3)
+    known = output_response(library.design.microphone, np.maximum(grid, 1e-3), design_air(library.design))
+    outputs = np.fft.irfft(np.fft.rfft(pressures, 2 * pressures.shape[1]) * known)[:, : pressures.shape[1]]
+    np.savez(tmp_path / "outputs.npz", signals=outputs)
+
+    def waveform(path: Path, **options: Any) -> Array:
+        found = studies.read_pulse(library, path, point=2, decoding=studies.Decoding(**options)).reading
+        return found.waveform[2500:5000]  # between the edges, where the high-pass has settled
+
+    expected = waveform(folder / "pulse.npz")
+    equalised = waveform(tmp_path / "outputs.npz", microphone_output="voltage")
+    taken_for_pressures = waveform(tmp_path / "outputs.npz")
+    assert np.corrcoef(equalised, expected)[0, 1] > 0.9
+    assert equalised.std() == pytest.approx(expected.std(), rel=0.1)
+    assert np.corrcoef(taken_for_pressures, expected)[0, 1] < 0.5
+    assert taken_for_pressures.std() < 0.2 * expected.std()
 
 
 @pytest.mark.parametrize(
