@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 
 import geometry
-from localize.signals.array_response import ArrayResponse, interpolated, response_of
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frequency_splines import interpolated
 from studies.test_rig.calibrating import calibrate_sensor
 from studies.test_rig.virtual_rig import Recorder, Rig
 
@@ -33,6 +34,7 @@ def made_sensors(response: ArrayResponse, design: str, seeds: Iterable[int]) -> 
         "vent_ratio": None,
         "cavity_response": None if cavity is None else interpolated(cavity, response.frequency, HEARD),
         "sealed": False,
+        "closed_form": None,
     }
     rigs = (Rig(geometry.prototype(design), seed, fidelity="lumped") for seed in seeds)
     return tuple(replace(response, transfer_function=each.transfer_function(HEARD), **bare) for each in rigs)

@@ -25,7 +25,8 @@ from localize.contacts.finger_gestures import WAVES
 from localize.evaluation.accuracy import wilson_interval
 from localize.recognition.pulse import PulseDecoder
 from localize.recognition.takes import prepared
-from localize.signals.array_response import ArrayResponse, interpolated, response_of
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frequency_splines import interpolated
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 
 Array = NDArray[np.float64]

@@ -29,8 +29,9 @@ from geometry.design.design_file import read_completed
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
-from localize.signals.array_response import ArrayResponse, interpolated
+from localize.signals.array_response import ArrayResponse
 from localize.signals.finger_stimuli import top_faded
+from localize.signals.frequency_splines import interpolated
 from localize.signals.stimulus import LINE_SPACING, SAMPLE_RATE, line_frequencies
 
 if TYPE_CHECKING:
@@ -44,6 +45,7 @@ RATE = 1.0
 BLOW = 5e-3
 """Time over which the force is averaged before the law is applied, s."""
 _RING = 1 / LINE_SPACING
+_SLOW = 1e-3, 0.2, 48
 _CONVERGED = 1e-5
 _ITERATIONS = 60
 
@@ -128,15 +130,20 @@ class LargePresses:
         """Pressure in the cavity per force over frequency, (n,) complex128, Pa/N, with room for it to ring."""
         response = self._response
         assert response.cavity_response is not None
-        length = scipy.fft.next_fast_len(count + round(_RING * self._rate), real=True)
+        # As long again as the press, so that rubber which still creeps does not act on its beginning.
+        length = scipy.fft.next_fast_len(2 * count + round(_RING * self._rate), real=True)
         length += length % 2
         grid = scipy.fft.rfftfreq(length, 1 / self._rate)
         band = (float(response.frequency[0]), min(float(response.frequency[-1]), SAMPLE_RATE / 2))
         fade = np.interp(grid, line_frequencies(), top_faded(band).numpy().astype(np.float64), right=0.0)
         through = np.zeros(len(grid), np.complex128)
         kept = fade > 0
-        own = response.cavity_response[point : point + 1]
-        through[kept] = interpolated(own, response.frequency, grid[kept])[0] * fade[kept]
+        # A fixed grid, which every press shares: closed forms at each frequency of a long press would fill the memory.
+        lines = line_frequencies()[1:]
+        shared = np.concatenate([np.geomspace(*_SLOW), lines[lines <= band[1]]])
+        _, cavity = response.between(shared)
+        assert cavity is not None
+        through[kept] = interpolated(cavity[point], shared, grid[kept]) * fade[kept]
         return through
 
 

@@ -4,13 +4,15 @@ The force on each membrane goes through its impulse response to each microphone,
 add. The array is linear in light forces; a larger one is replaced by the light force that displaces as much
 (:mod:`localize.contacts.large_presses`). The impulse responses are those of :mod:`localize.signals.propagation`: the
 transfer functions on lines 0.25 Hz apart, times the pressure in the cavity per force, the top of the band faded as for
-every touch. Noise and sound outside are those of :class:`localize.TouchGenerator`.
+every touch. Such lines hold responses of two seconds. Slower ones are a sum of exponentials
+(:mod:`localize.contacts.relaxation_series`), so that a press can be held, leak away and creep for as long as a take
+lasts. Noise and sound outside are those of :class:`localize.TouchGenerator`.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.fft
@@ -23,7 +25,8 @@ from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force, surface_of
 from localize.contacts.large_presses import LargePresses
-from localize.signals.array_response import ArrayResponse, interpolated, interpolated_from_zero, response_of
+from localize.contacts.relaxation_series import FITTED_TO, RelaxationSeries
+from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.disturbances import steady_sound
 from localize.signals.finger_stimuli import top_faded
 from localize.signals.noise_model import NoiseChoice, check_noise_choice
@@ -44,6 +47,8 @@ RATES = (250.0, 1e5)
 LONGEST = 1000.0
 """Length of the longest take, s."""
 _FINEST = 64
+_SLOW = 1e-3, 1.0, 48
+_AHEAD = 0.25
 _BLOCKS = 4096
 
 
@@ -130,12 +135,14 @@ class ContactRecorder:
                 stimuli=_silence,
                 ambient=steady_sound(ambient),
             )
-        self._taps = self._impulse_responses()
+        self._taps, self._slow = self._impulse_responses()
         self._length = 0
         self._on_bins: dict[int, NDArray[np.complex128]] = {}
 
-    def _impulse_responses(self) -> Array:
-        """(n_point, n_microphone, period) Pa/N per sample; what comes before time zero stands at the end."""
+    def _impulse_responses(self) -> tuple[Array, RelaxationSeries]:
+        """(n_point, n_microphone, period) Pa/N per sample, of which what comes before time zero stands at the end; and
+        the slow exponentials, which are not in them.
+        """
         response = self.response
         if response.cavity_response is None:
             raise Refusal(
@@ -147,11 +154,22 @@ class ContactRecorder:
         band = (float(grid[0]), min(float(grid[-1]), SAMPLE_RATE / 2))
         fade = top_faded(band).numpy().astype(np.float64)
         lines = line_frequencies()[: int(np.flatnonzero(fade)[-1]) + 1]
-        touched = interpolated_from_zero(response.transfer_function, grid, lines, response.sealed)
-        in_cavity = interpolated(response.cavity_response, grid, lines) * fade[: len(lines)]
+        relaxing = np.concatenate([np.geomspace(*_SLOW)[:-1], np.arange(_SLOW[1], min(FITTED_TO, band[1]), 0.5)])
+        series = RelaxationSeries.of(self._force_response(relaxing), relaxing)
+        slow = series.slow()
         bins = self._period // 2 + 1
-        through = (touched * in_cavity[:, None])[..., :bins]
-        return np.asarray(scipy.fft.irfft(through, n=self._period))
+        through = np.zeros((*response.transfer_function.shape[:2], bins), np.complex128)
+        kept = min(len(lines), bins)
+        through[..., :kept] = self._force_response(lines[:kept]) * fade[:kept]
+        through[..., 0] = series.at(np.zeros(1))[..., 0]
+        through -= slow.sampled_at(np.arange(bins) * LINE_SPACING, self.sample_rate)
+        return np.asarray(scipy.fft.irfft(through, n=self._period)), slow
+
+    def _force_response(self, frequency: Array) -> NDArray[np.complex128]:
+        """(n_point, n_microphone, n) Pa/N."""
+        touched, in_cavity = self.response.between(frequency)
+        assert in_cavity is not None
+        return touched * in_cavity[:, None]
 
     def _bins_of(self, point: int, length: int) -> NDArray[np.complex128]:
         """(n_microphone, length // 2 + 1): the spectrum of a point's impulse response on a longer period."""
@@ -207,11 +225,19 @@ class ContactRecorder:
         rate = math.ceil(self.sample_rate)
         length = scipy.fft.next_fast_len(-(-count // rate) * rate + self._period, real=True)
         bins = length // 2 + 1
+        # A force that begins at once rings before its first sample, in the band of the samples.
+        ahead = round(_AHEAD * self.sample_rate)
         total = np.zeros((len(self.response.microphones), bins), np.complex128)
-        for point in np.flatnonzero(force.any(axis=0)):
+        pressed = np.flatnonzero(force.any(axis=0))
+        at_samples = np.zeros((len(pressed), count + ahead))
+        for number, point in enumerate(pressed):
             spectrum = scipy.fft.rfft(force[:, point], n=length * fine)[:bins] / fine
             total += self._bins_of(int(point), length) * spectrum
-        return np.asarray(scipy.fft.irfft(total, n=length)[:, :count])
+            band_limited = scipy.fft.irfft(spectrum, n=length)
+            at_samples[number, :ahead], at_samples[number, ahead:] = band_limited[-ahead:], band_limited[:count]
+        own = replace(self._slow, weight=self._slow.weight[pressed])
+        slow = own.through(at_samples, self.sample_rate)[:, ahead:]
+        return np.asarray(scipy.fft.irfft(total, n=length)[:, :count]) + slow
 
 
 def record(

@@ -27,8 +27,9 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.surroundings import Surroundings
 from localize.recognition.recognition_options import PulseOptions
 from localize.recognition.takes import prepared
-from localize.signals.array_response import ArrayResponse, interpolated_from_zero, response_of
+from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals
+from localize.signals.frequency_splines import interpolated_from_zero
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
@@ -122,6 +123,7 @@ def _faster(response: ArrayResponse, noise: NoiseSpectrum | None, slower: int) -
         vent_ratio=None,
         cavity_response=None,
         sealed=False,
+        closed_form=None,
     )
 
 
@@ -144,7 +146,9 @@ class PulseReader:
         response = response_of(library)
         self._decoder = PulseDecoder(response, microphone_noise, options)
         forced = response.force_response
-        through = response if forced is None else replace(response, transfer_function=forced, sealed=False)
+        through = (
+            response if forced is None else replace(response, transfer_function=forced, sealed=False, closed_form=None)
+        )
         rms = options.pressure if forced is None else options.force
         self._filters = Reconstructor(through, microphone_noise, options.window, options.latency, rms)
         self.microphones = response.microphones

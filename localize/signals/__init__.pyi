@@ -1,7 +1,6 @@
 from .array_response import (
     ArrayResponse as ArrayResponse,
     TransferFunctionSource as TransferFunctionSource,
-    interpolation as interpolation,
     response_of as response_of,
 )
 from .disturbances import (
@@ -29,6 +28,7 @@ from .frames import (
     combined_probability as combined_probability,
     cut_frames as cut_frames,
 )
+from .frequency_splines import interpolation as interpolation
 from .noise_model import (
     NoiseChoice as NoiseChoice,
     NoiseSpectrum as NoiseSpectrum,

@@ -1,8 +1,9 @@
 """Transfer functions of an array as plain arrays: what the localizer takes from a library.
 
-Between the library's frequencies the complex values are interpolated by a cubic spline. Below the lowest one it runs on
-to 0 Hz, where all pressures of a sealed array are equal. A long line bends there within a fraction of a hertz: where
-taps matter, whose spectrum begins at 0 Hz, take a library in steps of 0.25 Hz.
+Between the library's frequencies and below them, simulated signals take the closed forms of the design, by which the
+library differs slowly over frequency (:mod:`localize.signals.closed_form`). Bare transfer functions have no design:
+they are interpolated by a cubic spline, which runs on to 0 Hz. A long line bends there within a fraction of a hertz, so
+give bare transfer functions in steps of 0.25 Hz where taps matter.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from acoustic_fem import Library
 from acoustic_fem.library.transfer_functions import MEASURED
@@ -26,6 +26,8 @@ from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.arrangement import place_housings
 from geometry.layout.placement import point_places
 from localize.signals.array_facts import ArrayFacts
+from localize.signals.closed_form import ClosedForm, between
+from localize.signals.frequency_splines import interpolated, interpolated_from_zero
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, check_noise_choice, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
@@ -55,8 +57,11 @@ class ArrayResponse:
     """Pressure at a microphone per pressure outside, the same on all membranes; (n_microphone, n_freq) complex128,
     Pa/Pa; None without a design."""
     sealed: bool = False
-    """True if all pressures of the array are equal at 0 Hz, as those of a design are; if not, the spline is left to
-    itself there."""
+    """True if all pressures of the array are equal at 0 Hz, as those of a design without leaks are; if not, the spline
+    is left to itself there."""
+    closed_form: ClosedForm | None = None
+    """Closed forms of the design, which give the responses between and below the frequencies; None without a design,
+    or where the transfer functions are not those of its points."""
     vent_ratio: NDArray[np.complex128] | None = None
     """Admittance of the microphone's compliances over that of its vent, see
     :func:`acoustic_fem.network.microphone.vent_ratio`; (n_freq,) complex128; None without a design."""
@@ -202,7 +207,7 @@ class ArrayResponse:
         return float(choice)
 
     def at(self, frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
-        """Transfer functions interpolated to frequencies inside the library's range.
+        """Transfer functions interpolated by a spline to frequencies inside the library's range.
 
         Args:
             frequency: (n,) float64, Hz.
@@ -211,6 +216,24 @@ class ArrayResponse:
             (n_point, n_microphone, n) complex128, Pa/Pa.
         """
         return interpolated_from_zero(self.transfer_function, self.frequency, frequency, self.sealed)
+
+    def between(self, frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.complex128] | None]:
+        """Transfer functions and cavity responses at frequencies from 0 Hz to the end of the library.
+
+        They follow :attr:`closed_form` where there is one, and a spline elsewhere.
+
+        Args:
+            frequency: (n,) float64, Hz.
+
+        Returns:
+            (n_point, n_microphone, n) complex128, Pa/Pa, and (n_point, n) complex128, Pa/N, or None where the array has
+            no :attr:`cavity_response`.
+        """
+        cavity = self.cavity_response
+        if self.closed_form is not None:
+            known = (self.transfer_function, cavity, self.frequency, frequency, self.microphones)
+            return between(self.closed_form, *known)
+        return self.at(frequency), None if cavity is None else interpolated(cavity, self.frequency, frequency)
 
 
 class TransferFunctionSource(Protocol):
@@ -236,111 +259,6 @@ class FactorSource(TransferFunctionSource, Protocol):
         """Transfer functions of consecutive sensors over those of the array; (count, n_point, n_microphone, n)
         complex64.
         """
-
-
-def interpolated(
-    values: NDArray[np.complex128], grid: NDArray[np.float64], frequency: NDArray[np.float64]
-) -> NDArray[np.complex128]:
-    """Values of a real system, whose response at -f is the conjugate of that at f, by a cubic spline through them.
-
-    Few values on many frequencies take a hundredth of the time of the matrices of :func:`interpolation`.
-
-    Args:
-        values: (..., n_freq) complex128, in any unit.
-        grid: (n_freq,) float64, Hz, increasing, zero or above.
-        frequency: (n,) float64, Hz.
-
-    Returns:
-        (..., n) complex128, in the unit of the values.
-    """
-    mirrored = grid > 0
-    both = np.concatenate([-grid[mirrored][::-1], grid])
-    mirror = np.conj(values[..., mirrored][..., ::-1])
-    return np.asarray(CubicSpline(both, np.concatenate([mirror, values], -1), axis=-1)(frequency))
-
-
-def interpolated_from_zero(
-    values: NDArray[np.complex128], grid: NDArray[np.float64], frequency: NDArray[np.float64], sealed: bool
-) -> NDArray[np.complex128]:
-    """Values by the spline of :func:`interpolated`; where an array is sealed, its value at 0 Hz counts below the grid.
-
-    Args:
-        values: (..., n_freq) complex128, Pa/Pa.
-        grid: (n_freq,) float64, Hz, increasing, above zero.
-        frequency: (n,) float64, Hz.
-        sealed: whether all pressures are equal at 0 Hz.
-
-    Returns:
-        (..., n) complex128, Pa/Pa.
-    """
-    found = interpolated(values, grid, frequency)
-    is_below = frequency < grid[0]
-    if sealed and is_below.any():
-        found[..., is_below] = interpolated(
-            from_zero(values, sealed), np.concatenate([[0.0], grid]), frequency[is_below]
-        )
-    return found
-
-
-def interpolation(
-    grid: NDArray[np.float64], frequency: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Matrices of the spline of :func:`interpolated`: of real parts, which are even about 0 Hz, and of imaginary ones,
-    odd.
-
-    Args:
-        grid: (n_freq,) float64, Hz, increasing, zero or above.
-        frequency: (n,) float64, Hz.
-
-    Returns:
-        Two of (n, n_freq) float64: values on ``frequency`` are either times values on the grid.
-    """
-    # Continued to negative frequencies, where the response of a real system is the conjugate: the spline then
-    # needs no end condition near 0 Hz, where the response bends most.
-    unit, mirrored = np.eye(len(grid)), grid > 0
-    both = np.concatenate([-grid[mirrored][::-1], grid])
-    even, odd = (CubicSpline(both, np.concatenate([sign * unit[mirrored][::-1], unit]))(frequency) for sign in (1, -1))
-    return even, odd
-
-
-def interpolation_from_zero(
-    grid: NDArray[np.float64], frequency: NDArray[np.float64], sealed: bool
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Matrices as of :func:`interpolation`, for values to which :func:`from_zero` has prepended the value at 0 Hz.
-
-    The value at 0 Hz counts only below the grid.
-
-    Args:
-        grid: (n_freq,) float64, Hz, increasing, above zero.
-        frequency: (n,) float64, Hz.
-        sealed: whether the value at 0 Hz is there.
-
-    Returns:
-        Two of (n, n_freq) float64, or of (n, n_freq + 1) where an array is sealed: of real and of imaginary parts.
-    """
-    even, odd = interpolation(grid, frequency)
-    if not sealed:
-        return even, odd
-    below = interpolation(np.concatenate([[0.0], grid]), frequency)
-    widened = (np.pad(matrix, ((0, 0), (1, 0))) for matrix in (even, odd))
-    is_below = frequency[:, None] < grid[0]
-    even, odd = (np.where(is_below, low, high) for low, high in zip(below, widened, strict=True))
-    return even, odd
-
-
-def from_zero(transfer_function: NDArray[np.complex128], sealed: bool) -> NDArray[np.complex128]:
-    """Transfer functions with the one at 0 Hz before them where it is known.
-
-    Args:
-        transfer_function: (..., n_freq) complex128, Pa/Pa.
-        sealed: whether all pressures are equal at 0 Hz.
-
-    Returns:
-        (..., n_freq + 1) complex128 where the array is sealed, else the same, (..., n_freq); Pa/Pa.
-    """
-    if not sealed:
-        return transfer_function
-    return np.concatenate([np.ones_like(transfer_function[..., :1]), transfer_function], -1)
 
 
 class UncoveredWarning(UserWarning):
@@ -407,6 +325,7 @@ def response_of_design(
     """
     line, place = zip(*point_places(design), strict=True)
     radius = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]
+    closed_form = ClosedForm(design, medium)
     return ArrayResponse(
         transfer_function=transfer_function,
         frequency=np.asarray(frequency, np.float64),
@@ -416,7 +335,8 @@ def response_of_design(
         name=design.name,
         provenance=provenance,
         own_noise=microphone_noise(design.microphone, medium),
-        sealed=True,
+        sealed=closed_form.sealed,
+        closed_form=closed_form,
         vent_ratio=vent_ratio(design.microphone, frequency, medium),
         position=np.array([placed.position for placed in place_housings(design).points]),
         membrane_radius=np.array(radius)[list(design.kind_of_point)],

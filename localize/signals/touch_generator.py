@@ -24,12 +24,9 @@ from localize.signals.array_response import (
     ArrayResponse,
     FactorSource,
     TransferFunctionSource,
-    from_zero,
-    interpolated,
-    interpolated_from_zero,
-    interpolation_from_zero,
 )
 from localize.signals.disturbances import MicrophoneMismatch
+from localize.signals.frequency_splines import from_zero, interpolated, interpolation_from_zero
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.propagation import microphone_signals, short_window_signals
 from localize.signals.random_streams import Purpose
@@ -120,9 +117,7 @@ class TouchGenerator:
         self._factor_lines = lines
         self._factors = source.factors if isinstance(source, FactorSource) else None
         if source is None or self._factors is not None:
-            self._on_lines = self._on_lines_of(
-                interpolated_from_zero(response.transfer_function, grid, lines, response.sealed)
-            )
+            self._on_lines = self._on_lines_of(response.between(lines)[0])
         if source is not None:
             self._sensors = range(source.sensor_count) if sensors is None else sensors
             _check_source(source, response, self._sensors)
@@ -163,8 +158,11 @@ class TouchGenerator:
             return None
         grid = self.response.frequency
         lines = np.clip(stimulus.line_frequencies()[: self._stop], None, grid[-1])
-        on_lines = interpolated(self.response.cavity_response, grid, lines)
-        scale = np.abs(interpolated(self.response.cavity_response, grid, np.array([SCALED_AT])))
+        _, on_lines = self.response.between(lines)
+        _, scaled_at = self.response.between(np.array([SCALED_AT]))
+        assert on_lines is not None
+        assert scaled_at is not None
+        scale = np.abs(scaled_at)
         return self._on_lines_of(on_lines / scale)
 
     def _in_cavity(self, stimuli: Stimuli, start: int) -> Tensor:

@@ -119,6 +119,7 @@ def footprint_response(
         position=None,
         membrane_radius=None,
         sealed=False,
+        closed_form=None,
     )
 
 

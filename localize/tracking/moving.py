@@ -37,7 +37,8 @@ from localize.decoders.likelihood import vertex
 from localize.live.events import HOP
 from localize.live.front_end import high_pass_sections
 from localize.live.stream_options import HIGH_PASS
-from localize.signals.array_response import ArrayResponse, interpolated
+from localize.signals.array_response import ArrayResponse
+from localize.signals.frequency_splines import interpolated
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.tracking.footprints import Footprints, footprint_response

@@ -17,7 +17,6 @@ from acoustic_fem.library.touch_pressure import touch_flow
 from geometry import Kind
 from localize.contacts import Contact, ContactRecorder, covered_force, record
 from localize.signals import TouchGenerator, response_of, stimulus
-from localize.signals.array_response import interpolated
 from localize.signals.finger_stimuli import top_faded
 from localize.signals.stimulus import Stimuli
 
@@ -47,14 +46,15 @@ def test_one_still_contact_on_one_membrane_is_the_touch_there_was(point):
     def same_force(seed, purpose, start, count, _, device):
         lines = np.minimum(stimulus.line_frequencies(), 100.0)
         spectrum = np.fft.rfft(force, n=stimulus.PERIOD, norm="forward")[: stimulus.LINE_COUNT]
-        pressure = torch.from_numpy(spectrum * interpolated(response.cavity_response, response.frequency, lines)[point])
+        pressure = torch.from_numpy(spectrum * response.between(lines)[1][point])
         one = (pressure * top_faded(band)).to(torch.complex64)[None].expand(count, -1)
         none = torch.zeros(count, dtype=torch.int64)
         return Stimuli(one, none - 1, none)
 
     touch = TouchGenerator(response, 0, "evaluation", 0.0, stimuli=same_force).samples(point, 1).signals[0].numpy()
     take = record(still(response.position[point], force), library(), microphone_noise=0.0)
-    assert np.abs(take.signals - touch).max() < 1e-6 * np.abs(touch).max()
+    # A touch comes again every four seconds, and the rubber still creeps from the one before.
+    assert np.abs(take.signals - touch).max() < 1e-3 * np.abs(touch).max()
     assert set(take.point) == {0, point + 1}
 
 
@@ -67,7 +67,7 @@ def test_force_response_and_places_are_those_of_the_library_and_its_layout():
 
 
 def test_a_contact_on_two_membranes_is_the_network_with_two_injected_volumes():
-    # The network on the very lines of the impulse response, so that nothing is interpolated.
+    # The network on lines so near each other that the rubber creeps little from one period to the next.
     made, near = library(0.25), (0, 1)
     response = response_of(made)
     between = response.position[list(near)].mean(axis=0) + np.array([1.5, 0.0])
@@ -76,18 +76,21 @@ def test_a_contact_on_two_membranes_is_the_network_with_two_injected_volumes():
     assert set(np.flatnonzero(force.any(axis=0))) == {0, 1}
     assert force[:, 1].max() > 1.5 * force[:, 0].max() > 0
 
-    lines = response.frequency
+    lines = np.arange(1, 6001) / 60
+    made_there = acoustic_fem.solve(made.design, lines, fidelity="lumped")
     impedance = every_node_at_once(made.design, lines)
     flow = np.zeros((len(lines), impedance.shape[1], 1), complex)
-    spectrum = scipy.fft.rfft(force, n=4000, axis=0)[1 : len(lines) + 1]
+    spectrum = scipy.fft.rfft(force, n=60000, axis=0)[1 : len(lines) + 1]
     for point in near:
-        flow[:, point, 0] = spectrum[:, point] * touch_flow(made.design, made.point_impedance, "force")[point]
-    pressure = (impedance @ flow)[:, -2:, 0] * top_faded((0.25, 100.0)).numpy()[1 : len(lines) + 1, None]
-    direct = scipy.fft.irfft(np.concatenate([np.zeros((1, 2)), pressure]), n=4000, axis=0)[:1000].T
+        flow[:, point, 0] = spectrum[:, point] * touch_flow(made.design, made_there.point_impedance, "force")[point]
+    pressure = (impedance @ flow)[:, -2:, 0] * np.interp(
+        lines, stimulus.line_frequencies(), top_faded((0.25, 100.0)).numpy()
+    )[:, None]
+    direct = scipy.fft.irfft(np.concatenate([np.zeros((1, 2)), pressure]), n=60000, axis=0)[:1000].T
     # The network has no impedance at 0 Hz: the recorder's constant is left out of both.
     difference = record(contact, made, microphone_noise=0.0).signals - direct
     difference -= difference.mean(axis=1, keepdims=True)
-    assert np.abs(difference).max() < 1e-9 * np.abs(direct).max()
+    assert np.abs(difference).max() < 1e-4 * np.abs(direct).max()
 
 
 def test_a_take_does_not_depend_on_others_and_is_the_same_when_made_again():
