@@ -4,6 +4,7 @@ from . import (
     calibration as calibration,
     cavity as cavity,
     cell as cell,
+    circuit as circuit,
     duct as duct,
     enclosed as enclosed,
     fields as fields,

@@ -28,6 +28,7 @@ from scipy.interpolate import CubicSpline
 import acoustic_fem
 import geometry
 import localize
+from acoustic_fem.numerics.frequency_splines import interpolated
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
 from geometry.ground.typed import ComplexArray
 from geometry.ground.whole_files import replace_section
@@ -35,7 +36,6 @@ from localize.evaluation.held_out import MULTI_SINES, PRESSES, TAPS, HeldOutTouc
 from localize.signals import stimulus
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.finger_strokes import press_strokes, tap_strokes
-from localize.signals.frequency_splines import interpolated
 from localize.signals.locator import Locator
 from studies.evaluation.evaluated_sensors import SENSORS, rig_sensors, scattered_sensors
 from studies.metrics import AsBuiltAccuracy, as_built_accuracy

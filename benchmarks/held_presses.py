@@ -17,6 +17,7 @@ import acoustic_fem
 import geometry
 from geometry.ground.typed import Array
 from localize.contacts import Contact, ContactRecorder, covered_force
+from localize.contacts.contact import surface_of
 from localize.signals import response_of
 
 RATE = 1000
@@ -43,6 +44,8 @@ class HeldPress:
     """Signals of the recorder; (n_microphone, n) float64, Pa."""
     reference: Array
     """Signals of the inverse transform; (n_microphone, n) float64, Pa."""
+    force: float
+    """Force that the membrane of the point takes while the press is held, N."""
 
     @property
     def largest(self) -> float:
@@ -75,7 +78,8 @@ def held_press(name: str, fidelity: str, point: int, leak: float, step: float = 
     design = geometry.prototype(name).with_values({"resonator.leak_diameter": leak})
     library = acoustic_fem.solve(design, np.arange(step, 200.01, step), fidelity)
     time = np.arange(round((BEGIN + 2 * RISE + HOLD + AFTER) * RATE)) / RATE
-    where = np.tile(response_of(library).position[point - 1], (len(time), 1))
+    place, _ = surface_of(response_of(library))
+    where = np.tile(place[point - 1], (len(time), 1))
     contact = Contact(time, where, FORCE * press(time), 0.1)
     recorded = ContactRecorder(library, RATE, microphone_noise=0.0, linear=True).take(contact).signals
 
@@ -88,11 +92,11 @@ def held_press(name: str, fidelity: str, point: int, leak: float, step: float = 
     solved_to = lines <= 200
     response[:, solved_to] = spline(np.maximum(lines[solved_to], lines[1]))
     response[:, 0] = response[:, 0].real
-    force = scipy.fft.rfft(covered_force(contact, library)[:, point - 1], n=period)
-    reference = scipy.fft.irfft(response * force, n=period)
+    force = covered_force(contact, library)[:, point - 1]
+    reference = scipy.fft.irfft(response * scipy.fft.rfft(force, n=period), n=period)
     # The mean of a period is not known: before the press nothing is.
     reference -= reference[:, : round(BEGIN / 2 * RATE)].mean(axis=1, keepdims=True)
-    return HeldPress(time, recorded, reference[:, : len(time)])
+    return HeldPress(time, recorded, reference[:, : len(time)], float(force.max()))
 
 
 def main() -> None:

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 import geometry
+from acoustic_fem.numerics.frequency_splines import interpolated
 from localize.signals.array_response import ArrayResponse, response_of
-from localize.signals.frequency_splines import interpolated
 from studies.test_rig.calibrating import calibrate_sensor
 from studies.test_rig.virtual_rig import Recorder, Rig
 

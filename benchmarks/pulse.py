@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 import geometry
 import localize
+from acoustic_fem.numerics.frequency_splines import interpolated
 from geometry.ground.whole_files import replace_section
 from localize.contacts import Contact, ContactRecorder, covered_force, pulse_times, pulse_wave
 from localize.contacts.finger_gestures import WAVES
@@ -26,7 +27,6 @@ from localize.evaluation.accuracy import wilson_interval
 from localize.recognition.pulse import PulseDecoder
 from localize.recognition.takes import prepared
 from localize.signals.array_response import ArrayResponse, response_of
-from localize.signals.frequency_splines import interpolated
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 
 Array = NDArray[np.float64]

@@ -20,12 +20,12 @@ from made_sensors import HEARD, made_sensors
 import acoustic_fem
 import geometry
 import localize
+from acoustic_fem.numerics.frequency_splines import interpolated
 from geometry.ground.whole_files import replace_section
 from localize.decoders import ROOM
 from localize.evaluation.accuracy import wilson_interval
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.finger_stimuli import Louder
-from localize.signals.frequency_splines import interpolated
 from localize.signals.locator import Locator
 from localize.signals.stimulus import multi_sines
 from localize.signals.touch_generator import TouchGenerator

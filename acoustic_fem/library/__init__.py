@@ -1,6 +1,6 @@
 """The labelled result: solve, touch, noise, files.
 
-Stands on: atlas, batch, cell, enclosed, membrane, network, quantities.
+Stands on: atlas, batch, cell, enclosed, membrane, network, numerics, quantities.
 """
 
 import lazy_loader

@@ -1,3 +1,4 @@
+from .closed_form import ClosedForm as ClosedForm
 from .exchange import FORMATS as FORMATS, export as export, load as load
 from .netcdf_file import LibraryError as LibraryError
 from .network_responses import cell_summaries as cell_summaries

@@ -1,4 +1,4 @@
-"""Sparse solver, rational sweep, mesh refinement, disk cache, number of processors: no physics.
+"""Sparse solver, rational sweep, vector fitting, splines, mesh refinement, disk cache, processors: no physics.
 
 Stands on: nothing.
 """

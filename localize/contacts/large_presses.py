@@ -23,6 +23,7 @@ import scipy.fft
 from scipy.ndimage import uniform_filter1d
 
 import acoustic_fem
+from acoustic_fem.numerics.frequency_splines import interpolated
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_completed
@@ -31,7 +32,6 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 from localize.signals.array_response import ArrayResponse
 from localize.signals.finger_stimuli import top_faded
-from localize.signals.frequency_splines import interpolated
 from localize.signals.stimulus import LINE_SPACING, SAMPLE_RATE, line_frequencies
 
 if TYPE_CHECKING:

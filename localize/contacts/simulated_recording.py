@@ -162,7 +162,7 @@ class ContactRecorder:
         kept = min(len(lines), bins)
         through[..., :kept] = self._force_response(lines[:kept]) * fade[:kept]
         through[..., 0] = series.at(np.zeros(1))[..., 0]
-        through -= slow.sampled_at(np.arange(bins) * LINE_SPACING, self.sample_rate)
+        through -= slow.sampled_at(np.asarray(np.arange(bins) * LINE_SPACING, np.float64), self.sample_rate)
         return np.asarray(scipy.fft.irfft(through, n=self._period)), slow
 
     def _force_response(self, frequency: Array) -> NDArray[np.complex128]:

@@ -16,11 +16,11 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import NDArray
 
+from acoustic_fem.numerics.frequency_splines import interpolation
 from geometry.ground.refusal import Kind, Refusal
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import LOWEST_SOUND, MAINS, REFERENCE, check_sound_level
 from localize.signals.frames import FRAME
-from localize.signals.frequency_splines import interpolation
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, check_noise_choice
 from localize.signals.stimulus import BAND, NOISE, SAMPLE_RATE
 

@@ -26,11 +26,11 @@ import scipy.signal
 from numpy.typing import NDArray
 from scipy.special import logsumexp
 
+from acoustic_fem.numerics.frequency_splines import interpolation
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
 from localize.live.front_end import high_pass_sections
 from localize.recalibration.recalibration_options import RecalibrationOptions
-from localize.signals.frequency_splines import interpolation
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.signals.threads import one_thread
 

@@ -18,6 +18,7 @@ import scipy.signal
 from numpy.typing import ArrayLike
 
 from acoustic_fem import Library
+from acoustic_fem.numerics.frequency_splines import interpolated_from_zero
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import DecoderOptions
@@ -29,7 +30,6 @@ from localize.recognition.recognition_options import PulseOptions
 from localize.recognition.takes import prepared
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals
-from localize.signals.frequency_splines import interpolated_from_zero
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 

@@ -28,7 +28,6 @@ from .frames import (
     combined_probability as combined_probability,
     cut_frames as cut_frames,
 )
-from .frequency_splines import interpolation as interpolation
 from .noise_model import (
     NoiseChoice as NoiseChoice,
     NoiseSpectrum as NoiseSpectrum,

@@ -1,7 +1,7 @@
 """Transfer functions of an array as plain arrays: what the localizer takes from a library.
 
 Between the library's frequencies and below them, simulated signals take the closed forms of the design, by which the
-library differs slowly over frequency (:mod:`localize.signals.closed_form`). Bare transfer functions have no design:
+library differs slowly over frequency (:mod:`acoustic_fem.library.closed_form`). Bare transfer functions have no design:
 they are interpolated by a cubic spline, which runs on to 0 Hz. A long line bends there within a fraction of a hertz, so
 give bare transfer functions in steps of 0.25 Hz where taps matter.
 """
@@ -17,8 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
+from acoustic_fem.library.closed_form import ClosedForm
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.network.microphone import vent_ratio
+from acoustic_fem.numerics.frequency_splines import interpolated, interpolated_from_zero
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
@@ -26,8 +28,6 @@ from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.layout.arrangement import place_housings
 from geometry.layout.placement import point_places
 from localize.signals.array_facts import ArrayFacts
-from localize.signals.closed_form import ClosedForm, between
-from localize.signals.frequency_splines import interpolated, interpolated_from_zero
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, check_noise_choice, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
@@ -86,6 +86,16 @@ class ArrayResponse:
         if len(self.line) != len(h) or len(self.place) != len(h):
             raise Refusal(
                 f"line and place must each have one value for each of the {len(h)} points", kind=Kind.MISMATCH
+            )
+        form = self.closed_form
+        if form is not None and not (
+            len(h) == form.design.point_count and set(self.microphones) <= set(form.design.microphones)
+        ):
+            raise Refusal(
+                f"is of {counted(form.design.point_count, 'point')} and the microphones "
+                f"{', '.join(form.design.microphones)}, the transfer functions are not",
+                kind=Kind.MISMATCH,
+                field="closed_form",
             )
         if len(h) < 2 or len(self.microphones) < 2:
             raise Refusal(
@@ -231,8 +241,11 @@ class ArrayResponse:
         """
         cavity = self.cavity_response
         if self.closed_form is not None:
-            known = (self.transfer_function, cavity, self.frequency, frequency, self.microphones)
-            return between(self.closed_form, *known)
+            known = {"transfer_function": self.transfer_function}
+            if cavity is not None:
+                known["cavity_response"] = cavity
+            found = self.closed_form.between(known, self.frequency, frequency, self.microphones)
+            return found["transfer_function"], found.get("cavity_response")
         return self.at(frequency), None if cavity is None else interpolated(cavity, self.frequency, frequency)
 
 

@@ -18,6 +18,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from acoustic_fem.numerics.frequency_splines import from_zero, interpolated, interpolation_from_zero
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals import disturbances, stimulus
 from localize.signals.array_response import (
@@ -26,7 +27,6 @@ from localize.signals.array_response import (
     TransferFunctionSource,
 )
 from localize.signals.disturbances import MicrophoneMismatch
-from localize.signals.frequency_splines import from_zero, interpolated, interpolation_from_zero
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.propagation import microphone_signals, short_window_signals
 from localize.signals.random_streams import Purpose

@@ -21,6 +21,7 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import NDArray
 
+from acoustic_fem.numerics.frequency_splines import interpolated
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import (
     DECIMATION,
@@ -38,7 +39,6 @@ from localize.live.events import HOP
 from localize.live.front_end import high_pass_sections
 from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse
-from localize.signals.frequency_splines import interpolated
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.tracking.footprints import Footprints, footprint_response

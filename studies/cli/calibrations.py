@@ -31,7 +31,7 @@ from studies.cli.options import (
     noise_choice,
 )
 from studies.cli.terminal_tables import say, show, show_library, table_of, tell
-from studies.output.call_defaults import MANIFEST, SEED
+from studies.output.call_defaults import CONTENT, MANIFEST, SEED, STATE_SPACE_ERROR
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
 
 if TYPE_CHECKING:
@@ -235,11 +235,34 @@ def convert(
     out: Annotated[
         Path, typer.Option(help="File to write; its suffix is the format. A measured library is never overwritten.")
     ],
+    content: Annotated[
+        str, typer.Option("--as", metavar="CONTENT", help="What the file holds: library or state-space.")
+    ] = CONTENT,
+    touch: Annotated[
+        str, typer.Option(metavar="INPUT", help="Input of a state space at each membrane: force or volume-velocity.")
+    ] = "force",
+    output: Annotated[
+        str, typer.Option(metavar="OUTPUT", help="Output of a state space at each microphone: pressure or voltage.")
+    ] = "pressure",
+    tolerance: Annotated[
+        float, typer.Option(help="Largest error of a state space, relative to each response at each frequency.")
+    ] = STATE_SPACE_ERROR,
 ) -> None:
-    """Convert a library to netCDF, SOFA, NPZ or CSV, or back, without loss.
+    """Convert a library without loss to another format, or fit a state space to it.
 
-    SOFA files follow AES69-2022, convention GeneralTF-E. Every digit is kept.
+    SOFA files follow AES69-2022, convention GeneralTF-E. Every digit is kept. A state space (.mat for Octave, MATLAB
+    and Simulink, or .npz with --as state-space) is a fit of as few common poles as keep --tolerance, stable and passive
+    also outside the band: docs/formats.md.
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """
-    show_library(out, studies.convert_library(library, out))
+    converted = studies.convert_library(library, out, content=content, touch=touch, output=output, tolerance=tolerance)
+    if isinstance(converted, acoustic_fem.Library):
+        show_library(out, converted)
+        return
+    low, high = converted.band
+    tell(f"{out}: {converted.order} poles, error {converted.error:.1e} from {low:g} to {high:g} Hz")
+    if converted.margin is None:
+        tell("passivity is not checked, because the library has no impedance between microphones")
+    else:
+        tell(f"passive from 1e-3 to 1e5 Hz: the least eigenvalue of the impedances is {converted.margin:.1e}")

@@ -107,7 +107,9 @@ VERBS = {
     ),
     "onnx": Entry("locating", "Use", "Export a localizer as one ONNX graph.", ("train",)),
     "embed": Entry("locating", "Use", "Export the decoder of a library as C99 source for a microcontroller."),
-    "convert": Entry("calibrations", "Use", "Convert a library to netCDF, SOFA, NPZ or CSV, or back, without loss."),
+    "convert": Entry(
+        "calibrations", "Use", "Convert a library without loss to another format, or fit a state space to it."
+    ),
     "sweep": Entry("sweeps", "Study", "Compute the metrics of many designs, every case of a study file.", ("studies",)),
     "dataset": Entry(
         "datasets",

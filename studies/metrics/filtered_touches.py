@@ -14,6 +14,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
+import acoustic_fem
 import localize
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
@@ -90,13 +91,13 @@ class TouchFilter:
         seen = [
             np.tensordot(matrix @ self._polynomials, sources, (0, 0))
             for matrix, sources in zip(
-                localize.signals.interpolation(grid, at), (one + other, 1j * (one - other)), strict=True
+                acoustic_fem.numerics.interpolation(grid, at), (one + other, 1j * (one - other)), strict=True
             )
         ]
         parts = np.stack([[each.real, each.imag] for each in seen])  # (2, 2, n_number, n_filter, n_touch)
         self._matrix = np.ascontiguousarray(parts.transpose(1, 3, 2, 0, 4)).reshape(-1, 2 * len(grid), touches)
         source = np.arange(BAND[0], BAND[1] + 1e-9, 1.0)
-        self._to_source = localize.signals.interpolation(grid, source)
+        self._to_source = acoustic_fem.numerics.interpolation(grid, source)
         forth, back = filtered(source, listener)
         # mean square of the source per hertz, half of it at the negative frequency
         density = SOURCE_RMS**2 / len(source) / 2

@@ -12,11 +12,11 @@ import scipy.signal
 from numpy.typing import NDArray
 
 from acoustic_fem.library.solving import solve
+from acoustic_fem.numerics.frequency_splines import interpolated
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.ground.whole_files import write_text
 from localize.contacts import Contact, LargePresses, covered_force
 from localize.signals.array_response import response_of
-from localize.signals.frequency_splines import interpolated
 from studies.output.folders import check_new_file
 from studies.test_rig.rig_touches import LEAK
 from studies.test_rig.virtual_rig import EXCITATION_BAND, HEARD, LENGTHS, Recorder, Rig

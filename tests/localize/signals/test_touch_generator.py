@@ -12,11 +12,11 @@ from scipy.signal import lfilter
 import acoustic_fem
 import geometry
 import localize
+from acoustic_fem.numerics.frequency_splines import from_zero, interpolated_from_zero, interpolation_from_zero
 from geometry import Kind
 from localize import ArrayResponse, TouchGenerator
 from localize.signals import stimulus
 from localize.signals.array_response import response_of
-from localize.signals.frequency_splines import from_zero, interpolated_from_zero, interpolation_from_zero
 from localize.signals.noise_model import input_density, microphone_noise
 from localize.signals.propagation import microphone_signals
 

@@ -8,6 +8,7 @@ and at the frequencies of the library the values are those of the library, whate
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,13 +16,13 @@ import numpy as np
 import acoustic_fem
 from acoustic_fem.library.network_responses import array_responses
 from acoustic_fem.library.touch_pressure import injected_flow, membranes_in_vacuo
+from acoustic_fem.numerics.frequency_splines import interpolated, interpolated_from_zero
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import Array, ComplexArray
-from localize.signals.frequency_splines import interpolated, interpolated_from_zero
 
+#: Frequency below which the closed forms are not asked, Hz; what they are there counts down to 0 Hz.
 LOWEST = 1e-3
-"""Frequency below which the closed forms are not asked, Hz; what they are there counts down to 0 Hz."""
 _KEPT = 5
 
 
@@ -33,7 +34,7 @@ class ClosedForm:
     """The array."""
     medium: Medium
     """The air."""
-    _found: dict[bytes, tuple[ComplexArray, ComplexArray]] = field(default_factory=dict, repr=False)
+    _found: dict[bytes, dict[str, ComplexArray]] = field(default_factory=dict, repr=False)
 
     @property
     def sealed(self) -> bool:
@@ -41,24 +42,25 @@ class ClosedForm:
         kinds = (self.design.of_kind(kind) for kind in self.design.kinds)
         return all(kind.resonator.leak_diameter == 0 for kind in kinds)
 
-    def at(self, frequency: Array) -> tuple[ComplexArray, ComplexArray]:
-        """Transfer functions, and pressures in the touched cavity per force on its membrane.
+    def at(self, frequency: Array) -> dict[str, ComplexArray]:
+        """Responses by closed forms.
 
         Args:
             frequency: (n,) float64, 0 to 2000 Hz, in any order. Below 1 mHz the values of 1 mHz count, and at 0 Hz
                 their real parts.
 
         Returns:
-            (n_point, n_microphone, n) complex128, Pa/Pa, and (n_point, n) complex128, Pa/N.
+            Arrays by the names, shapes and units of :data:`acoustic_fem.library.transfer_functions.VARIABLES`, and
+            ``cavity_response``, (n_point, n) complex128, Pa/N.
         """
         grid, places = np.unique(np.maximum(frequency, LOWEST), return_inverse=True)
-        transfer, cavity = (values[..., places] for values in self._on(grid))
+        found = {name: values[..., places] for name, values in self._on(grid).items()}
         still = np.asarray(frequency) == 0
-        for values in (transfer, cavity):
+        for values in found.values():
             values[..., still] = values[..., still].real
-        return transfer, cavity
+        return found
 
-    def _on(self, grid: Array) -> tuple[ComplexArray, ComplexArray]:
+    def _on(self, grid: Array) -> dict[str, ComplexArray]:
         key = grid.tobytes()
         if key not in self._found:
             values, _ = array_responses(self.design, grid, "lumped", self.medium)
@@ -70,36 +72,35 @@ class ClosedForm:
             cavity = impedance * injected_flow("force", grid, vacuum, impedance)
             if len(self._found) >= _KEPT:
                 self._found.clear()
-            self._found[key] = np.asarray(values["transfer_function"]), np.asarray(cavity)
+            del values["source_response"]
+            self._found[key] = {**values, "cavity_response": cavity}
         return self._found[key]
 
+    def between(
+        self, known: Mapping[str, ComplexArray], grid: Array, frequency: Array, microphones: tuple[str, ...]
+    ) -> dict[str, ComplexArray]:
+        """Responses known on a grid, at other frequencies: closed forms times the interpolated ratio to them.
 
-def between(
-    closed_form: ClosedForm,
-    transfer_function: ComplexArray,
-    cavity_response: ComplexArray | None,
-    grid: Array,
-    frequency: Array,
-    microphones: tuple[str, ...],
-) -> tuple[ComplexArray, ComplexArray | None]:
-    """Responses known on a grid, at other frequencies: those of the closed form times the interpolated ratio to it.
+        Args:
+            known: arrays as of :meth:`at` by their names, at some microphones of the design or all.
+            grid: (n_freq,) float64, ascending, above 0 Hz.
+            frequency: (n,) float64, 0 Hz to the end of the grid.
+            microphones: names of those microphones.
 
-    Args:
-        closed_form: of the array.
-        transfer_function: (n_point, n_microphone, n_freq) complex128, Pa/Pa.
-        cavity_response: (n_point, n_freq) complex128, Pa/N; or None.
-        grid: (n_freq,) float64, ascending, above 0 Hz.
-        frequency: (n,) float64, 0 Hz to the end of the grid.
-        microphones: names of those of the transfer functions.
-
-    Returns:
-        (n_point, n_microphone, n) complex128, Pa/Pa, and (n_point, n) complex128, Pa/N, or None.
-    """
-    heard = [closed_form.design.microphones.index(name) for name in microphones]
-    known, known_cavity = closed_form.at(grid)
-    wanted, wanted_cavity = closed_form.at(frequency)
-    ratio = transfer_function / known[:, heard]
-    transfer = wanted[:, heard] * interpolated_from_zero(ratio, grid, frequency, closed_form.sealed)
-    if cavity_response is None:
-        return transfer, None
-    return transfer, wanted_cavity * interpolated(cavity_response / known_cavity, grid, frequency)
+        Returns:
+            Arrays of the same names and units, their last axis (n,).
+        """
+        heard = [self.design.microphones.index(name) for name in microphones]
+        there, wanted = self.at(grid), self.at(frequency)
+        found = {}
+        for name, values in known.items():
+            if name == "transfer_function":
+                ratio = values / there[name][:, heard]
+                of_zero = interpolated_from_zero(ratio, grid, frequency, self.sealed)
+                found[name] = wanted[name][:, heard] * of_zero
+            elif name == "microphone_impedance":
+                pairs = np.ix_(heard, heard)
+                found[name] = wanted[name][pairs] * interpolated(values / there[name][pairs], grid, frequency)
+            else:
+                found[name] = wanted[name] * interpolated(values / there[name], grid, frequency)
+        return found

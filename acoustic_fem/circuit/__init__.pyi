@@ -1,0 +1,7 @@
+from .state_space import (
+    INPUTS as INPUTS,
+    OUTPUTS as OUTPUTS,
+    SensorModel as SensorModel,
+    fit_sensor as fit_sensor,
+)
+from .state_space_file import STATE_SPACE_FORMATS as STATE_SPACE_FORMATS, save_state_space as save_state_space
