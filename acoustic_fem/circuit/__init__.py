@@ -1,6 +1,6 @@
 """The sensor as a circuit and as a state space: for control, for electronics, and for simulations in time.
 
-Stands on: library, membrane, network, numerics, quantities.
+Stands on: cavity, duct, library, membrane, network, numerics, quantities.
 """
 
 import lazy_loader

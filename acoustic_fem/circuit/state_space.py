@@ -102,7 +102,14 @@ class SensorModel:
         return np.asarray(system), drive, np.asarray(out), self.fit.constant.T.copy()
 
     def at(self, frequency: Array) -> ComplexArray:
-        """Responses, (n_point, n_microphone, n) complex128, output per input, for (n,) Hz."""
+        """Responses.
+
+        Args:
+            frequency: (n,) float64, Hz.
+
+        Returns:
+            (n_point, n_microphone, n) complex128, output per input.
+        """
         return self.fit.at(np.asarray(frequency, np.float64))
 
     def simulate(self, signals: Any, rate: float) -> Array:
@@ -166,7 +173,17 @@ def fit_sensor(
 def simulate(library: Library, force: Any, rate: float, *, touch: str = "force", output: str = "pressure") -> Array:
     """Signals of the microphones while membranes are pressed: behind :meth:`acoustic_fem.Library.simulate`.
 
-    The fit begins at 1 mHz and keeps an error of 3e-4.
+    The fit begins at 1 mHz and keeps an error of 3e-4. Arguments and errors as there.
+
+    Args:
+        library: of the sensor.
+        force: (n_point, n_sample) real numbers, N or m^3/s.
+        rate: samples per second, Hz.
+        touch: one of :data:`INPUTS`.
+        output: one of :data:`OUTPUTS`.
+
+    Returns:
+        (n_microphone, n_sample) float64, Pa or V.
     """
     top = float(library.frequency[-1])
     model = fit_sensor(library, touch=touch, output=output, tolerance=_SIMULATED, band=(_SLOW, top), passive=False)
@@ -223,9 +240,16 @@ class _Wanted:
 
 
 def voltage_per_pascal(library: Library, frequency: Array) -> ComplexArray:
-    """Voltage of the design's microphone per pressure in front of it, (n,) complex128, V/Pa, for (n,) Hz.
+    """Voltage of the design's microphone per pressure in front of it.
 
     Its vent's high-pass, and the sensitivity that is stated at 1 kHz.
+
+    Args:
+        library: of the design.
+        frequency: (n,) float64, Hz.
+
+    Returns:
+        (n,) complex128, V/Pa.
     """
     microphone, medium = library.design.microphone, library.medium
     stated = abs(response(microphone, np.array([STATED_AT]), medium)[0])

@@ -43,7 +43,8 @@ class RationalFit:
     residues: ComplexArray
     """Residues; (..., n_pole) complex128, in the unit of the responses times rad/s."""
     constant: Array
-    """Value at infinite frequency; (...) float64, in the unit of the responses."""
+    """Value at infinite frequency; shape of one response, (n_point, n_microphone) for instance, float64, in the unit of
+    the responses."""
 
     @property
     def order(self) -> int:

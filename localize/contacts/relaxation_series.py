@@ -37,7 +37,7 @@ class RelaxationSeries:
     weight: Array
     """Weights r of r / (j w + p); (..., n_rate) float64, in the unit of the responses times 1/s."""
     constant: Array
-    """Part without memory; (...) float64, in the unit of the responses."""
+    """Part without memory; (n_point, n_microphone) float64, or of any other shape, in the unit of the responses."""
 
     @classmethod
     def of(cls, values: ComplexArray, frequency: Array) -> RelaxationSeries:
@@ -62,7 +62,14 @@ class RelaxationSeries:
         return cls(rate, found[..., :-1] * rate, found[..., -1])
 
     def at(self, frequency: Array) -> ComplexArray:
-        """Values of the series; (..., n) complex128 for (n,) Hz, 0 Hz included."""
+        """Values of the series.
+
+        Args:
+            frequency: (n,) float64, Hz, 0 Hz included.
+
+        Returns:
+            (..., n) complex128, in the unit of the responses.
+        """
         terms = 1 / (2j * np.pi * frequency + self.rate[:, None])
         return np.asarray(self.weight @ terms + self.constant[..., None])
 

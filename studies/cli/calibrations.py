@@ -31,7 +31,7 @@ from studies.cli.options import (
     noise_choice,
 )
 from studies.cli.terminal_tables import say, show, show_library, table_of, tell
-from studies.output.call_defaults import CONTENT, MANIFEST, SEED, STATE_SPACE_ERROR
+from studies.output.call_defaults import MANIFEST, SEED, STATE_SPACE_ERROR
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
 
 if TYPE_CHECKING:
@@ -236,8 +236,9 @@ def convert(
         Path, typer.Option(help="File to write; its suffix is the format. A measured library is never overwritten.")
     ],
     content: Annotated[
-        str, typer.Option("--as", metavar="CONTENT", help="What the file holds: library or state-space.")
-    ] = CONTENT,
+        str | None,
+        typer.Option("--as", metavar="CONTENT", help="library, state-space or circuit. Default: circuit for .cir."),
+    ] = None,
     touch: Annotated[
         str, typer.Option(metavar="INPUT", help="Input of a state space at each membrane: force or volume-velocity.")
     ] = "force",
@@ -248,17 +249,25 @@ def convert(
         float, typer.Option(help="Largest error of a state space, relative to each response at each frequency.")
     ] = STATE_SPACE_ERROR,
 ) -> None:
-    """Convert a library without loss to another format, or fit a state space to it.
+    """Convert a library without loss to another format, or to a state space or a circuit.
 
     SOFA files follow AES69-2022, convention GeneralTF-E. Every digit is kept. A state space (.mat for Octave, MATLAB
-    and Simulink, or .npz with --as state-space) is a fit of as few common poles as keep --tolerance, stable and passive
-    also outside the band: docs/formats.md.
+    and Simulink, or .npz, with --as state-space) is a fit of as few common poles as keep --tolerance, stable and
+    passive also outside the band. A circuit (.cir) is a SPICE netlist of the design, by its closed forms:
+    docs/formats.md.
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """
+    from acoustic_fem.circuit import SensorCircuit  # loads SciPy
+
     converted = studies.convert_library(library, out, content=content, touch=touch, output=output, tolerance=tolerance)
     if isinstance(converted, acoustic_fem.Library):
         show_library(out, converted)
+        return
+    if isinstance(converted, SensorCircuit):
+        low, high = converted.band
+        many = counted(len(converted.circuit.elements), "passive element")
+        tell(f"{out}: {many}, largest difference to the library {converted.error:.1e} from {low:g} to {high:g} Hz")
         return
     low, high = converted.band
     tell(f"{out}: {converted.order} poles, error {converted.error:.1e} from {low:g} to {high:g} Hz")

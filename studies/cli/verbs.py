@@ -108,7 +108,7 @@ VERBS = {
     "onnx": Entry("locating", "Use", "Export a localizer as one ONNX graph.", ("train",)),
     "embed": Entry("locating", "Use", "Export the decoder of a library as C99 source for a microcontroller."),
     "convert": Entry(
-        "calibrations", "Use", "Convert a library without loss to another format, or fit a state space to it."
+        "calibrations", "Use", "Convert a library without loss to another format, or to a state space or a circuit."
     ),
     "sweep": Entry("sweeps", "Study", "Compute the metrics of many designs, every case of a study file.", ("studies",)),
     "dataset": Entry(

@@ -22,9 +22,7 @@ TOUCHES, SAMPLES_PER_SHARD = 4096, 4096
 """Numbers of a data set: samples of every design, and of a shard."""
 DATASET_FORMAT: Literal["npz"] = "npz"
 """Files of the shards of a data set."""
-CONTENTS = ("library", "state-space")
+CONTENTS = ("library", "state-space", "circuit")
 """Contents of a file that a library is converted to."""
-CONTENT = CONTENTS[0]
-"""Content of a file that a library is converted to where none is given."""
 STATE_SPACE_ERROR = 1e-3
 """Largest error of a state space, relative to each response at each frequency."""

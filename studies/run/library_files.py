@@ -7,7 +7,7 @@ from pathlib import Path
 
 import acoustic_fem
 from acoustic_fem import Library
-from acoustic_fem.circuit import SensorModel
+from acoustic_fem.circuit import NETLIST_FORMAT, STATE_SPACE_FORMATS, SensorCircuit, SensorModel
 from acoustic_fem.library.exchange import FORMATS, load, write_library
 from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
@@ -18,7 +18,7 @@ from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Field, Kind, Refusal, counted
 from geometry.ground.typed import PathLike
-from studies.output.call_defaults import CONTENT, CONTENTS, STATE_SPACE_ERROR
+from studies.output.call_defaults import CONTENTS, STATE_SPACE_ERROR
 from studies.output.display import Display
 from studies.output.folders import check_new_file, check_new_library, claimed_file
 from studies.output.frequencies import LIBRARY_FREQUENCIES
@@ -66,47 +66,55 @@ def convert_library(
     library: PathLike,
     out: PathLike,
     *,
-    content: str = CONTENT,
+    content: str | None = None,
     touch: str = "force",
     output: str = "pressure",
     tolerance: float = STATE_SPACE_ERROR,
-) -> Library | SensorModel:
-    """Library that was read from a file and written in another format: with all digits, or as a state space.
+) -> Library | SensorModel | SensorCircuit:
+    """Library that was read from a file and written in another format, or as a state space or a circuit.
 
     Args:
         library: the file to read: netCDF (``.nc``), SOFA (``.sofa``), ``.npz``, ``.mat`` or ``.csv``.
-        out: the file to write, with one of these suffixes, ``.npz`` or ``.mat`` for a state space. A measured library
-            is never overwritten.
-        content: "library" or "state-space".
+        out: the file to write, with one of these suffixes, ``.npz`` or ``.mat`` for a state space, ``.cir`` for a
+            circuit. A measured library is never overwritten.
+        content: "library", "state-space" or "circuit"; by default a circuit for ``.cir``, and else a library.
         touch: input of a state space at each membrane: "force" (N) or "volume-velocity" (m^3/s).
         output: output of a state space at each microphone: "pressure" (Pa) in front of it, or its "voltage" (V).
         tolerance: largest error of a state space, relative to the magnitude of each response at each frequency.
 
     Returns:
-        The library, or the state space that was fitted.
+        The library, the state space that was fitted, or the circuit.
 
     Raises:
         Refusal: a file that is not a library, or cannot be written; a state space that does not keep the error.
     """
     path = Path(out)
+    if content is None:
+        content = "circuit" if path.suffix.lower() == NETLIST_FORMAT else "library"
     check_choice("content", content, CONTENTS)
     if content == "library":
         with claimed_file(path, partial(check_new_library, path, FORMATS, reads=(library,))):
             loaded = load(Path(library))
             write_library(loaded, path)
         return loaded
-    with claimed_file(path, partial(_check_state_space, path, library)):
+    if content == "circuit":
+        with claimed_file(path, partial(_check_model, path, library, "a circuit", (NETLIST_FORMAT,))):
+            sensor = acoustic_fem.circuit.sensor_circuit(load(Path(library)))
+            acoustic_fem.circuit.save_netlist(sensor, path)
+        return sensor
+    with claimed_file(path, partial(_check_model, path, library, "a state space", STATE_SPACE_FORMATS)):
         model = acoustic_fem.circuit.fit_sensor(load(Path(library)), touch=touch, output=output, tolerance=tolerance)
         acoustic_fem.circuit.save_state_space(model, path)
     return model
 
 
-def _check_state_space(path: Path, library: PathLike) -> None:
-    formats = acoustic_fem.circuit.STATE_SPACE_FORMATS
+def _check_model(path: Path, library: PathLike, what: str, formats: tuple[str, ...]) -> None:
     if path.suffix.lower() not in formats and not path.is_dir():
-        allowed = f"a state space, {' or '.join(formats)}"
+        allowed = f"{what}, {' or '.join(formats)}"
         raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field("out"), allowed=allowed)
-    check_new_file(path, reads=(library,), kept="a file that may be a measured library")
+    # A netlist can be made again; a .npz or a .mat may be a measured library.
+    replaced = path.suffix.lower() == NETLIST_FORMAT
+    check_new_file(path, reads=(library,), kept=None if replaced else "a file that may be a measured library")
 
 
 def cell_lines(library: Library) -> list[str]:
