@@ -17,7 +17,7 @@ import numpy as np
 import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.circuit import SensorCircuit, netlist, sensor_circuit
-from acoustic_fem.circuit.netlist import pins, subcircuit_name
+from acoustic_fem.circuit.spice_netlist import pins, subcircuit_name
 from geometry.ground.typed import Array, ComplexArray
 
 DESIGNS = ("array-2x6", "glove", "line-2")
@@ -26,9 +26,9 @@ FIDELITIES = ("lumped", "atlas")
 """Fidelities of their libraries; the circuit has the closed forms of the first."""
 FREQUENCIES = "1:200:200"
 """Frequencies of the libraries."""
-POINTS = 4
+POINTS = 2
 """Points of each design that are pressed, evenly spaced."""
-RATE, SECONDS = 4000.0, 0.5
+RATE, SECONDS = 2000.0, 0.3
 """Sample rate and length of the transient, Hz and s."""
 BURST = (40.0, 0.05, 0.15)
 """Frequency of the burst, Hz, and its begin and end, s."""
@@ -125,7 +125,7 @@ def compared(name: str, fidelity: str) -> tuple[int, float, float]:
     library = acoustic_fem.solve(name, FREQUENCIES, fidelity)
     sensor = sensor_circuit(library)
     spice, points = Spice(sensor), pressed(library)
-    chosen = np.unique(np.geomspace(1, 200, 16).round())
+    chosen = np.unique(np.geomspace(1, 200, 12).round())
     expected = library.force_response.sel(frequency=chosen).values[points]
     small = float(np.abs(spice.small_signal(points, chosen) / expected - 1).max())
     time = np.arange(round(RATE * SECONDS)) / RATE

@@ -1,5 +1,5 @@
-from .netlist import NETLIST_FORMAT as NETLIST_FORMAT, netlist as netlist, save_netlist as save_netlist
-from .sensor_circuit import SensorCircuit as SensorCircuit, sensor_circuit as sensor_circuit
+from .closed_form_circuit import SensorCircuit as SensorCircuit, sensor_circuit as sensor_circuit
+from .spice_netlist import NETLIST_FORMAT as NETLIST_FORMAT, netlist as netlist, save_netlist as save_netlist
 from .state_space import (
     INPUTS as INPUTS,
     OUTPUTS as OUTPUTS,

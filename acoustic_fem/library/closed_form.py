@@ -82,7 +82,8 @@ class ClosedForm:
         """Responses known on a grid, at other frequencies: closed forms times the interpolated ratio to them.
 
         Args:
-            known: arrays as of :meth:`at` by their names, at some microphones of the design or all.
+            known: complex128 arrays by the names of :meth:`at`, such as (n_point, n_microphone, n_freq) and (n_point,
+                n_freq), at some microphones of the design or all.
             grid: (n_freq,) float64, ascending, above 0 Hz.
             frequency: (n,) float64, 0 Hz to the end of the grid.
             microphones: names of those microphones.

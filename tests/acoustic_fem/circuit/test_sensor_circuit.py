@@ -9,9 +9,9 @@ import pytest
 import acoustic_fem
 import geometry
 from acoustic_fem.circuit import netlist, save_netlist, sensor_circuit
-from acoustic_fem.circuit.elements import Circuit
-from acoustic_fem.circuit.netlist import pins
+from acoustic_fem.circuit.passive_circuit import Circuit
 from acoustic_fem.circuit.passive_fits import fit_falling, fit_grid, fit_rising
+from acoustic_fem.circuit.spice_netlist import pins
 from acoustic_fem.circuit.state_space import voltage_per_pascal
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.quantities.local_air import medium_of

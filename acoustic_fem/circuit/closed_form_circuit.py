@@ -17,7 +17,7 @@ import numpy as np
 import acoustic_fem
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.cavity.shaped import shaped_cavity_compliance
-from acoustic_fem.circuit.elements import GROUND, Circuit, ControlledVoltage
+from acoustic_fem.circuit.passive_circuit import GROUND, Circuit, ControlledVoltage
 from acoustic_fem.circuit.passive_fits import Relaxations, fit_falling, fit_grid, fit_rising
 from acoustic_fem.circuit.state_space import STATED_AT
 from acoustic_fem.duct.plane_wave import CompliantWall, Line, two_port

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from acoustic_fem.circuit.elements import GROUND
-from acoustic_fem.circuit.sensor_circuit import SensorCircuit
+from acoustic_fem.circuit.closed_form_circuit import SensorCircuit
+from acoustic_fem.circuit.passive_circuit import GROUND
 from acoustic_fem.library.provenance import versions
 from geometry.ground.whole_files import whole_file
 
