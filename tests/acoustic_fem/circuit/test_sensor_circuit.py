@@ -109,7 +109,7 @@ def test_ngspice_finds_the_library_in_the_netlist(name):
     points, frequency = pressed(library)[1:2], np.array([1.0, 10.0, 60.0, 200.0])
     expected = library.force_response.sel(frequency=frequency).values[points]
     assert np.abs(spice.small_signal(points, frequency) / expected - 1).max() < 2e-3
-    time = np.arange(1200) / 4000.0
+    time = np.arange(800) / 4000.0
     force = np.zeros((len(spice.sensor.forces), len(time)))
     force[points[0]] = burst(time)
     exact = library.simulate(force, 4000.0)
