@@ -20,7 +20,7 @@ from acoustic_fem.circuit import SensorCircuit, netlist, sensor_circuit
 from acoustic_fem.circuit.spice_netlist import pins, subcircuit_name
 from geometry.ground.typed import Array, ComplexArray
 
-DESIGNS = ("array-2x6", "glove", "line-2")
+DESIGNS = ("array-2x6", "glove")
 """Prototypes."""
 FIDELITIES = ("lumped", "atlas")
 """Fidelities of their libraries; the circuit has the closed forms of the first."""

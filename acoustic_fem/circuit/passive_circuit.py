@@ -7,11 +7,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import scipy.sparse as sp
+from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
 from acoustic_fem.circuit.passive_fits import Relaxations
 from geometry.ground.typed import Array, ComplexArray
 
+#: Numbers of nodes.
+Nodes = NDArray[np.int64]
 #: Node that all voltages are measured from.
 GROUND = "0"
 
@@ -119,7 +122,9 @@ class Circuit:
                 self.add(kind, at, following, value)
             at = following
 
-    def voltages(self, frequency: Array, held: Mapping[str, ComplexArray], currents: Array, at: list[str]) -> Array:
+    def voltages(
+        self, frequency: Array, held: Mapping[str, ComplexArray], currents: Array, at: list[str]
+    ) -> ComplexArray:
         """Voltages of nodes for several excitations.
 
         Args:
@@ -141,7 +146,7 @@ class Circuit:
         nodes, excitations = len(names) - 1, len(next(iter(held.values()))) if held else int(currents[:, 1].max()) + 1
         size = nodes + len(self.sources) + len(held)
         kinds = np.array([element.kind for element in self.elements])
-        ends = np.array([(names[element.first], names[element.second]) for element in self.elements])
+        ends = np.array([(names[element.first], names[element.second]) for element in self.elements], np.int64)
         values = np.array([element.value for element in self.elements])
         fixed = self._incidence(names, held, nodes)
         right = np.zeros((size, excitations), np.complex128)
@@ -172,12 +177,14 @@ class Circuit:
             row = nodes + len(self.sources) + number
             entries += [(row, names[name], 1.0), (names[name], row, 1.0)]
         kept = [entry for entry in entries if entry[0] >= 0 and entry[1] >= 0]
-        rows, columns, signs = (np.array(part) for part in zip(*kept, strict=True)) if kept else ([], [], [])
+        rows = np.array([entry[0] for entry in kept], np.int64)
+        columns = np.array([entry[1] for entry in kept], np.int64)
+        signs = np.array([entry[2] for entry in kept], np.complex128)
         size = nodes + len(self.sources) + len(held)
-        return sp.csc_matrix((np.asarray(signs, np.complex128), (rows, columns)), shape=(size, size))
+        return sp.csc_matrix((signs, (rows, columns)), shape=(size, size))
 
 
-def _stamped(ends: Array, admittance: ComplexArray) -> tuple[Array, Array, ComplexArray]:
+def _stamped(ends: Nodes, admittance: ComplexArray) -> tuple[Nodes, Nodes, ComplexArray]:
     """Rows, columns and entries of two-poles in a nodal matrix without the ground."""
     first, second = ends.T
     rows = np.concatenate([first, second, first, second])

@@ -63,9 +63,10 @@ def fit_falling(values: ComplexArray, frequency: Array) -> Relaxations:
 
     Arguments as :func:`fit_rising`.
     """
-    s = 2j * np.pi * frequency
+    s = np.asarray(2j * np.pi * frequency, np.complex128)
     rate = _rates(frequency)
-    return _fitted(values, rate, np.ones_like(s), s, 1 / s, 1 / (s[:, None] + rate))
+    terms = np.asarray(1 / (s[:, None] + rate), np.complex128)
+    return _fitted(values, rate, np.ones_like(s), s, np.asarray(1 / s, np.complex128), terms)
 
 
 def _rates(frequency: Array) -> Array:
