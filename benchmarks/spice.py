@@ -22,8 +22,8 @@ from geometry.ground.typed import Array, ComplexArray
 
 DESIGNS = ("array-2x6", "glove")
 """Prototypes."""
-FIDELITIES = ("lumped", "atlas")
-"""Fidelities of their libraries; the circuit has the closed forms of the first."""
+FIDELITIES = ("lumped",)
+"""Fidelities of their libraries; the circuit has the closed forms of lumped."""
 FREQUENCIES = "1:200:200"
 """Frequencies of the libraries."""
 POINTS = 2

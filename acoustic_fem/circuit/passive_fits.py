@@ -53,7 +53,7 @@ def fit_rising(values: ComplexArray, frequency: Array) -> Relaxations:
         values: (n,) complex128, in any unit.
         frequency: (n,) float64, Hz.
     """
-    s = 2j * np.pi * frequency
+    s = np.asarray(2j * np.pi * frequency, np.complex128)
     rate = _rates(frequency)
     return _fitted(values, rate, np.ones_like(s), s, None, s[:, None] / (s[:, None] + rate))
 
