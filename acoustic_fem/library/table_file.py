@@ -1,8 +1,8 @@
 """Libraries as CSV tables: a row for each point, microphone and frequency.
 
 Ahead of the rows, behind ``#``, stand the texts of a library, its units and its time convention as JSON. A value that
-does not depend on the point, or on the microphone, is repeated in their rows. The impedance between microphones has a column for
-each second microphone, such as ``microphone_impedance_B_real``.
+does not depend on the point, or on the microphone, is repeated in their rows. The impedance between microphones has a
+column for each second microphone, such as ``microphone_impedance_B_real``.
 """
 
 from __future__ import annotations
