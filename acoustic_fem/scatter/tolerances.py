@@ -10,6 +10,7 @@ import math
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -230,14 +231,7 @@ class ScatteredDesign:
             By quantity (count, n_part) float64, in standard deviations.
         """
         sizes = [self._columns[QUANTITIES[name]] for name in QUANTITIES]
-        total = np.empty((count, sum(sizes)))
-        for row in range(count):
-            child = np.random.SeedSequence(seed, spawn_key=(first + row,))
-            total[row] = np.random.default_rng(child).standard_normal(total.shape[1])
-        # beyond the cut a part is made again: the tail is folded back evenly
-        beyond = np.abs(total) > CUT
-        total[beyond] = np.sign(total[beyond]) * (np.abs(total[beyond]) - CUT)
-        parts = np.split(total, np.cumsum(sizes)[:-1], axis=1)
+        parts = np.split(_cut_normals(first, count, seed, sum(sizes)), np.cumsum(sizes)[:-1], axis=1)
         return dict(zip(QUANTITIES, parts, strict=True))
 
     def parameters(self, draws: Mapping[str, Array]) -> ArrayParameters:
@@ -344,6 +338,20 @@ def _unit(tolerance: Tolerance, alike: ArrayDesign) -> float:
     if tolerance.quantity == "prestrain":
         return 1.0
     return metres(alike.membrane.glue_thickness) if tolerance.kind == "relative" else metres(1.0)
+
+
+@lru_cache(maxsize=8)
+def _cut_normals(first: int, count: int, seed: int, size: int) -> Array:
+    """Standard normal deviations of samples, cut off, (count, size); kept, because designs of a sweep share them."""
+    total = np.empty((count, size))
+    for row in range(count):
+        child = np.random.SeedSequence(seed, spawn_key=(first + row,))
+        total[row] = np.random.default_rng(child).standard_normal(size)
+    # beyond the cut a part is made again: the tail is folded back evenly
+    beyond = np.abs(total) > CUT
+    total[beyond] = np.sign(total[beyond]) * (np.abs(total[beyond]) - CUT)
+    total.setflags(write=False)
+    return total
 
 
 class _Discs:

@@ -1,4 +1,4 @@
-"""Sensors that accuracies are evaluated on: as-built ones with a workshop's tolerances, and virtual rigs."""
+"""Sensors that accuracies are evaluated on: as-built ones that nobody calibrated, and virtual rigs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
-from acoustic_fem.scatter.tolerances import ScatteredDesign
+from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign
 from geometry.ground.refusal import Refusal
 from localize.signals.array_response import ArrayResponse
 from studies.test_rig.virtual_rig import HEARD, Rig
@@ -62,7 +62,7 @@ def scattered_sensors(
 def sensor_sets(
     library: Library, response: ArrayResponse, seed: int, count: int, shares: Sequence[float]
 ) -> list[tuple[str, float, NDArray[np.complex128]]]:
-    """Sets of sensors with shares of the workshop's tolerances.
+    """Sets of sensors with shares of the tolerances of a sensor that nobody calibrated, its microphones among them.
 
     A library of any fidelity is scattered around itself, see :func:`acoustic_fem.scatter.scatter_factors`.
 
@@ -71,12 +71,12 @@ def sensor_sets(
         response: of that library.
         seed: of the sensors.
         count: sensors of each set.
-        shares: of the tolerances, one for each set.
+        shares: of :data:`acoustic_fem.scatter.UNCALIBRATED`, one for each set.
 
     Returns:
         Name and share of each set, and (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
     """
-    scattered, air = ScatteredDesign(library.design), design_air(library.design)
+    scattered, air = ScatteredDesign(library.design, UNCALIBRATED), design_air(library.design)
 
     def made(share: float) -> NDArray[np.complex128]:
         factors = scatter_factors(scattered, air, response.frequency, count, seed, fraction=share)

@@ -18,7 +18,7 @@ from localize.signals.noise_model import NoiseChoice
 from studies.evaluation.evaluated_sensors import AS_BUILT, RIGS, SENSORS, scattered_sensors
 from studies.evaluation.headline import LEAST, SENSOR_SEED, Headline, HeadlineTouches, Progress
 
-#: Fractions of the workshop's tolerances with which sensors are evaluated beside the headline's.
+#: Fractions of the tolerances with which sensors are evaluated beside the headline's.
 SCATTER = (0.25, 0.5)
 #: Touches per point in a condition, as a fraction of those of the headline.
 SHARE = 0.1

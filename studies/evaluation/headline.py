@@ -35,7 +35,7 @@ Progress = Callable[[str, float], None]
 TOLERANT = "tolerance-aware decoder"
 #: Group of the results on the sensor of the library.
 NOMINAL = "nominal sensor"
-#: Seed that the sensors are drawn with, and their fraction of the workshop's tolerances.
+#: Seed that the sensors are drawn with, and their fraction of the tolerances of a sensor that nobody calibrated.
 SENSOR_SEED, WHOLE = 1, 1.0
 #: Group, name and value of the results on each kind of sensors.
 _NOMINAL: tuple[str, str, float | None] = (NOMINAL, "as designed", None)

@@ -4,7 +4,7 @@ from .confusion import (
     check_grid as check_grid,
     predict_confusion as predict_confusion,
 )
-from .covered_area import FINGER as FINGER, coverage as coverage
+from .covered_area import coverage as coverage
 from .pairs import (
     BAND as BAND,
     DECIBEL as DECIBEL,

@@ -10,8 +10,6 @@ from geometry.ground.typed import Array
 from geometry.layout.arrangement import point_axes
 from geometry.layout.placement import ArrayLayout
 
-FINGER = 5.0
-"""Radius of the contact of a finger that presses lightly, mm; ours."""
 _LINES = 720
 _TURN = np.linspace(0, 2 * np.pi, 96, endpoint=False)
 #: Corners of a disc of radius one, and the directions square to its sides, from each corner to the next.
@@ -20,7 +18,7 @@ _SIDE = _CORNER + np.roll(_CORNER, -1, axis=0)
 _REACH = (_SIDE * _CORNER).sum(1)
 
 
-def coverage(design: ArrayDesign, contact_radius_mm: float = FINGER, layout: ArrayLayout | None = None) -> float:
+def coverage(design: ArrayDesign, contact_radius_mm: float | None = None, layout: ArrayLayout | None = None) -> float:
     """Share of an array's area in which the middle of a round contact may lie and it still touches a membrane.
 
     The area is the convex hull of all membranes, in plan; what lies between lines that are far apart counts, for
@@ -29,12 +27,14 @@ def coverage(design: ArrayDesign, contact_radius_mm: float = FINGER, layout: Arr
 
     Args:
         design: the array.
-        contact_radius_mm: of the contact's area, mm, 0 to 1000.
+        contact_radius_mm: of the contact's area, mm, 0 to 1000; by default that of the design's target.
         layout: layout of the array, if you have it already.
 
     Raises:
         Refusal: a radius out of range.
     """
+    if contact_radius_mm is None:
+        contact_radius_mm = design.target.contact_radius
     check_range("contact_radius_mm", contact_radius_mm, 0.0, 1000.0, "mm")
     place = point_axes(design) if layout is None else np.array([point.position for point in layout.points])
     kinds = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-import studies.metrics
 from geometry.ground.typed import Array, ComplexArray
 from geometry.layout.size import array_size
 from localize.signals.noise_model import microphone_noise
@@ -20,7 +19,6 @@ from studies.metrics.touch_metrics import in_vacuo, touch_response
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse  # loads its finite elements
-    from studies.metrics.predicted_accuracy import AsBuiltAccuracy
 
 
 SWEPT_SENSORS = 24
@@ -83,13 +81,14 @@ class SharedFigures:
         Args:
             touch: "taps", "presses" or "multi_sines", as a run has them.
         """
-        return np.array([getattr(each, touch).mean for each in self._as_built_accuracies])
+        return self._as_built_accuracies[touch]
 
     @cached_property
-    def _as_built_accuracies(self) -> list[AsBuiltAccuracy]:
+    def _as_built_accuracies(self) -> Mapping[str, Array]:
+        from studies.metrics.predicted_accuracy import swept_accuracies  # needs torch, without which verbs print help
+
         own = self.responses
-        designs = required(own.designs)
-        return studies.metrics.as_built_accuracies(designs, force=None, sensors=SWEPT_SENSORS, known=own.discs)
+        return swept_accuracies(required(own.designs), sensors=SWEPT_SENSORS, known=own.discs)
 
     @cached_property
     def sizes(self) -> Array:

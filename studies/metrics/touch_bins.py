@@ -27,6 +27,10 @@ TOUCHES: tuple[Touch, ...] = ("taps", "presses", "multi_sines")
 """Kinds of touches."""
 BINS = np.arange(2.0, BAND[1], SAMPLE_RATE / FRAME)
 """Frequencies of the bins, one frame's line apart, Hz."""
+REACH = 4.0
+"""Distance of the lines that a bin counts, Hz, that of the next bin. Lines farther away leak into the bin by the
+transfer functions of their own frequency. The decoder knows the frame's edges and takes the leak away, but for
+:data:`studies.metrics.predicted_accuracy.LEAK_LEFT`."""
 COUNT = 512
 """Number of different touches of each kind."""
 _SEED = 20161
@@ -39,7 +43,7 @@ def source_density() -> float:
     return SOURCE_RMS**2 / (BAND[1] - BAND[0]) * SAMPLE_RATE / 2
 
 
-def touch_frames(touch: Touch, cavity: ComplexArray | None, force: float | None) -> ComplexArray:
+def touch_frames(touch: Touch, cavity: ComplexArray | None, force: float | None) -> tuple[ComplexArray, Array]:
     """Pressures in a cavity by touches, bin by bin.
 
     Args:
@@ -49,13 +53,15 @@ def touch_frames(touch: Touch, cavity: ComplexArray | None, force: float | None)
         force: peak of every stroke, N; None for strokes of the peaks that a run has, in Pa.
 
     Returns:
-        (COUNT, n_bin) complex128, Pa.
+        Pressure in each bin, (COUNT, n_bin) complex128, Pa, and amplitude of what leaks into it from lines farther away
+        than :data:`REACH`, (COUNT, n_bin) float64, Pa.
     """
     forth, back = _analysis(touch != "multi_sines")
     spectrum = _spectra(touch, force)
     if cavity is not None:
         spectrum = spectrum * cavity.astype(np.complex64)
-    return (spectrum @ forth + spectrum.conj() @ back).astype(np.complex128)
+    near, leaked = np.split(spectrum @ forth + spectrum.conj() @ back, 2, axis=1)
+    return near.astype(np.complex128), np.abs(leaked).astype(np.float64)
 
 
 def line_frequencies() -> Array:
@@ -93,15 +99,22 @@ def _window() -> Array:
 
 @lru_cache(maxsize=2)
 def _analysis(is_filtered: bool) -> tuple[ComplexArray, ComplexArray]:
-    """Matrices from the lines of a spectrum, and from their conjugates, to the bins of the last frame of a second."""
+    """Matrices from the lines of a spectrum, and from their conjugates, to the bins of the last frame of a second.
+
+    The first half of the columns has the lines within :data:`REACH` of a bin, the second half all others.
+    """
     time = np.arange(SAMPLE_LENGTH - FRAME, SAMPLE_LENGTH) / SAMPLE_RATE
     seen = _window()[:, None] * np.exp(-2j * np.pi * np.arange(FRAME)[:, None] / SAMPLE_RATE * BINS)
     waves = np.exp(2j * np.pi * _LINES[:, None] * time)
     passed = np.ones(len(_LINES), complex)
     if is_filtered:
         _, passed = scipy.signal.sosfreqz(high_pass_sections(HIGH_PASS), _LINES, fs=SAMPLE_RATE)
-    forth, back = passed[:, None] * (waves @ seen), passed.conj()[:, None] * (waves.conj() @ seen)
-    return forth.astype(np.complex64), back.astype(np.complex64)
+    forth, back = (
+        np.concatenate([through * is_near, through * ~is_near], axis=1).astype(np.complex64)
+        for sign, values, wave in ((1, passed, waves), (-1, passed.conj(), waves.conj()))
+        for through, is_near in [(values[:, None] * (wave @ seen), np.abs(sign * _LINES[:, None] - BINS) <= REACH)]
+    )
+    return forth, back
 
 
 @lru_cache(maxsize=8)

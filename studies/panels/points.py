@@ -15,7 +15,6 @@ from geometry.layout.remedies import fix_for
 from localize.signals.stimulus import BAND
 from studies.comparison.own_figures import MOST_POINTS, metric_figures
 from studies.metrics.batch_responses import Responses
-from studies.metrics.covered_area import FINGER
 from studies.metrics.predicted_accuracy import as_built_accuracy
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
@@ -76,13 +75,13 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
         "hardest": [list(pair) for pair in apart.equally_hard],
         "overlaps": list(in_the_way),
         "mend": fix_for(design) if in_the_way else "",
-        "finger": FINGER,
+        "finger": design.target.contact_radius,
         "fidelity": fidelity.words,
     }
 
 
 def as_built_figures(design: ArrayDesign) -> dict[str, Any]:
-    """Predicted accuracy of sensors that are made with a workshop's scatter, for the touches of a run.
+    """Predicted accuracy of as-built sensors that nobody calibrated, for the touches of a run.
 
     Returns:
         ``sensors``, how many; ``mean`` and ``worst`` (5th percentile) fraction of taps and presses that are assigned

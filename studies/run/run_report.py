@@ -133,7 +133,8 @@ def _assumptions(result: RunResult) -> list[str]:
         f"{design.membrane.material}: {membrane.law_in_words} ({membrane.source}).",
         noise_sentence(result),
         "One point is touched at a time. The nominal sensor is exactly as designed. As-built sensors have the "
-        "tolerances of bores, lengths, cavities and membranes of a careful workshop. They are not calibrated. "
+        "assumed tolerances of a sensor that nobody calibrated: bores, lengths, cavities, membranes and microphones "
+        "deviate. "
         "Calibration would remove most of their loss of accuracy. Virtual rigs are not calibrated either. Their "
         "rubber, microphones and air also differ from the design in ways that no decoder is given.",
         _touches_sentence(result),

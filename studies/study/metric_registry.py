@@ -21,7 +21,7 @@ from localize.signals.stimulus import BAND
 from studies.metrics import build, touch_metrics
 from studies.metrics.batch_responses import Responses, required
 from studies.metrics.confusion import check_grid as check_confusion_grid
-from studies.metrics.covered_area import FINGER, coverage
+from studies.metrics.covered_area import coverage
 from studies.metrics.pairs import check_band
 from studies.metrics.shared import SWEPT_SENSORS, SharedFigures
 
@@ -264,7 +264,7 @@ def _as_built_accuracies() -> Iterable[Metric]:
             unit="1",
             long_name=f"predicted top-1 accuracy of as-built sensors, {title}",
             definition=f"Mean fraction of {title}, as a run has them, that the tolerance-aware decoder assigns to the "
-            f"correct point on {SWEPT_SENSORS} as-built sensors (acoustic_fem.scatter.TOLERANCES) that nobody "
+            f"correct point on {SWEPT_SENSORS} as-built sensors (acoustic_fem.scatter.UNCALIBRATED) that nobody "
             "calibrated. Predicted in frequency bins with lumped fidelity.",
             compute=partial(_as_built, touch),
             needs=frozenset({"designs"}),
@@ -343,8 +343,8 @@ def _touches() -> Iterable[Metric]:
 
 def _build() -> Iterable[Metric]:
     for name, unit, long_name, definition, compute, better in (
-        ("coverage", "1", "coverage", "Fraction of the area in which a contact of "
-         f"{FINGER:g} mm radius reaches a membrane. The area is the convex hull of all membranes in plan.",
+        ("coverage", "1", "coverage", "Fraction of the area in which a contact of the radius target.contact_radius "
+         "reaches a membrane. The area is the convex hull of all membranes in plan.",
          partial(_of_designs, coverage), "larger"),
         ("length", "mm", "length", "Longer side of the box around the whole array, with its tubes and boards.",
          lambda figures: figures.sizes[:, 0], "smaller"),

@@ -32,10 +32,15 @@ def test_the_share_is_that_of_points_thrown_at_the_area(name, radius):
 
 
 def test_the_quoted_figures():
-    assert coverage(geometry.prototype("array-2x6")) == pytest.approx(0.66, abs=0.005)
-    assert coverage(geometry.prototype("large-area-64")) == pytest.approx(0.58, abs=0.005)
-    assert coverage(geometry.prototype("fingertip-3x4")) == 1.0
-    assert coverage(geometry.prototype("fingertip-4x6")) == 1.0
+    assert coverage(geometry.prototype("array-2x6"), 5.0) == pytest.approx(0.66, abs=0.005)
+    assert coverage(geometry.prototype("large-area-64"), 5.0) == pytest.approx(0.58, abs=0.005)
+    assert coverage(geometry.prototype("fingertip-3x4"), 5.0) == 1.0
+    assert coverage(geometry.prototype("fingertip-4x6"), 5.0) == 1.0
+
+
+def test_the_contact_is_that_of_the_target():
+    design = geometry.prototype("array-2x6").with_values({"target.contact_radius": 3.0})
+    assert coverage(design) == coverage(design, 3.0) < coverage(design, 4.0)
 
 
 def test_a_contact_without_extent_reaches_the_membranes_and_a_wide_one_everything():

@@ -17,7 +17,7 @@ from studies.comparison import FIGURES, figure_words
 from studies.comparison.own_figures import MOST_POINTS
 from studies.metrics import as_built_accuracy
 from studies.metrics.confusion import predict_confusion
-from studies.metrics.covered_area import FINGER, coverage
+from studies.metrics.covered_area import coverage
 from studies.metrics.separation import separability
 from studies.panels.points import as_built_figures, point_figures
 from studies.study.metric_registry import METRICS
@@ -34,7 +34,7 @@ def test_the_figures_are_those_of_python(name: str) -> None:
         assert value == pytest.approx(METRICS[metric].of_library(library), rel=1e-12), metric
         assert figure_words()[metric]["unit"] == METRICS[metric].unit
     assert found["figures"]["coverage"] == coverage(design)
-    assert found["finger"] == FINGER
+    assert found["finger"] == design.target.contact_radius
 
     apart = separability(library.transfer_function)
     limits = detection_limits(library, (1.0, 100.0))["force"]
