@@ -40,7 +40,7 @@ def evaluate_localizer(
 ) -> dict[str, Headline]:
     """Evaluations of a localizer and, for comparison, of the Bayes decoder, on touches that were not used in training.
 
-    The headline is for taps and presses on as-built sensors, which deviate as assumed of a sensor that nobody calibrated.
+    The headline is for taps and presses on as-built sensors, which deviate as assumed where nobody calibrated them.
     Beside it are taps and presses apart, virtual rigs, the nominal sensor and multi-sine touches. Where as-built
     sensors are not known, such as for a measured library, the headline is for the nominal sensor.
 
