@@ -12,6 +12,7 @@ from typing import Literal
 
 import numpy as np
 import scipy.signal
+from numpy.typing import NDArray
 
 from geometry.ground.typed import Array, ComplexArray
 from localize.decoders.frame_covariance import HUM, HUM_LINES, SOURCE_RMS
@@ -98,7 +99,7 @@ def _window() -> Array:
 
 
 @lru_cache(maxsize=2)
-def _analysis(is_filtered: bool) -> tuple[ComplexArray, ComplexArray]:
+def _analysis(is_filtered: bool) -> tuple[NDArray[np.complex64], NDArray[np.complex64]]:
     """Matrices from the lines of a spectrum, and from their conjugates, to the bins of the last frame of a second.
 
     The first half of the columns has the lines within :data:`REACH` of a bin, the second half all others.
