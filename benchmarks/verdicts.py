@@ -54,7 +54,7 @@ SENSORS, EACH = 8, 2
 FAMILIES = ("array-2x6", "large-area-64", "glove")
 KINDS = {"taps": "taps", "presses": "presses", "multi-sines": "sines"}
 #: Rules on sound; the others are of sizes, which decoding says nothing of.
-SOUND = ("heard", *ACCURACY_RULES)
+SOUND = ("heard", "slow", *ACCURACY_RULES)
 #: Grid of the library that the matched filter is computed from, finer than that of the verdict, Hz.
 GRID = np.geomspace(1.0, 100.0, 161)
 

@@ -23,7 +23,7 @@ from studies.verdict.measured import Measured
 from studies.verdict.tap_levels import tap_levels
 
 #: Rules whose figures closed forms give in milliseconds.
-QUICK = ("separate", "bottoming", "printable", "coverage", "affordable")
+QUICK = ("slow", "separate", "bottoming", "printable", "coverage", "affordable")
 #: Those of them that need the layout alone.
 _OF_LAYOUT = ("separate", "printable", "coverage", "affordable")
 #: Loss at 10 Hz from the touched cavity to the second microphone up to which noise hardly counts, dB, and the error

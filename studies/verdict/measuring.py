@@ -17,7 +17,7 @@ from studies.verdict import part_rules
 from studies.verdict.accuracies import TOUCHES, Accuracies, accuracies
 from studies.verdict.measured import NOT_JUDGED, Measured, points_in_words
 from studies.verdict.rules import ACCURACY_RULES, RULES, rule_named
-from studies.verdict.tap_levels import LOSS_AT, TapLevels, tap_levels
+from studies.verdict.tap_levels import LOSS_AT, SLOW, TapLevels, tap_levels
 
 ALL_RULES = tuple(each.name for each in RULES)
 """Names of all rules."""
@@ -62,12 +62,14 @@ def measure(
     """
     parts = drawn or Drawn()
     found: list[dict[str, Measured]] = [{} for _ in designs]
-    levels = tap_levels(designs, known) if "heard" in rules else []
+    levels = tap_levels(designs, known) if {"heard", "slow"} & set(rules) else []
     rates = accuracies(designs, known) if any(name in rules for name in ACCURACY_RULES) else []
     for number, (design, values) in enumerate(zip(designs, found, strict=True)):
         for name in rules:
             if name == "heard":
                 values[name] = _heard(design, levels[number])
+            elif name == "slow":
+                values[name] = _slow(levels[number])
             elif name in ACCURACY_RULES:
                 values[name] = _accuracy(name, rates[number])
             elif name == "buildable":
@@ -94,6 +96,17 @@ def _heard(design: ArrayDesign, levels: TapLevels) -> Measured:
         else f"a tap of {design.target.force:g} N is {second[weakest]:.0f} dB above the noise at two microphones"
     )
     return Measured(float(second[weakest]), words, points)
+
+
+def _slow(levels: TapLevels) -> Measured:
+    if not np.isfinite(levels.slow):
+        return NOT_JUDGED
+    low, high = SLOW
+    words = (
+        f"points {levels.alike[0]} and {levels.alike[1]} are nearly alike from {low:g} to {high:g} Hz, the band of "
+        f"slow presses: their ratios of microphones differ by only {100 * levels.slow:.1f} %"
+    )
+    return Measured(float(levels.slow), words, levels.alike)
 
 
 def tubes_to_second(design: ArrayDesign, point: int) -> int:

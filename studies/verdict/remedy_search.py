@@ -27,6 +27,7 @@ _ACOUSTIC = (
 CHOICES_OF: Mapping[str, tuple[str, ...]] = {
     "buildable": ("layout fix", "tube length", "microphone tube", "wall", "cavity diameter", "columns"),
     "heard": _ACOUSTIC,
+    "slow": _ACOUSTIC,
     **dict.fromkeys(ACCURACY_RULES, _ACOUSTIC),
     "separate": ("tube length", "cavity diameter", "cavities in place", "columns"),
     "bottoming": ("cavity height", "membrane thickness", "membrane material", "cavity diameter", "cavities in place"),

@@ -110,6 +110,14 @@ RULES: tuple[VerdictRule, ...] = (
         0.95, 0.8, _SENSORS, "as for taps. These are the touches of the publication",
     ),
     VerdictRule(
+        "slow", "smallest distance of two points over 3 to 10 Hz: rms of the logarithm of the ratio of their "
+        "microphone ratios, nepers and radians", "1", "at least", 0.08, 0.03, "transfer functions (closed forms)",
+        "microphones of one type differ by 5 % (one standard deviation of +-1 dB), so the ratio of two is off by 7 %. "
+        "A slow press has little else than this ratio. The rule says why presses fail, and tells searches so in a "
+        "millisecond. All eight designs below 0.01 in benchmarks/verdicts.py also break the rule on presses, whose "
+        "prediction draws such microphones",
+    ),
+    VerdictRule(
         "separate", "force on a neighbour's membrane, as a fraction of that on the touched one, for a contact of the "
         "target's radius in the middle of a point", "1", "at most", 0.1, 0.5, "the layout, and Hertz's law of contact",
         "a contact that presses two points has no single right answer. At 0.1 the other point is 20 dB weaker. Ours",

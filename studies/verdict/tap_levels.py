@@ -24,9 +24,12 @@ from localize.contacts.contact import hertz_fraction
 from localize.contacts.finger_gestures import TAP_SECONDS
 from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import Responses, required
+from studies.metrics.separation import pair_distances
 from studies.metrics.touch_metrics import touch_response
 
-FREQUENCIES = np.geomspace(*BAND, 40)
+SLOW = (3.0, 10.0)
+"""Band of slow touches, Hz: from the high-pass of a stream to the first frequencies that differ between points."""
+FREQUENCIES = np.unique(np.concatenate([np.geomspace(*BAND, 40), SLOW]))
 """Frequencies at which the levels are computed, Hz."""
 TAP = math.sqrt(math.prod(TAP_SECONDS))
 """Length of the tap, s: the geometric mean of the shortest and the longest tap of a finger."""
@@ -42,6 +45,10 @@ class TapLevels:
     """Signal-to-noise ratio behind a matched filter; (n_point, n_microphone) float64, dB."""
     loss: Array
     """Loss from the touched cavity to each microphone at :data:`LOSS_AT`; (n_point, n_microphone) float64, dB."""
+    slow: float
+    """Smallest distance of two points over :data:`SLOW`, nepers and radians; infinite for one point."""
+    alike: tuple[int, int]
+    """Numbers of these two points, from 1; zeros for one point."""
 
     @property
     def second(self) -> Array:
@@ -124,4 +131,11 @@ def _levels(responses: Responses) -> list[TapLevels]:
         snr = 10 * np.log10(4 * np.trapezoid(power, grid, axis=-1))
         loss = -20 * np.log10(np.abs(responses.transfer_function))
     at = int(np.abs(grid - LOSS_AT).argmin())
-    return [TapLevels(*each) for each in zip(snr, loss[..., at], strict=True)]
+    count = responses.transfer_function.shape[1]
+    if count < 2:
+        return [TapLevels(*each, np.inf, (0, 0)) for each in zip(snr, loss[..., at], strict=True)]
+    apart = pair_distances(responses, SLOW).combined
+    first, second = np.triu_indices(count, 1)
+    closest = apart.argmin(axis=1)
+    pairs = [(int(first[pair]) + 1, int(second[pair]) + 1) for pair in closest]
+    return [TapLevels(*each) for each in zip(snr, loss[..., at], apart.min(axis=1), pairs, strict=True)]
