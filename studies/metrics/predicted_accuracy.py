@@ -175,7 +175,7 @@ def as_built_accuracies(designs: Sequence[DesignLike], **options: Any) -> list[A
 
 def swept_accuracies(
     designs: Sequence[ArrayDesign], *, sensors: int, known: KnownDiscs | None = None
-) -> Mapping[Touch, Array]:
+) -> Mapping[str, Array]:
     """Mean accuracies of as-built sensors of the designs of a sweep for a run's touches, (n_design,) of each kind.
 
     The sensor as designed is left out, which halves the time.
