@@ -61,8 +61,8 @@ decoder takes the leak away.
 The decoder knows how a frame's edges smear a touch, but only for transfer functions that are right, and a hypothesis
 fits an as-built sensor to a percent or so. The rest is random from microphone to microphone. It matters for slow
 touches, whose spectrum falls steeply. Between 0 and 0.03 it was chosen on designs 1000 to 1039 of
-benchmarks/as_built_accuracy.py and on the contacts of designs 10 to 24 of benchmarks/verdicts.py. A sensor that is as
-its library has none."""
+benchmarks/as_built_accuracy.py and on the contacts of designs 10 to 24 of benchmarks/verdicts.py. On a sensor that
+equals its library, nothing stays."""
 NOMINAL_TOUCHES = 360
 """Largest number of touches of each kind on the sensor as designed; at most one per as-built sensor and point."""
 SCATTER = {True: 0.19, False: 0.2}
