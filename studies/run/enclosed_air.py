@@ -21,6 +21,10 @@ SWEAT = 0.85
 """Relative humidity at the membranes of a sensor on sweating skin."""
 CLIMB = 1000.0
 """Height of a fast climb, by car or cable car, m."""
+QUIET = 1e-3
+"""Transfer function below which a change is not counted, Pa/Pa: far points of long lines lose hundreds of dB, and a
+stiffer membrane changes these by many orders of magnitude.
+"""
 
 
 @dataclass(frozen=True)
@@ -34,7 +38,7 @@ class EnclosedChange:
     compliance: float
     """Change of the compliance of the membranes, %."""
     response: float
-    """Largest change of a transfer function at the checked frequencies, gas and membranes together, %."""
+    """Largest change of a transfer function above :data:`QUIET` at the checked frequencies, gas and membranes, %."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +108,9 @@ def enclosed_findings(design: ArrayDesign, library: Library) -> EnclosedFindings
         for state, (place, hours) in there.items():
             found = enclosed_air(tight, place, hours=hours)
             moved = library.in_air(LocalAir(**{**asdict(place), "overpressure": found.overpressure}))
-            ratio = moved.transfer_function.values / library.transfer_function.values
+            at_rest = library.transfer_function.values
+            loud = np.abs(at_rest) >= min(QUIET, np.abs(at_rest).max())
+            ratio = moved.transfer_function.values[loud] / at_rest[loud]
             changes.append(
                 EnclosedChange(
                     state,
