@@ -86,7 +86,9 @@ def _sections(found: DesignCheck) -> Iterator[_Section]:
     yield _Section("model limits", studies.run.worst_assumption(found.validity), lambda: _show_validity(found))
     yield _Section("attenuation", _weakest(found), lambda: _show_attenuation(found))
     yield _Section("enclosed air", studies.run.worst_of_air(found.enclosed), lambda: _show_enclosed(found.enclosed))
-    yield _Section("fidelity", found.fidelity.words, lambda: _show_fidelities(found))
+    # the reasons stand above where the cells are too large for a mesh
+    chosen = found.fidelity.words.partition(":")[0] if found.fidelity.too_large else found.fidelity.words
+    yield _Section("fidelity", chosen, lambda: _show_fidelities(found))
     yield _Section("wiring", _points_by_microphones(found.wiring), lambda: _show_wiring(found.wiring))
     yield _Section("cells", counted(len(found.cells), "distinct cell"), lambda: _show_cells(found))
     if found.part_counts:
