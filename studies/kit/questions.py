@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
 
 import studies
 from geometry.assembly.model import ArrayModel
-from geometry.ground.refusal import counted
+from geometry.ground.refusal import Refusal, counted
+from geometry.ground.text_files import parse_toml
 from geometry.printing.plates import Plates
 from geometry.schema.print_processes import PrintProcess
 from geometry.stock import Silicone, catalogue
@@ -62,7 +62,7 @@ class Facts:
 def answers_of(facts: Facts) -> tuple[Answer, ...]:
     """Thirty questions of a maker, in the order of work, with their answers."""
     text = (resources.files(studies) / "kit" / "questions.toml").read_text(encoding="utf-8")
-    questions: dict[str, str] = tomllib.loads(text)
+    questions: dict[str, str] = parse_toml(text, "questions.toml", Refusal)
     answers = (*_buying(facts), *_printing(facts), *_casting(facts), *_building(facts))
     return tuple(Answer(questions[name], words, anchor) for name, words, anchor in answers)
 

@@ -15,7 +15,7 @@ NAMES = ["0", "13", "9" * 5000, "1_0", "٣", "²", "+1", " 1", "1.0", "1e1", "-1
 @pytest.mark.parametrize("name", NAMES)
 def test_a_point_that_the_design_does_not_have_is_refused_by_its_name(name: str, tmp_path: Path) -> None:
     path = tmp_path / "calibration.toml"
-    path.write_text(f'design = "array-2x6"\n[points]\n"{name}" = "a.wav"\n')
+    path.write_text(f'design = "array-2x6"\n[points]\n"{name}" = "a.wav"\n', encoding="utf-8")
     with refused(Kind.OUT_OF_RANGE, file=path, error=ManifestError) as found:
         read_manifest(path)
     assert found.value.field == f"points.{name}"

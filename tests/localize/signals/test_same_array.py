@@ -18,7 +18,8 @@ DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4, "layo
 
 @pytest.fixture(scope="module")
 def own():
-    return response_of(acoustic_fem.solve(DESIGN, np.linspace(1, 100, 4), fidelity="lumped"))
+    response = response_of(acoustic_fem.solve(DESIGN, np.linspace(1, 100, 4), fidelity="lumped"))
+    return replace(response, closed_form=None)  # that of the design has its microphones
 
 
 @pytest.mark.parametrize(
