@@ -136,7 +136,7 @@ def test_the_folder_answers_thirty_questions(kit: studies.MadeParts) -> None:
     cuts = cutting_list(design)
     length = answers["Which length do I cut?"]
     assert all(f"{cut.cut_length:g} mm" in length for cut in cuts)
-    assert sum(map(int, re.findall(r"(\d+) x s(?:heath|pring)", length))) == 2 * sum(cut.count for cut in cuts)
+    assert sum(map(int, re.findall(r"(\d+) x (?:sheath|spring)", length))) == 2 * sum(cut.count for cut in cuts)
     assert "plate-1-molds.3mf" in answers["What do I print first?"]
     bill = {item.item: item for item in kit.bill.items}
     for joint in ("tube", "membrane", "board"):
