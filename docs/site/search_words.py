@@ -29,8 +29,8 @@ WORDS = {
     "realtime": ("delay", "JavaScript", "latency", "ONNX"),
     "stock": ("bill of materials", "shopping list", "silicone supplier", "spring supplier", "where to buy"),
     "suits-you": ("altitude", "humidity", "lifetime", "temperature", "water", "waterproof"),
-    "tolerances": ("as-built sensors", "manufacturing tolerance"),
-    "verdict": ("verdict",),
+    "tolerances": ("manufacturing tolerance",),
+    "verdict": ("does my design work",),
 }
 
 
