@@ -65,7 +65,7 @@ CALLS = {
     "studies.wiring_table(2, 6, 'wiring.png')": "plots",
     "studies.tolerance_study(design, 'tolerance')": "studies",
     "studies.export_parts(design, 'parts')": "cad",
-    "studies.run_design(design, 'demo')": "train",
+    "studies.run_design(design, 'demo')": "cad",
     "studies.bending_study('bent')": "plots",
     "studies.calibrate_sensor('calibration', 'made.nc')": "plots",
     "studies.serve_studio(design)": "studio",
