@@ -173,7 +173,7 @@ def test_a_file_that_stands_where_the_result_would_go_names_the_option(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "out").write_text("")
-    assert command("new", "mine").code == 0
+    (tmp_path / "mine.toml").write_text("")
     assert (
         command("new", "mine")
         .refusal()
