@@ -38,7 +38,8 @@ def localizer(library: Library, tmp_path_factory: pytest.TempPathFactory) -> Pat
     """A localizer that was hardly trained, on a library in another format."""
     folder = tmp_path_factory.mktemp("trained")
     export(library, folder / "library.sofa")
-    verb = ["train", str(folder / "library.sofa"), "--out", str(folder / "localizer"), "--epochs", "1", "--as-built", "0"]
+    verb = ["train", str(folder / "library.sofa"), "--out", str(folder / "localizer"), "--epochs", "1"]
+    verb += ["--as-built", "0"]
     made = CliRunner().invoke(app, verb)
     assert made.exit_code == 0, made.output
     return folder / "localizer"
