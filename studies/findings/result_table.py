@@ -362,4 +362,4 @@ def with_base_metrics(table: ResultTable) -> ResultTable:
 def _metric(name: str, values: Values) -> Column:
     about = METRICS[name]
     unit = "" if about.unit == "1" else about.unit
-    return Column(name, about.long_name, unit, values, (), about.better, about.caution)
+    return Column(name, about.long_name, unit, values, better=about.better, caution=about.caution)

@@ -58,7 +58,7 @@ def test_the_model_is_the_projects_own_gltf_and_the_findings_are_those_of_check(
 
     told: list[str] = []
     checked, expected = check_figures(SMALL, told.append), check_design(SMALL, quality=False)
-    assert checked == {**expected.to_dict(), "verdict": expected.verdict}
-    assert any("Print rules (5 of 5)" in line for line in told)
+    assert checked == {**expected.to_dict(), "verdict": expected.buildability}
+    assert any("Print rules (6 of 6)" in line for line in told)
     assert {finding["part"] for finding in checked["printing"]["findings"]} & {part["part"] for part in found["parts"]}
     assert resolve_design("array-2x6") == ARRAY
