@@ -129,7 +129,8 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     shown_kinds = [int(text.rsplit("(", 1)[1][:-1]) for text in page.locator("#kinds label").all_inner_texts()]
     assert sorted(shown_kinds) == sorted(kinds.values())
     made = as_built_figures(LONGER)
-    shares = [made["sensors"], 100 * made["mean"], 100 * made["worst"]]
+    shares = [made["sensors"], *(100 * each for each in (made["mean"], made["interval"][1], made["worst"]))]
+    shares.append(100 * made["multi_sines"])
     assert numbers(page.locator("#as-built").inner_text()) == pytest.approx(shares, rel=1e-2)
     x, y, z = array_size(LONGER, lay_out(LONGER))
     page.check("#dimensions")
