@@ -168,7 +168,7 @@ def test_a_wheel_holds_all_that_the_command_needs(tmp_path: Path) -> None:
     assert "array-2x6" in run("prototypes")
     small = run("prototypes", "array-2x6").replace("points = 12", "points = 4")
     (tmp_path / "small.toml").write_text(small, encoding="utf-8")
-    assert "can be built" in run("check", "small.toml")
+    assert "more, with --full" in run("check", "small.toml")
     run("solve", "small.toml", "--fidelity", "lumped", "--out", "library.nc")
     run("run", "small.toml", "--out", "demo")
     assert (tmp_path / "demo" / "report.html").stat().st_size > 10_000

@@ -238,7 +238,7 @@ def test_parts_that_were_killed_are_made_by_the_next_call(place: Path, end: sign
     assert killed.wait(PATIENCE) != 0
     again = subprocess.run(words, check=False, capture_output=True, encoding="utf-8", timeout=PATIENCE)
     assert again.returncode == 0, again.stderr
-    made = {path.name for path in Path("made").iterdir()}
+    made = {path.relative_to("made").as_posix() for path in Path("made").rglob("*") if path.is_file()}
     assert made == set(Path("made", "files.txt").read_text(encoding="utf-8").split())
 
 
