@@ -57,7 +57,9 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(
     assert page.locator("#print-verdict").inner_text().startswith("Can be built:")
     assert page.locator("#compared-figures tr").count() == len(figures["figures"])
     assert page.locator("#differences").inner_text() == "no field differs"
-    assert page.locator("#as-built").inner_text().startswith("Taps and presses on 64 as-built sensors, not calibrated: ")
+    assert (
+        page.locator("#as-built").inner_text().startswith("Taps and presses on 64 as-built sensors, not calibrated: ")
+    )
     page.click("#game")
     mole = int(page.locator("#score").get_attribute("data-mole"))
     page.locator("#touch-points button").nth(mole - 1).click()
