@@ -14,8 +14,8 @@ import scipy.io
 import xarray as xr
 from numpy.typing import NDArray
 
-from acoustic_fem.library.library_parts import TEXTS, TIME_CONVENTION, coordinates_of, data_set, units_of
-from acoustic_fem.library.netcdf_file import LibraryError, dataset_of, real_variables
+from acoustic_fem.library.library_parts import TEXTS, data_set, units_of
+from acoustic_fem.library.netcdf_file import TIME_CONVENTION, LibraryError, coordinates_of, dataset_of, real_variables
 from acoustic_fem.library.transfer_functions import VARIABLES, Library
 from geometry.ground.array_files import read_mat as mat_arrays, read_npz as npz_arrays
 from geometry.ground.refusal import Kind, Refusal

@@ -6,34 +6,20 @@ from typing import Any
 
 import xarray as xr
 
-from acoustic_fem.library.netcdf_file import ATTRIBUTES, CHECKSUMS, real_variables
+from acoustic_fem.library.netcdf_file import ATTRIBUTES, CHECKSUMS, coordinates_of, real_variables
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_completed
 from geometry.ground.argument_checks import check_shape, wrong_type
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
-from geometry.layout.placement import point_places
 
 TEXTS = (*ATTRIBUTES, CHECKSUMS)
 """Texts that a file holds."""
-TIME_CONVENTION = "exp(+j omega t)"
-"""Sign of the time dependence of every complex number in a file."""
 
 
 def units_of(dataset: xr.Dataset) -> dict[str, str]:
     """Unit of each variable of a library, and of its frequencies."""
     return {"frequency": "Hz", **{str(name): values.attrs["units"] for name, values in dataset.data_vars.items()}}
-
-
-def coordinates_of(design: ArrayDesign) -> dict[str, list[int] | list[str]]:
-    """Numbers and names of the points and microphones of a design, as files hold them."""
-    lines, places = zip(*point_places(design), strict=True)
-    return {
-        "point": list(range(1, len(lines) + 1)),
-        "line": list(lines),
-        "place": list(places),
-        "microphone": list(design.microphones),
-    }
 
 
 def data_set(attributes: dict[str, Any], frequency: Array, variables: dict[str, Array]) -> xr.Dataset:

@@ -27,6 +27,7 @@ from acoustic_fem.library.transfer_functions import (
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
+from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_completed, write_design
 from geometry.ground.argument_checks import check_choice, mismatch, wrong_type
 from geometry.ground.record import seal_file, sha256
@@ -44,6 +45,8 @@ CHECKSUMS = "checksums"
 """Attribute of a data set: SHA-256 of each of its attributes and variables by name, as JSON."""
 #: Bytes of an attribute that HDF5 stores in the header of its object, which takes 64 kB.
 _LONGEST_TEXT = 60_000
+TIME_CONVENTION = "exp(+j omega t)"
+"""Sign of the time dependence of every complex number in a file."""
 _DEVIATION = "transfer_function_deviation"
 _COORDINATES = ("point", "line", "place", "microphone", "frequency")
 
@@ -110,7 +113,7 @@ def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.
             "history": _history(library),
             "layout_version": _LAYOUT_VERSION,
             "fidelity": library.fidelity,
-            "time_convention": "exp(+j omega t)",
+            "time_convention": TIME_CONVENTION,
             "design_toml": write_design(library.design.completed()),
             "medium": json.dumps(asdict(library.medium)),
             "provenance": json.dumps(dict(library.provenance)),
@@ -228,13 +231,7 @@ def library_of(dataset: xr.Dataset) -> Library:
     known = (*FIDELITIES, MEASURED)
     check_choice("fidelity", fidelity, known)
     design = read_completed(dataset.attrs["design_toml"], "design_toml")
-    lines, places = zip(*point_places(design), strict=True)
-    for name, expected in (
-        ("point", list(range(1, len(lines) + 1))),
-        ("line", list(lines)),
-        ("place", list(places)),
-        ("microphone", list(design.microphones)),
-    ):
+    for name, expected in coordinates_of(design).items():
         _check_coordinate(dataset[name], expected)
     library = library_from_arrays(
         design,
@@ -248,6 +245,17 @@ def library_of(dataset: xr.Dataset) -> Library:
     _check_checksums(dataset)
     check_physics(library)
     return library
+
+
+def coordinates_of(design: ArrayDesign) -> dict[str, list[int] | list[str]]:
+    """Numbers and names of the points and microphones of a design, as files hold them."""
+    lines, places = zip(*point_places(design), strict=True)
+    return {
+        "point": list(range(1, len(lines) + 1)),
+        "line": list(lines),
+        "place": list(places),
+        "microphone": list(design.microphones),
+    }
 
 
 def _check_coordinate(found: xr.DataArray, expected: list[int] | list[str]) -> None:

@@ -13,8 +13,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from acoustic_fem.library.library_parts import TEXTS, TIME_CONVENTION, coordinates_of, data_set
-from acoustic_fem.library.netcdf_file import LibraryError, dataset_of, real_variables
+from acoustic_fem.library.library_parts import TEXTS, data_set
+from acoustic_fem.library.netcdf_file import TIME_CONVENTION, LibraryError, coordinates_of, dataset_of, real_variables
 from acoustic_fem.library.sealed_netcdf import read_netcdf
 from acoustic_fem.library.transfer_functions import Library
 from acoustic_fem.quantities.units import metres

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from acoustic_fem.library.library_parts import TEXTS, TIME_CONVENTION, data_set, stated_design, units_of
-from acoustic_fem.library.netcdf_file import LibraryError, dataset_of, real_variables
+from acoustic_fem.library.library_parts import TEXTS, data_set, stated_design, units_of
+from acoustic_fem.library.netcdf_file import TIME_CONVENTION, LibraryError, dataset_of, real_variables
 from acoustic_fem.library.transfer_functions import Library
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.csv_files import read_csv

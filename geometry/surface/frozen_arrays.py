@@ -33,15 +33,15 @@ class Laid:
     counts: list[int]
     """Points of each line."""
     points: Array
-    """(n, 3) float64, mm."""
+    """Places of the points, (n, 3) float64, mm."""
     normals: Array
-    """(n, 3) float64."""
+    """Normals of the points, (n, 3) float64."""
     microphones: Array
-    """One more than lines, (m, 3) float64, mm."""
+    """Places of the microphones, one more than lines, (m, 3) float64, mm."""
     microphone_normals: Array
     """Normals of the microphones, (m, 3) float64."""
     names: list[str]
-    """Of the microphones."""
+    """Names of the microphones."""
     spacing: float
     """Usual distance of neighbours, mm."""
     design: ArrayDesign | None = None

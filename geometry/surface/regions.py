@@ -17,10 +17,9 @@ from geometry.schema.surface_fields import SurfaceFit, SurfaceRegion
 
 #: Largest gap between a flat shell and the body under its rim, mm, and smallest radius of the body in those of a shell.
 RIM_GAP, LEAST_RADII = 0.65, 1.8
-#: A piece of the region is told where it has more of its area than this.
+#: Fraction of the region's area above which a separate piece is reported.
 _PIECE = 0.02
-#: A part of the region that is joined to the rest by less than two pitches is told where it is larger than this many
-#: squares of the pitch.
+#: Area above which a part behind a neck narrower than two pitches is reported, squares of the pitch.
 _LOBE = 1.5
 
 Mask = NDArray[np.bool_]

@@ -159,7 +159,7 @@ def embedded_tables(
         microphones=response.microphones,
         precision=precision,
         noise_rms=rms,
-        silence=max(StreamOptions.silence * rms, StreamOptions.least_silence),
+        silence=StreamOptions().silence_of(rms),
         whitening=whole[triangle].astype(np.float32),  # the same for every microphone
         eigenvalues=eigenvalues.astype(np.float32),
         half_log_determinant=(0.5 * determinant).astype(np.float32),

@@ -246,7 +246,6 @@ def _translated(graph: nn.Module, microphones: int, opset: int) -> ModelProto:
 
 def _description(localizer: Locator, opset: int) -> dict[str, Any]:
     """Description that a file carries."""
-    options = StreamOptions()
     return {
         "format": FORMAT,
         "version": VERSION,
@@ -264,7 +263,7 @@ def _description(localizer: Locator, opset: int) -> dict[str, Any]:
             "high_pass_order": ORDER,
             "high_pass_sections": high_pass_sections(HIGH_PASS).tolist(),
             "hop": HOP,
-            "silence": max(options.silence * localizer.noise_rms, options.least_silence),
+            "silence": StreamOptions().silence_of(localizer.noise_rms),
         },
         "opset": opset,
         "versions": versions(0, ("numpy", "onnx", "onnxscript", "scipy", "torch")),

@@ -83,7 +83,7 @@ class TouchStream:
                 raise Refusal(problem, kind=Kind.MISMATCH, field=name)
         self.locator, self.options, self.reconstructor = locator, options, reconstructor
         self._equaliser = equaliser
-        usual = max(options.silence * locator.noise_rms, options.least_silence)
+        usual = options.silence_of(locator.noise_rms)
         self.silence, self.limit = usual if silence is None else silence, limit
         for name, value in (("silence", self.silence), ("limit", limit)):
             if value is not None:

@@ -80,6 +80,10 @@ class StreamOptions:
             check_range("high_pass", self.high_pass, 0.5, 20.0, "Hz", why="or None for none")
         check_range("rejected_fraction", self.rejected_fraction, 0, 1, excluded="both")
 
+    def silence_of(self, noise_rms: float) -> float:
+        """Level below which a microphone of a noise, Pa rms, hears nothing, Pa rms."""
+        return max(self.silence * noise_rms, self.least_silence)
+
 
 AS_IT_COMES = StreamOptions(high_pass=None, follow=False, fade=False)
 """Nothing is done with samples: every frame is classified as it is."""

@@ -20,7 +20,7 @@ from studies.output.figure_style import crop_picture
 
 #: Width and height of a picture before the white around it is cut away, pixels.
 _SIZE = (1100, 620)
-#: Colour of parts that have none of their own, and of the plate of a printer.
+#: Colour of parts without a colour of their own, and of the plate of a printer.
 _TOOL, _PLATE = "#d9c27a", "#e8ebee"
 #: View from the front and above.
 _FROM_ABOVE = (0.0, -1.0, 0.8)
