@@ -38,7 +38,7 @@ slow-test: $(VENV)/.installed-dev
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder -m slow
 
 docs: $(VENV)/.installed-docs
-	$(BIN)/sphinx-build --quiet --fail-on-warning --keep-going -b html docs docs/build/html
+	$(BIN)/sphinx-build --quiet --fresh-env --fail-on-warning --keep-going -b html docs docs/build/html
 	$(BIN)/python docs/site/built.py docs/build/html
 	$(BIN)/python docs/site/in_browser.py docs/build/html
 	@echo "The manual: $(abspath docs/build/html/index.html)"
