@@ -73,10 +73,11 @@ def interferences(model: ArrayModel) -> tuple[Interference, ...]:
 
     Tubes and the parts they end in may share what the rounding of ports makes of their contact.
 
-    Boxes only sieve the pairs, solids decide; pairs that lie to each other as one before are not computed again. On a
-    body no two pairs are alike. There :func:`port_fits` measures tubes in the parts that they end in, a spring and its
-    sheath are swept along one course, and other parts of different groups, which must not touch at all, are compared by
-    their facets.
+    Boxes only sieve the pairs, solids decide; pairs that lie to each other as one before are not computed again. A
+    spring and its sheath are swept along one course and touch everywhere, which no solid can share by more than
+    rounding and a boolean of solids needs minutes to say. On a body no two pairs are alike. There :func:`port_fits`
+    measures tubes in the parts that they end in, and other parts of different groups, which must not touch at all, are
+    compared by their facets.
     """
     found = []
     shared: dict[object, float] = {}
@@ -84,8 +85,10 @@ def interferences(model: ArrayModel) -> tuple[Interference, ...]:
     facets = Facets(model.shapes) if model.design.layout.frozen is not None else None
     for i, j in _near(model, 0.0):
         first, second = model.placed[i], model.placed[j]
-        if facets is not None and (first.group != second.group or first.kind in _OF_TUBES):
-            if first.group != second.group and frozenset((first.group, second.group)) not in joined:
+        if first.group == second.group and {first.kind, second.kind} <= set(_OF_TUBES):
+            continue
+        if facets is not None and first.group != second.group:
+            if frozenset((first.group, second.group)) not in joined:
                 volume = facets.shared(first, second)
                 if volume > FACET_VOLUME:
                     found.append(Interference(first.label, second.label, volume))

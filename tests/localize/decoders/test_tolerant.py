@@ -148,7 +148,7 @@ def test_air_and_rubber_that_nobody_gave_cost_it_no_touches() -> None:
     design = geometry.prototype("array-2x6")
     library = acoustic_fem.solve(design, GRID, "lumped")
     # 2000 m above the sea, and a modulus that is the same at all frequencies
-    elsewhere = AirAndRubber((79.5e3, 79.5e3), (20.0, 20.0), (0.0, 0.0), 1.0)
+    elsewhere = AirAndRubber((79.5e3, 79.5e3), (20.0, 20.0), (0.0, 0.0), fraction=1.0)
     factor = scatter_factors(ScatteredDesign(design, NO_SCATTER), library.medium, GRID, 1, 0, air_and_rubber=elsewhere)[
         0
     ]

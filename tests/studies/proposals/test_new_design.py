@@ -130,7 +130,6 @@ def test_what_cannot_work_says_why_and_what_would(tmp_path, monkeypatch):
     monkeypatch.setattr(proposing, "thorough", lambda points: SMALL)
     with refused(Kind.CONFLICT, "points", 36) as found:
         studies.new_design("mine", tmp_path / "mine.toml", size="900x900", points=36, microphones=4)
-    assert "% of the area" in str(found.value)
     assert {"size", "target"} & set(found.value.remedy)
     assert list(tmp_path.iterdir()) == []
 
