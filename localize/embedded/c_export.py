@@ -9,7 +9,7 @@ from acoustic_fem import Library
 from localize.embedded.budget import Budget, Cost, cost_of
 from localize.embedded.decoder_tables import EmbeddedTables, Precision, embedded_tables
 from localize.embedded.readme import readme
-from localize.embedded.source import source_files, table_bytes
+from localize.embedded.source import PREFIX, check_prefix, source_files, table_bytes, with_prefix
 from localize.signals.array_response import ArrayResponse
 from localize.signals.noise_model import NoiseChoice
 
@@ -36,6 +36,8 @@ def embed(
     precision: Precision = "float32",
     microphone_noise: NoiseChoice = "design",
     budget: Budget | None = None,
+    *,
+    prefix: str = PREFIX,
 ) -> EmbeddedDecoder:
     """The decoder that needs no training as C99: no heap, constant tables, nothing but ``math.h``.
 
@@ -47,12 +49,16 @@ def embed(
         precision: of the larger tables: ``float32``, or ``int16`` for little more than half the flash.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         budget: what the microcontroller has for it; by default all it takes.
+        prefix: first part of all global names and of the names of the files. Two arrays in one program need two.
 
     Raises:
-        Refusal: over the budget, with the numbers; an unknown precision; or as :class:`localize.BayesDecoder`.
+        Refusal: over the budget, with the numbers; an unknown precision; a prefix that C does not allow; or as
+            :class:`localize.BayesDecoder`.
     """
+    check_prefix(prefix)
     tables = embedded_tables(library, precision, microphone_noise)
     cost = cost_of(tables)
     if budget is not None:
         budget.check(cost, f"{tables.name} in {precision}")
-    return EmbeddedDecoder(tables, cost, {**source_files(tables), "README.md": readme(tables, cost)})
+    texts = {**source_files(tables), "README.md": readme(tables, cost)}
+    return EmbeddedDecoder(tables, cost, with_prefix(texts, prefix))

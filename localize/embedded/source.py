@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from importlib.resources import files
 
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.decoder_options import DecoderOptions, SoundOptions
 from localize.decoders.frame_covariance import DECIMATION, SAMPLES, TAPS
 from localize.embedded.decoder_tables import (
@@ -27,6 +29,8 @@ AT_ONCE = 16
 POWERS = DecoderOptions().tried_powers
 #: Powers that are tried, and the last one again up to whole groups.
 POWER_COUNT = len(POWERS) + -len(POWERS) % AT_ONCE
+#: Prefix of the names of functions, types, constants and files.
+PREFIX = "touch"
 _WIDTH = 8
 #: FINER_BITS of touch_decoder.c.
 _FINER_BITS = 16
@@ -37,6 +41,26 @@ def source_files(tables: EmbeddedTables) -> dict[str, str]:
     folder = files(__package__) / "sources"
     texts = {name: (folder / name).read_text(encoding="utf-8") for name in SOURCES}
     return {**texts, "touch_tables.h": _header(tables), "touch_tables.c": _constants(tables)}
+
+
+def check_prefix(prefix: str) -> None:
+    """Refuse a prefix that names in C cannot begin with.
+
+    Raises:
+        Refusal: it is not a lower-case letter, followed by up to 30 lower-case letters, digits and underscores.
+    """
+    if not isinstance(prefix, str) or not re.fullmatch("[a-z][a-z0-9_]{0,30}", prefix):
+        allowed = "a lower-case letter, followed by up to 30 lower-case letters, digits and underscores"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="prefix", value=prefix, allowed=allowed)
+
+
+def with_prefix(texts: Mapping[str, str], prefix: str) -> dict[str, str]:
+    """Files whose names, and all global names in them, begin with another prefix than :data:`PREFIX`."""
+    small, large = (re.compile(rf"\b{each}_") for each in (PREFIX, PREFIX.upper()))
+    return {
+        small.sub(f"{prefix}_", name): large.sub(f"{prefix.upper()}_", small.sub(f"{prefix}_", text))
+        for name, text in texts.items()
+    }
 
 
 def table_bytes(tables: EmbeddedTables) -> int:

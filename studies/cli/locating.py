@@ -26,7 +26,7 @@ from studies.cli.options import (
     noise_choice,
 )
 from studies.cli.terminal_tables import show, table_of, tell
-from studies.output.call_defaults import PRECISION
+from studies.output.call_defaults import EMBEDDED_PREFIX, PRECISION
 
 if TYPE_CHECKING:
     from localize.embedded.decoder_tables import Precision
@@ -132,6 +132,10 @@ def embed(
         ),
     ] = None,
     noise: DecoderNoise = None,
+    prefix: Annotated[
+        str,
+        typer.Option(help="First part of all global names and of the files' names, for two arrays in one program."),
+    ] = EMBEDDED_PREFIX,
 ) -> None:
     """Export the decoder of a library as C99 source for a microcontroller.
 
@@ -142,7 +146,9 @@ def embed(
     Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
     """
     chosen = cast("Precision", precision)
-    written = studies.embed_decoder(library, out, precision=chosen, budget=budget, microphone_noise=noise_choice(noise))
+    written = studies.embed_decoder(
+        library, out, precision=chosen, budget=budget, microphone_noise=noise_choice(noise), prefix=prefix
+    )
     cost, table = written.decoder.cost, table_of("", "at most", numbers=(1,))
     for name, value in (("flash", cost.flash), ("ram", cost.ram), ("stack", cost.stack)):
         table.add_row(name, f"{value} bytes")

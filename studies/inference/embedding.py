@@ -13,7 +13,7 @@ from localize.embedded.decoder_tables import Precision
 from localize.model.opened_model import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice
-from studies.output.call_defaults import PRECISION
+from studies.output.call_defaults import EMBEDDED_PREFIX, PRECISION
 from studies.output.folders import check_folder, claimed_folder, replaced_files
 
 #: List of the files of an earlier call, and a file by which a folder of one without it is known.
@@ -39,6 +39,7 @@ def embed_decoder(
     precision: Precision = PRECISION,
     budget: str | None = None,
     microphone_noise: NoiseChoice = "design",
+    prefix: str = EMBEDDED_PREFIX,
 ) -> EmbeddedFiles:
     """Write the decoder of a library, which needs no training, as C99 for the microcontroller on the sensor.
 
@@ -49,6 +50,7 @@ def embed_decoder(
         budget: limits of the microcontroller, such as ``flash=512k,ram=16k,instructions=2.5M``; by default no limits.
         microphone_noise: white noise of the microphones, Pa rms over 0 to 500 Hz, or "design" for that of the design's
             microphone.
+        prefix: first part of all global names in the C files and of the files' names, for two arrays in one program.
 
     Raises:
         Refusal: over the budget, with the numbers; a file that cannot be read, a folder of others, or as
@@ -58,7 +60,7 @@ def embed_decoder(
     check_folder(folder, "embed", _LIST, _MARK, reads=files_of(library))
     left = None if budget is None else Budget.stated(budget)
     response = response_of(open_library(library))
-    decoder = embed(response, precision, microphone_noise, left)
+    decoder = embed(response, precision, microphone_noise, left, prefix=prefix)
     with (
         claimed_folder(folder, "embed", _LIST, _MARK, reads=files_of(library)),
         replaced_files(folder, _LIST) as fresh,

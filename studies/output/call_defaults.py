@@ -16,6 +16,8 @@ FULL_SCALE = 1.0
 """Pressure at full scale of live input, Pa."""
 PRECISION: Literal["float32"] = "float32"
 """Numbers of the tables of an exported decoder."""
+EMBEDDED_PREFIX = "touch"
+"""First part of the names in an exported decoder."""
 MANIFEST = "calibration.toml"
 """Manifest that a folder of calibration recordings must contain."""
 TOUCHES, SAMPLES_PER_SHARD = 4096, 4096

@@ -15,7 +15,7 @@ from localize.embedded import EmbeddedDecoder
 
 COMPILER = next((name for name in ("gcc", "clang", "cc") if shutil.which(name)), None)
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler to build the decoder with")
-STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-O1")
+STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Wshadow", "-Werror", "-O1")
 SANITIZED = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 SOURCES = ("touch_decoder.c", "touch_tables.c")
 UNEVEN = Path(__file__).parent / "uneven_bench.c"
@@ -28,13 +28,15 @@ LARGEST = {
 }
 
 
-def build(decoder: EmbeddedDecoder, folder: Path, main: Path = Path("touch_bench.c")) -> Path:
-    """Test bench of a decoder, in a folder that is made; or another program that drives it."""
+def build(
+    decoder: EmbeddedDecoder, folder: Path, main: Path = Path("touch_bench.c"), flags: tuple[str, ...] = ()
+) -> Path:
+    """Test bench of a decoder, in a folder that is made; or another program that drives it; with further flags."""
     folder.mkdir(exist_ok=True)
     for name, text in decoder.files.items():
         (folder / name).write_text(text, encoding="utf-8")
     bench = folder / main.stem
-    command = [str(COMPILER), *STRICT, *SANITIZED, "-I.", str(main), *SOURCES, "-lm", "-o", str(bench)]
+    command = [str(COMPILER), *STRICT, *SANITIZED, *flags, "-I.", str(main), *SOURCES, "-lm", "-o", str(bench)]
     made = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert made.returncode == 0, made.stderr
     return bench

@@ -25,7 +25,8 @@
 #ifndef TOUCH_ALL
 #define TOUCH_ALL 0
 #endif
-#define LARGEST_PRESSURE 1e6f
+/* Bits of 1e6 Pa. A float without its sign is in the order of its bits, and infinity and NaN lie above all numbers. */
+#define LARGEST_PRESSURE_BITS 0x49742400u
 /* A frame is the last TAIL samples of one hop and the whole of those after it. */
 #define TAIL (TOUCH_FRAME % TOUCH_HOP)
 /* Of 16-bit tables: bits of the longest frame, whose products with reflections then stay below 31, and those by which
@@ -428,7 +429,7 @@ static void locate(touch_decoder *decoder)
 }
 
 /* Mean and sum of squares about it, with one more value (Welford 1962). */
-static void count(touch_spread *spread, float value, int number)
+static void include(touch_spread *spread, float value, int number)
 {
     const float change = value - spread->mean;
     spread->mean += change / (float)number;
@@ -440,8 +441,8 @@ static void watch(touch_decoder *decoder, int m, float sample)
 {
     const int place = decoder->place, first = TOUCH_HOP - TAIL;
     if (fabsf(sample) >= decoder->limit) decoder->clipped = TOUCH_FRAME;
-    count(&decoder->whole[m][decoder->hop], sample, place + 1);
-    if (place >= first) count(&decoder->tail[m][decoder->hop], sample, place - first + 1);
+    include(&decoder->whole[m][decoder->hop], sample, place + 1);
+    if (place >= first) include(&decoder->tail[m][decoder->hop], sample, place - first + 1);
 }
 
 /* Where the next sample lies in its hop; a full one gives way to the oldest, which begins anew. */
@@ -515,10 +516,19 @@ static void decide(touch_decoder *decoder)
     decoder->decision.state = decoder->held < TOUCH_FRAME ? TOUCH_UNREADABLE : judge(decoder);
 }
 
+/* Whether a sample is a pressure: neither NaN nor too large. By its bits, because options of compilers may assume that
+ * there is no NaN. */
+static int is_pressure(float sample)
+{
+    uint32_t bits;
+    memcpy(&bits, &sample, sizeof bits);
+    return (bits & 0x7FFFFFFFu) < LARGEST_PRESSURE_BITS;
+}
+
 static int take(touch_decoder *decoder, const float *samples)
 {
     for (int m = 0; m < TOUCH_MICROPHONES; m++)
-        if (!(fabsf(samples[m]) < LARGEST_PRESSURE)) return 0;
+        if (!is_pressure(samples[m])) return 0;
     step_on(decoder);
     for (int m = 0; m < TOUCH_MICROPHONES; m++) {
         watch(decoder, m, samples[m]);

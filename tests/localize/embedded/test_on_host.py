@@ -6,7 +6,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from embedded_bench import COMPILER, LARGEST, UNEVEN, assert_agree, build, decided_in_c, needs_compiler
+from embedded_bench import (
+    COMPILER,
+    LARGEST,
+    SANITIZED,
+    STRICT,
+    UNEVEN,
+    assert_agree,
+    build,
+    decided_in_c,
+    needs_compiler,
+)
 from refusals import refused
 from small_run import small_design
 
@@ -15,7 +25,7 @@ import localize
 from benchmarks.embedded_touches import LIMIT, STATES, array_of, calibrated, decided_in_python, decided_of, touches
 from geometry import Kind
 from localize.embedded import embed
-from localize.signals.array_response import response_of
+from localize.signals.array_response import ArrayResponse, response_of
 
 
 @needs_compiler
@@ -121,3 +131,69 @@ def test_options_that_assume_lost_samples_away_are_refused_by_the_compiler(optio
     refused_by = preprocessed("-O2", option)
     assert refused_by.returncode != 0
     assert "without -ffast-math" in refused_by.stderr
+
+
+@needs_compiler
+def test_lost_samples_are_found_by_their_bits_where_the_compiler_takes_them_for_none(tmp_path: Path) -> None:
+    """With the refusal undone, 50 lost samples still make frames unreadable, and no frame after them is."""
+    response = calibrated(acoustic_fem.solve(small_design(), np.linspace(1.0, 500.0, 100), "lumped"))
+    samples, decoder = touches(response, 5, 2), embed(response)
+    samples[:, 1000:1050] = np.nan
+    bench = build(decoder, tmp_path / "bench")
+    undone = ("-O2", "-ffinite-math-only", "-U__FINITE_MATH_ONLY__")
+    assumed = build(decoder, tmp_path / "assumed", flags=undone)
+    found, again = (decided_in_c(each, samples, response.point_count) for each in (bench, assumed))
+    assert again.state == found.state
+    assert {"touch", "unreadable"} <= set(found.state[found.sample.searchsorted(1050) :])
+    np.testing.assert_allclose(again.posterior, found.posterior, atol=1e-5)
+
+
+TWO = """
+#include <stdio.h>
+#include "left_decoder.h"
+#include "right_decoder.h"
+
+static left_decoder left;
+static right_decoder right;
+
+int main(void)
+{
+    static float sample[LEFT_MICROPHONES + RIGHT_MICROPHONES];
+    left_init(&left, 0.0f);
+    right_init(&right, 1.0f);
+    for (int k = 0; k < 300; k++) {
+        (void)left_push(&left, sample, 1);
+        (void)right_push(&right, sample, 1);
+    }
+    printf("%d %d %d %d\\n", LEFT_POINTS, RIGHT_POINTS, (int)left.number, (int)right.decision.state);
+    return 0;
+}
+"""
+
+
+@needs_compiler
+def test_two_arrays_live_in_one_program(tmp_path: Path) -> None:
+    wide = np.linspace(1.0, 500.0, 20)
+    small = response_of(acoustic_fem.solve(small_design(), wide, "lumped"))
+    fewer = ArrayResponse(
+        small.transfer_function[:2], small.frequency, small.line[:2], small.place[:2], small.microphones
+    )
+    sources = []
+    for prefix, response in (("left", small), ("right", fewer)):
+        files = embed(response, "int16" if prefix == "left" else "float32", 1e-3, prefix=prefix).files
+        assert all(name == "README.md" or name.startswith(f"{prefix}_") for name in files)
+        for name, text in files.items():
+            (tmp_path / name).write_text(text, encoding="utf-8")
+        sources += [f"{prefix}_decoder.c", f"{prefix}_tables.c"]
+    (tmp_path / "main.c").write_text(TWO, encoding="utf-8")
+    command = [str(COMPILER), *STRICT, *SANITIZED, "main.c", *sources, "-lm", "-o", "both"]
+    made = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert made.returncode == 0, made.stderr
+    told = subprocess.run([str(tmp_path / "both")], check=True, capture_output=True, text=True).stdout.split()
+    assert told == ["3", "2", "300", "4"]
+
+
+@pytest.mark.parametrize("prefix", ["", "Left", "2nd", "a-b", "_a", "a" * 32])
+def test_a_prefix_that_is_none_in_c_is_refused(prefix: str) -> None:
+    with refused(Kind.OUT_OF_RANGE, "prefix", prefix):
+        embed(array_of("array-2x6", False), prefix=prefix)
