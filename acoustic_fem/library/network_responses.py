@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import acoustic_fem
 from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
 from acoustic_fem.atlas.cell_table import cell_atlas
+from acoustic_fem.library.model_limits import check_model_limits
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell, cell_catalogue
@@ -46,7 +47,11 @@ def array_responses(
     Returns:
         Arrays by the names, shapes and units of :data:`acoustic_fem.library.transfer_functions.VARIABLES`, and a
         summary of each cell as JSON can hold it.
+
+    Raises:
+        Refusal: as of :func:`acoustic_fem.library.model_limits.check_model_limits`.
     """
+    check_model_limits(design, frequency, medium)
     if fidelity in CLOSED_FORMS and acoustic_fem.batch.fits_batch(design):
         cells = cell_catalogue(design, place_housings(design)).distinct
         _warn_outside_errors(cells, frequency, fidelity)

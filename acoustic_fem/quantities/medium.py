@@ -55,6 +55,24 @@ class Medium:
         """Diffusivity of heat kappa / (rho cp), m^2/s."""
         return self.conductivity / (self.density * self.heat_capacity)
 
+    @property
+    def temperature(self) -> float:
+        """Temperature of an ideal gas with these values, p / (rho cp (1 - 1 / gamma)), K; infinite at gamma = 1."""
+        gas_constant = self.heat_capacity * (1 - 1 / self.gamma)
+        return self.pressure / (self.density * gas_constant) if gas_constant > 0 else math.inf
+
+    @property
+    def mean_free_path(self) -> float:
+        """Mean free path mu sqrt(pi / (2 p rho)), m (Kennard, Kinetic Theory of Gases, 1938, section 175)."""
+        return self.viscosity * math.sqrt(math.pi / (2 * self.pressure * self.density))
+
+    def slip_in(self, diameter: float) -> float:
+        """Flow by slip over the flow without slip in a round tube: 8 mean free paths over its diameter in m.
+
+        Kennard, section 175, with full accommodation at the wall.
+        """
+        return 8 * self.mean_free_path / diameter
+
     @classmethod
     def at(cls, temperature_c: float = 20, humidity: float = 0.5, pressure: float = 101325.0) -> Medium:
         """Humid air.

@@ -164,5 +164,5 @@ def scatter_factors(
     if air_and_rubber is not None:
         drawn = air_and_rubber.draws(first, count, seed, scattered.design, air)
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "entrance loss", UserWarning)
+        warnings.filterwarnings("ignore", "entrance loss|slip of the air|cavities: ", UserWarning)
         return np.asarray(sensors.transfer_functions(draws, drawn) / sensors.nominal)

@@ -152,7 +152,7 @@ def self_calibrate(
     with warnings.catch_warnings():
         # a search also passes through sensors for which these are right; for the one it ends at they are given
         # when its library is made, outside of here
-        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
+        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: |slip of the air|cavities: ", UserWarning)
         return _calibrated(
             UpdatedModel(library, priors),
             response,

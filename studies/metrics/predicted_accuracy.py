@@ -214,7 +214,7 @@ def _right_of_design(
             allowed = "at least 2, because one alone tells no points apart"
             raise Refusal(kind=Kind.UNSUITABLE, field=field, value=count, allowed=allowed)
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "entrance loss", UserWarning)
+        warnings.filterwarnings("ignore", "entrance loss|slip of the air|cavities: ", UserWarning)
         array = _BinnedArray(design, known, tolerances)
         built = array.built(sensors, seed)
         tables = None if calibrated else array.hypotheses(BinnedOptions())

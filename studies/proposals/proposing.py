@@ -148,7 +148,7 @@ def propose(asked: Question, name: str, progress: Progress | None = None) -> Pro
     told = progress or silent
     with warnings.catch_warnings():
         # check gives these warnings for the design that is chosen
-        warnings.filterwarnings("ignore", "entrance loss", UserWarning)
+        warnings.filterwarnings("ignore", "entrance loss|slip of the air|cavities: ", UserWarning)
         if asked.points is None:
             found = most_points(asked, name, told)
         else:

@@ -51,7 +51,7 @@ from studies.verdict.measuring import Drawn
 from studies.verdict.verdict import Verdict
 
 #: Warnings on limits that the check lists under validity.
-_LISTED = "entrance loss of a tube|membrane: "
+_LISTED = "entrance loss of a tube|membrane: |slip of the air|cavities: "
 #: Frequencies of the estimated attenuation, Hz.
 ATTENUATION_AT = (1.0, 10.0, 100.0)
 #: Largest difference of lumped from Navier-Stokes transfer functions as `run` measured it: percent, degrees.

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from acoustic_fem.duct.tube_opening import LARGEST_SHEAR_NUMBER
+from acoustic_fem.library.model_limits import SLIP_WARNED, uniform_up_to, widest_cavity
 from acoustic_fem.membrane.design_discs import design_disc
 from acoustic_fem.membrane.rubber import causal_slope
 from acoustic_fem.quantities.medium import Medium
@@ -44,9 +45,6 @@ class Validity:
 def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) -> tuple[Validity, ...]:
     """Assumptions of the models, each against its limit, for the band up to 100 Hz.
 
-    Slip: the flow through a round tube of diameter d is 1 + 8 l/d times that without slip, with the mean free
-    path l = mu sqrt(pi / (2 p rho)) (Kennard, Kinetic Theory of Gases, 1938, section 175, full accommodation).
-
     Args:
         design: the design.
         medium: its air.
@@ -57,15 +55,9 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
     """
     highest = BAND[1]
     microphone, alike = design.microphone, [design.of_kind(kind) for kind in design.kinds]
-    widest = max(
-        design.resonator.cavity_diameter,
-        *(each.resonator.cavity_height for each in alike),
-        microphone.chamber_diameter,
-        microphone.chamber_height,
-    )
+    widest = widest_cavity(design)
     bores = [tube.inner_diameter for tube in design.tubes]
-    mean_free_path = medium.viscosity * math.sqrt(math.pi / (2 * medium.pressure * medium.density))
-    slip = 8 * mean_free_path / (min(bores) * 1e-3)
+    slip = medium.slip_in(min(bores) * 1e-3)
     shear = max(bores) / 2 * 1e-3 * math.sqrt(2 * math.pi * highest / medium.kinematic_viscosity)
     material = design.material(design.membrane.material)
     missing = causal_slope(material.loss_factor or 0.0) if material.law == "constant" else 0.0
@@ -74,7 +66,7 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
     return (
         Validity(
             "plane waves and uniform cavity pressure up to",
-            medium.sound_speed / (10 * widest * 1e-3),
+            uniform_up_to(widest, medium),
             "at least",
             highest,
             "Hz",
@@ -102,7 +94,7 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
             "slip of the air in the narrowest bore",
             100 * slip,
             "at most",
-            0.5,
+            100 * SLIP_WARNED,
             "%",
             f"the real flow through a bore of {min(bores):g} mm is larger by this, because the models assume no slip "
             "at walls",

@@ -80,7 +80,9 @@ def tap_levels(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None) 
     found: dict[int, TapLevels] = {}
     with warnings.catch_warnings(), np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         # check lists the same limits under validity
-        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: |noise: ", UserWarning)
+        warnings.filterwarnings(
+            "ignore", "entrance loss of a tube|membrane: |noise: |slip of the air|cavities: ", UserWarning
+        )
         for key, numbers in alike.items():
             own = [designs[number] for number in numbers]
             responses = _alone(own[0]) if isinstance(key, int) else _batch(own, key[0], known)
