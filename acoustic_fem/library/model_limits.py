@@ -34,7 +34,7 @@ def check_model_limits(design: ArrayDesign, frequency: Array, medium: Medium) ->
     if slip > SLIP_REFUSED:
         raise Refusal(
             f"has a mean free path of {medium.mean_free_path * 1e3:.3g} mm, too long for a bore of {bore:g} mm: the "
-            f"flow by slip is {100 * slip:.3g} % of that without, and the models have none",
+            f"flow by slip is {100 * slip:.3g} % of that without slip, which the models neglect",
             kind=Kind.OUT_OF_RANGE,
             field="air",
             value=f"a gas at {medium.pressure:.4g} Pa",
@@ -43,7 +43,7 @@ def check_model_limits(design: ArrayDesign, frequency: Array, medium: Medium) ->
     if slip > SLIP_WARNED:
         warn_caller(
             f"slip of the air: the real flow through a bore of {bore:g} mm is {100 * slip:.2g} % larger than the "
-            "models', which have none"
+            "models', which neglect slip"
         )
     low, high = TEMPERATURES
     if not low <= medium.temperature <= high:
