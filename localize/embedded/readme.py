@@ -61,6 +61,20 @@ probable points, numbered from 1, and the probability of every point. If samples
 NaN if you do not know how many were lost. No frame spans them, and decisions are unreadable until a whole frame of
 good samples has arrived.
 
+## Serial line
+
+`touch_serial.c` writes frames for a UART or a USB serial port: samples, touches and the state of the board, each with a
+counter and a CRC-16. It needs no other file. The table of bytes is in docs/serial.md of the program:
+
+```c
+#include "touch_serial.h"
+
+static touch_serial line;                  /* all zero */
+static uint8_t frame[TOUCH_SERIAL_LARGEST];
+
+send(frame, touch_serial_samples(&line, frame, first, 1000, TOUCH_MICROPHONES, TOUCH_HOP, samples, 10.0f));
+```
+
 ## On the host
 
 The test bench reads 32-bit floats and writes a line for every decision. A line holds the number of samples so far, the

@@ -20,7 +20,7 @@ from localize.embedded.decoder_tables import (
 from localize.live.stream_options import StreamOptions
 
 #: Sources that are the same for every array.
-SOURCES = ("touch_decoder.h", "touch_decoder.c", "touch_bench.c")
+SOURCES = ("touch_decoder.h", "touch_decoder.c", "touch_serial.h", "touch_serial.c", "touch_bench.c")
 #: Points that a decision names.
 TOP = 3
 #: Powers that are tried at once.
