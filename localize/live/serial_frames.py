@@ -52,7 +52,7 @@ class StatusFrame:
     microphones: int
     """Number of its microphones."""
     mode: Literal["raw", "events"]
-    """Whether samples or touches are sent."""
+    """``raw`` if the board sends samples, ``events`` if it sends touches."""
     name: str
     """Name of the array, its first 32 bytes."""
 
