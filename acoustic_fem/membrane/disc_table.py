@@ -18,7 +18,7 @@ from acoustic_fem.membrane.elasticity import ElasticDisc, solve_dimensionless
 from acoustic_fem.membrane.half_section import DiscShape
 from geometry.ground.typed import Array
 
-#: Largest relative error of the interpolated statics and of the first mode, at the points where it is checked.
+#: Largest relative error of the interpolated statics and of the first mode, unless another one is asked for.
 ACCURACY = 3e-4
 #: Fewest points along thickness and along rim, and how many more per factor e of the range.
 _POINTS, _MORE = 4, (2.5, 1.5)
@@ -112,19 +112,22 @@ class DiscTables:
         return next((table.at(shape) for table in self.tables if table.covers(shape)), None)
 
 
-def disc_tables(shapes: Iterable[DiscShape], solve: Solve | None = None) -> tuple[DiscTable, ...]:
+def disc_tables(
+    shapes: Iterable[DiscShape], solve: Solve | None = None, *, accuracy: float = ACCURACY
+) -> tuple[DiscTable, ...]:
     """Tables for the discs of a sweep: one for each group of which there are more than a table takes to make.
 
     Args:
         shapes: all discs that will be asked for.
         solve: solves several discs, such as side by side; by default one after the other.
+        accuracy: largest relative error of the interpolated statics and of the first mode, where it is checked.
 
     Returns:
-        The tables; a group that could not be interpolated to :data:`ACCURACY` gets no table.
+        The tables; a group that could not be interpolated to this accuracy gets no table.
     """
     made = []
     for group in _groups(shapes):
-        table = _made(group, solve or (lambda several: [solve_dimensionless(shape) for shape in several]))
+        table = _made(group, solve or (lambda several: [solve_dimensionless(shape) for shape in several]), accuracy)
         if table is not None:
             made.append(table)
     return tuple(made)
@@ -160,12 +163,12 @@ def _sizes(bounds: Array) -> list[int]:
     return [1 if w < 1e-12 else math.ceil(_POINTS + more * w) for w, more in zip(widths, _MORE, strict=True)]
 
 
-def _made(group: Sequence[DiscShape], solve: Solve) -> DiscTable | None:
+def _made(group: Sequence[DiscShape], solve: Solve, accuracy: float) -> DiscTable | None:
     bounds = _bounds(group)
     sizes = _sizes(bounds)
     while len(group) >= _FEWEST and math.prod(sizes) < min(len(group), _MOST):
         table = _solved(group[0], bounds, sizes, solve)
-        if table.error <= ACCURACY:
+        if table.error <= accuracy:
             return table
         sizes = [size if size == 1 else math.ceil(1.5 * size) for size in sizes]
     return None

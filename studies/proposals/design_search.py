@@ -18,8 +18,10 @@ from studies.metrics.scatter_detection import scatter_detection
 from studies.proposals.candidates import Candidates, Sizes
 from studies.proposals.designer_question import Question
 from studies.proposals.grids import Grid, grids
+from studies.proposals.quick_discs import QuickDiscs
 from studies.verdict import OUTCOMES, RULES, Verdict, measure
 from studies.verdict.measured import Measured
+from studies.verdict.part_rules import CLEAR, bottoming
 from studies.verdict.tap_levels import tap_levels
 
 #: Rules whose figures closed forms give in milliseconds.
@@ -33,6 +35,8 @@ _LOSS, _PER_DECIBEL = 20.0, 0.01
 _HOPELESS = 0.7
 #: Fraction of a round that drawing takes, for the progress.
 _DRAWING = 0.4
+#: Number of designs whose membranes are pressed by finite elasticity while others are sought.
+_PRESSED = 4
 #: Number of points beyond which fewer designs are tried.
 _MANY = 48
 
@@ -201,23 +205,33 @@ def _first(layouts: Sequence[Candidates], draws: int, progress: Progress = silen
 
 
 def screened(layout: Candidates, drawn: Sequence[tuple[ArrayDesign, Sizes]]) -> list[Screened]:
-    """Drawn designs with the figures that closed forms give."""
+    """Drawn designs with the figures that closed forms give.
+
+    If the deflection of the membrane keeps all of them from working, the best of those whose estimate is not clear are
+    pressed by finite elasticity.
+    """
     if not drawn:
         return []
     designs = [design for design, _ in drawn]
-    values = measure(designs, QUICK)
-    levels = tap_levels(designs)
+    known = QuickDiscs(designs)
+    values = measure(designs, QUICK, known=known, estimated=True)
+    levels = tap_levels(designs, known)
     loss = np.array([each.loss_to_second.max() for each in levels])
     for own, level in zip(values, levels, strict=True):
         own["heard"] = Measured(float(level.second.min()), "")
     with np.errstate(all="ignore"):  # where nothing is received at all
-        errors = scatter_detection([_longest_line(design) for design in designs])
+        errors = scatter_detection([_longest_line(design) for design in designs], known)
     # Beyond some loss the noise confuses more points than the scatter.
     errors = np.where(np.isfinite(errors), errors, 1.0) + _PER_DECIBEL * np.maximum(loss - _LOSS, 0.0)
-    return [
+    found = [
         Screened(design, sizes, layout.grid, own, float(error))
         for (design, sizes), own, error in zip(drawn, values, errors, strict=True)
     ]
+    if all(any(each.merit[:2]) for each in found):
+        unclear = [each for each in found if CLEAR[0] < each.values["bottoming"].value < CLEAR[1]]
+        for each in sorted(unclear, key=lambda each: each.merit)[:_PRESSED]:
+            each.values["bottoming"] = bottoming(each.design, known)
+    return found
 
 
 def _longest_line(design: ArrayDesign) -> ArrayDesign:

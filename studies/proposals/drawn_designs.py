@@ -11,14 +11,25 @@ from geometry.printing.printability import print_report
 from geometry.schema.print_processes import process_of
 from studies.verdict import Drawn
 
+#: Findings on the designs that were drawn, by the text of the design.
+_FOUND: dict[str, Drawn] = {}
+
 
 def drawn_findings(design: ArrayDesign) -> Drawn:
     """Misfits of the drawn parts of a design, and failed print rules of its shells and housings.
 
-    There are no findings where the extra ``cad`` is not installed, because no part can be drawn without it.
+    Drawing takes seconds, so each design is drawn once. There are no findings where the extra ``cad`` is not installed,
+    because no part can be drawn without it.
     """
     if not is_installed("cad"):
         return Drawn()
+    key = design.model_dump_json()
+    if key not in _FOUND:
+        _FOUND[key] = _findings(design)
+    return _FOUND[key]
+
+
+def _findings(design: ArrayDesign) -> Drawn:
     try:
         model = array_model(design)
         lines = misfits(model)

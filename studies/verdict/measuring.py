@@ -24,7 +24,6 @@ ALL_RULES = tuple(each.name for each in RULES)
 #: Rules whose figures follow from sizes.
 _OF_SIZES: Mapping[str, Callable[[ArrayDesign], Measured]] = {
     "separate": part_rules.separate,
-    "bottoming": part_rules.bottoming,
     "buyable": part_rules.buyable,
     "fits": part_rules.fits,
     "coverage": part_rules.covered,
@@ -48,6 +47,7 @@ def measure(
     *,
     drawn: Drawn | None = None,
     known: KnownDiscs | None = None,
+    estimated: bool = False,
 ) -> list[dict[str, Measured]]:
     """Values of the figures of some rules on each design, by the names of the rules.
 
@@ -56,6 +56,7 @@ def measure(
         rules: names of the rules.
         drawn: findings on the parts, which then are those of every design.
         known: membranes that need not be solved.
+        estimated: whether the estimate of the deflection of membranes also decides where it is not clear.
 
     Raises:
         Refusal: a membrane outside what can be solved.
@@ -72,6 +73,8 @@ def measure(
                 values[name] = _slow(levels[number])
             elif name in ACCURACY_RULES:
                 values[name] = _accuracy(name, rates[number])
+            elif name == "bottoming":
+                values[name] = part_rules.bottoming(design, known, estimated=estimated)
             elif name == "buildable":
                 values[name] = part_rules.buildable(design, parts.misfits)
             elif name == "printable":

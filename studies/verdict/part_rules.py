@@ -152,11 +152,17 @@ def separate(design: ArrayDesign) -> Measured:
     return Measured(float(ratio.max()), words, points)
 
 
-def bottoming(design: ArrayDesign, known: KnownDiscs | None = None) -> Measured:
-    """Deflection of the membrane at the target's force by the height of its cavity, or how near it is to tearing."""
+def bottoming(design: ArrayDesign, known: KnownDiscs | None = None, *, estimated: bool = False) -> Measured:
+    """Deflection of the membrane at the target's force by the height of its cavity, or how near it is to tearing.
+
+    Args:
+        design: the array.
+        known: membranes that need not be solved.
+        estimated: whether the estimate also decides between the limits of :data:`CLEAR`, which saves seconds.
+    """
     force, found = covered_forces(design), list[tuple[float, float]]()
     for number, kind in enumerate(design.kinds):
-        found.append(_pressed(design.of_kind(kind), float(force[design.kind_of_point.index(number)]), known))
+        found.append(_pressed(design.of_kind(kind), float(force[design.kind_of_point.index(number)]), known, estimated))
     depth, torn = np.array(found).T[:, list(design.kind_of_point)]
     worse = np.maximum(depth, torn)
     limit = rule_named("bottoming").works
@@ -169,14 +175,14 @@ def bottoming(design: ArrayDesign, known: KnownDiscs | None = None) -> Measured:
     return Measured(float(worse.max()), words, points)
 
 
-def _pressed(design: ArrayDesign, force: float, known: KnownDiscs | None) -> tuple[float, float]:
+def _pressed(design: ArrayDesign, force: float, known: KnownDiscs | None, estimated: bool) -> tuple[float, float]:
     """Deflection by the height of the cavity, and the force by that which tears the membrane; the latter 0 if it is far
     from that, or if the tear limit of its material is not known.
     """
     disc = design_disc(design, known=known)
     linear = 1e3 * disc.displacement_per_force * force
     estimate = stiffened(linear, design.membrane.mounted_thickness) / design.resonator.cavity_height
-    if not CLEAR[0] < estimate < CLEAR[1]:
+    if estimated or not CLEAR[0] < estimate < CLEAR[1]:
         return estimate, 0.0
     pressed = acoustic_fem.membrane  # loads finite elements when they are first used
     try:  # takes seconds for proportions that are new, so not in clear cases
