@@ -154,6 +154,15 @@ class Library(Shown):
             self.design, self.source_response, self.point_impedance, touch, contact_radius=contact_radius
         )
 
+    @property
+    def acceleration_response(self) -> xr.DataArray:
+        """Pressure at the microphones per acceleration of the whole sensor, (microphone, axis, frequency), Pa s2/m.
+
+        The inertia of all membranes adds, see :func:`acoustic_fem.library.acceleration.acceleration_response`.
+        """
+        found: xr.DataArray = function_above("acoustic_fem.library.acceleration", "acceleration_response")(self)
+        return found
+
     def simulate(self, force: Any, rate: float, *, touch: str = "force", output: str = "pressure") -> Array:
         """Signals of the microphones while membranes are pressed, at any rate and of any length.
 

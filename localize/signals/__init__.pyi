@@ -28,6 +28,7 @@ from .frames import (
     combined_probability as combined_probability,
     cut_frames as cut_frames,
 )
+from .motion import motion_signals as motion_signals, without_motion as without_motion
 from .noise_model import (
     NoiseChoice as NoiseChoice,
     NoiseSpectrum as NoiseSpectrum,
