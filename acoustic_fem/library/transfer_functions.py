@@ -156,7 +156,7 @@ class Library(Shown):
 
     @property
     def acceleration_response(self) -> xr.DataArray:
-        """Pressure at the microphones per acceleration of the whole sensor, (microphone, axis, frequency), Pa s2/m.
+        """Microphone pressure per acceleration of the sensor, (microphone, axis, frequency) complex128, Pa s2/m.
 
         The inertia of all membranes adds, see :func:`acoustic_fem.library.acceleration.acceleration_response`.
         """
