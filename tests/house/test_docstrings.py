@@ -18,7 +18,7 @@ ARRAYS = frozenset({"NDArray", "ndarray", "DataArray", "Tensor", "Array", "Compl
 # A length: 3, 2 n, n_freq, k + 1, ..., *shape, a constant's name, or one of the named dimensions of labelled arrays and
 # of numbers that a caller gives.
 _NAMED = (
-    "point|microphone|microphone_2|frequency|sample|channel|count|modes|points|microphones|channels|words|window|rank|top"
+    "point|microphone|microphone_2|axis|frequency|sample|channel|count|modes|points|microphones|channels|words|window|rank|top"
     "|[A-Z]{2}[A-Z_]*"
 )
 _ONE = rf"(?:\d+ )?(?:[a-vA-V]|n_\w+|{_NAMED})|\d+|\.\.\.|\*\w+"
