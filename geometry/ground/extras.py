@@ -16,6 +16,7 @@ EXTRAS = {
     "studies": ("cloudpickle", "dask", "distributed", "optuna", "plotly", "jinja2", "numcodecs", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
+    "serial": ("serial",),
     "audio": ("soundfile",),
     "sofa": ("sofar",),
     "parquet": ("pyarrow",),

@@ -32,7 +32,7 @@ class Notice:
 
     time: float
     """Time of the sample that is due, s; the stream's sample 0 is at 0."""
-    kind: Literal["source lost", "source back", "recording stopped", "sensor does not fit"]
+    kind: Literal["source lost", "source back", "recording stopped", "sensor does not fit", "frames lost"]
     """Kind of what happened."""
     text: str
     """Reason or result, in words for the user."""

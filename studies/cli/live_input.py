@@ -1,4 +1,4 @@
-"""The verb live."""
+"""The verbs live and record."""
 
 from __future__ import annotations
 
@@ -28,13 +28,16 @@ from studies.cli.options import (
     channel_map,
     noise_choice,
 )
-from studies.cli.terminal_tables import show, table_of
-from studies.output.call_defaults import FULL_SCALE
+from studies.cli.terminal_tables import show, table_of, tell
+from studies.output.call_defaults import BAUD, FULL_SCALE
 
 if TYPE_CHECKING:
     from localize.live.listener import Heard
+    from localize.live.serial_frames import LineCounts
     from studies.cli.live_display import LivePicture
     from studies.inference.live import LiveSession, LiveSummary
+
+Baud = Annotated[int, typer.Option(help="Speed of the serial line, bit/s. USB serial ports ignore it.")]
 
 
 def _list_devices(wanted: bool) -> None:
@@ -80,6 +83,15 @@ def live(
     replay: Annotated[
         Path | None, typer.Option(metavar="FILE.wav", help="Recording to play in real time in place of a sound card.")
     ] = None,
+    serial: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PORT",
+            help="Serial port of a board with the firmware of embed, such as /dev/ttyACM0 or COM3, to read in place of "
+            "a sound card.",
+        ),
+    ] = None,
+    baud: Baud = BAUD,
     record: Annotated[
         Path | None,
         typer.Option(
@@ -108,11 +120,11 @@ def live(
     altitude: Altitude = None,
     temperature: Temperature = None,
 ) -> None:
-    r"""Locate touches as they happen, from a sound card or a recording played in real time.
+    r"""Locate touches as they happen, from a sound card, a board, or a recording played in real time.
 
-    A terminal shows the array. If the output is not a terminal, it is a line of JSON per frame. If a sound card is
-    unplugged, the program waits for it. Press Ctrl-C to end with a summary. Sound cards need pip install
-    'acoustic-fem\[live]'.
+    A terminal shows the array. If the output is not a terminal, it is a line of JSON per frame. If a sound card or a
+    board is unplugged, the program waits for it. Press Ctrl-C to end with a summary. Sound cards need pip install
+    'acoustic-fem\[live]', and boards need pip install 'acoustic-fem\[serial]'.
 
     Example: [bold]acoustic-fem live library.nc --device USB --record touches.wav --out touches.jsonl[/bold]
     """
@@ -120,11 +132,13 @@ def live(
 
     if device is not None and replay is not None:
         raise typer.BadParameter("--device must not be given beside --replay")
+    if serial is not None and (device is not None or replay is not None):
+        raise typer.BadParameter("--serial must not be given beside --device or --replay")
     if rate is not None and replay is not None:
         raise typer.BadParameter("--rate must not be given beside --replay, which has its own rate")
     number = -1 if device is None else whole_number(device)
     wanted = device if number < 0 else number
-    source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate)
+    source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate, serial=serial, baud=baud)
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(
         noise_choice(noise),
@@ -144,6 +158,42 @@ def live(
     _print_summary(summary)
     if summary.unrecorded:
         raise Refusal(f"{summary.unrecorded}; all input before that is in the file", kind=Kind.STOPPED)
+
+
+def record(
+    serial: Annotated[
+        str,
+        typer.Option(
+            metavar="PORT", help="Serial port of a board with the firmware of embed, such as /dev/ttyACM0 or COM3."
+        ),
+    ],
+    out: Annotated[Path, typer.Option(metavar="FILE.wav", help="New file to record to.")],
+    seconds: Annotated[float | None, typer.Option(help="Length of the recording, s. Default: until Ctrl-C.")] = None,
+    baud: Baud = BAUD,
+) -> None:
+    r"""Record the samples of a board on a serial port.
+
+    Writes a WAV file in pascals, which locate, calibrate and train read without --full-scale. Lost samples are zeros in
+    it. If the board is unplugged, the program waits for it and goes on in a second file. Needs pip install
+    'acoustic-fem\[serial]'.
+
+    Example: [bold]acoustic-fem record --serial /dev/ttyACM0 --out touches.wav --seconds 60[/bold]
+    """
+    made = studies.record_board(
+        serial, out, baud=baud, seconds=seconds, hear=lambda text: print(in_one_line(text), file=sys.stderr)
+    )
+    tell(
+        f"{', '.join(map(str, made.recordings))}: {counted(made.microphones, 'microphone')}, {made.seconds:.1f} s, "
+        f"{made.rate:g} Hz, in Pa"
+    )
+    tell(_line_words(made.line, made.samples_lost))
+
+
+def _line_words(line: LineCounts, samples_lost: int) -> str:
+    return (
+        f"serial line: {counted(line.frames, 'frame')}, {line.lost} lost, {line.damaged} damaged; "
+        f"{counted(samples_lost, 'sample')} lost"
+    )
 
 
 class _Output:
@@ -198,6 +248,7 @@ def _print_summary(summary: LiveSummary) -> None:
         f"faults: {faults}{lost}",
         f"latency: p50 {p50:.1f} ms, p99 {p99:.1f} ms, at most {1e3 * summary.latencies.largest:.1f} ms",
         f"the decoder assumes {summary.assumptions}",
+        *([] if summary.line is None else [_line_words(summary.line, summary.samples_lost)]),
         *([] if summary.warning is None else [f"warning: {summary.warning}"]),
         *summary.recordings,
     ):

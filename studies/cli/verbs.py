@@ -96,8 +96,11 @@ VERBS = {
     ),
     "locate": Entry("locating", "Use", "Find where and when the array was touched, from a recording."),
     "live": Entry(
-        "live_input", "Use", "Locate touches as they happen, from a sound card or a recording played in real time."
+        "live_input",
+        "Use",
+        "Locate touches as they happen, from a sound card, a board, or a recording played in real time.",
     ),
+    "record": Entry("live_input", "Use", "Record the samples of a board on a serial port.", ("serial",)),
     "track": Entry("locating", "Use", "Follow a moving contact across the surface, from a recording."),
     "recognize": Entry(
         "locating", "Use", "Classify what kind each touch of a recording is, such as an event or a texture.", ("train",)

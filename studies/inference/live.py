@@ -1,4 +1,4 @@
-"""Touches named while they happen, from a sound card or a recording played in real time."""
+"""Touches located while they happen, from a sound card, a board, or a recording played in real time."""
 
 from __future__ import annotations
 
@@ -13,15 +13,19 @@ from pathlib import Path
 from time import perf_counter
 from typing import TypeAlias
 
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_lines
 from localize.evaluation.fit_watch import short_turns
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
+from localize.live.board_events import BoardListener
 from localize.live.events import Decision, Fault, TouchEvent
 from localize.live.listener import Heard, Latencies, LiveListener, Notice
 from localize.live.recorder import LiveRecorder
+from localize.live.serial_frames import LineCounts
+from localize.live.serial_port import BAUD, BoardLine, SerialSource
 from localize.live.sound_device import DeviceSource
 from localize.live.sources import ReplaySource, Source
 from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
@@ -47,8 +51,22 @@ class LiveInput:
     """Pressure at full scale of the sound card or file, Pa."""
     rate: int | None = None
     """Sample rate of the sound card, Hz; by default its own."""
+    serial: str | None = None
+    """Serial port of a board, such as ``/dev/ttyACM0`` or ``COM3``, to read instead of a sound card."""
+    baud: int = BAUD
+    """Speed of the serial line, bit/s. USB serial ports ignore it."""
 
     def __post_init__(self) -> None:
+        for name, given in (
+            ("device", self.device),
+            ("replay", self.replay),
+            ("rate", self.rate),
+            ("full_scale", None if self.full_scale == FULL_SCALE else self.full_scale),
+        ):
+            if self.serial is not None and given is not None:
+                remedy = "a board sends its rate, and its samples in Pa"
+                problem = ("must not be given beside ", Field("serial"))
+                raise Refusal(problem, kind=Kind.CONFLICT, field=name, remedy=remedy)
         if self.device is not None and self.replay is not None:
             problem = ("must not be given beside ", Field("replay"))
             raise Refusal(problem, kind=Kind.CONFLICT, field="device")
@@ -63,6 +81,12 @@ class LiveInput:
 
     def open(self, microphones: tuple[str, ...]) -> Source:
         """Source of the samples of these microphones; reading has not begun."""
+        return self.source(microphones, None if self.serial is None else BoardLine(self.serial, self.baud))
+
+    def source(self, microphones: tuple[str, ...], board: BoardLine | None) -> Source:
+        """Source of the samples of these microphones, from a board whose line is open if there is one."""
+        if board is not None:
+            return SerialSource(board, microphones, self.channels)
         if self.replay is not None:
             return ReplaySource(self.replay, microphones, self.full_scale, self.channels)
         return DeviceSource(microphones, self.device, self.full_scale, self.channels, rate=self.rate)
@@ -76,7 +100,7 @@ class LiveSession:
         model: names the points.
     """
 
-    def __init__(self, listener: LiveListener, model: Model) -> None:
+    def __init__(self, listener: LiveListener | BoardListener, model: Model) -> None:
         self._listener = listener
         self.array: ArrayFacts = model.locator.array
         """Array with the lines and places of its points, and the names of its microphones."""
@@ -88,7 +112,7 @@ class LiveSession:
     @property
     def source(self) -> str:
         """Name of what is listened to."""
-        return self._listener.source.name
+        return self._listener.name if isinstance(self._listener, BoardListener) else self._listener.source.name
 
     @property
     def recordings(self) -> tuple[Path, ...]:
@@ -129,6 +153,8 @@ class LiveSummary:
     """Reason to distrust the touches: the sensor does not fit the library; as of :class:`LocatedTouches`."""
     unrecorded: str = ""
     """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
+    line: LineCounts | None = None
+    """Counts of the frames of a serial line; None for other sources."""
 
 
 def listen(
@@ -144,7 +170,8 @@ def listen(
     """Summary of a live session, in which touches are located while they happen. It ends when the source ends, when
     ``hear`` returns False, or with Ctrl-C.
 
-    If a sound card is unplugged, the session waits for it.
+    If a sound card or a board is unplugged, the session waits for it. A board in event mode decides by itself. Its
+    touches are reported as it sent them, and the model only says which array it must have.
 
     Args:
         model: a path, a library, a localizer or an open model, see :func:`localize.open_model`.
@@ -157,8 +184,8 @@ def listen(
         hear: function that is called with every event.
 
     Raises:
-        Refusal: a file that cannot be written or read, options that contradict each other, or a sound card that does
-            not exist.
+        Refusal: a file that cannot be written or read, options that contradict each other, or a sound card or a board
+            that does not exist.
         OSError: the disk is full.
     """
     lines, kept, heard_from = (
@@ -177,15 +204,24 @@ def listen(
         problem = ("must be another file than ", Field("record"))
         raise Refusal(problem, kind=Kind.CONFLICT, field="out", value=str(lines))
     found = opened(model, decoding)
-    samples = heard_from.open(found.locator.microphones)
+    board = None if heard_from.serial is None else BoardLine(heard_from.serial, heard_from.baud)
+    decides = board is not None and board.mode == "events"
+    if board is not None and decides:
+        _check_needs_no_samples(board, kept, contact_radius_mm, decoding)
+    samples = None if decides else heard_from.source(found.locator.microphones, board)
     recorder = None
     counts, loud = _Counts(), LoudFrames()
     with ExitStack() as stack:
         stack.enter_context(claimed_file(lines, check_lines))
         stack.enter_context(claimed_file(kept, check_kept))
-        if kept is not None:
+        if kept is not None and samples is not None:
             recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.full_scale)
-        listener = found.listen(samples, recorder, contact_radius_mm)
+        listener: LiveListener | BoardListener
+        if samples is None:
+            assert board is not None
+            listener = BoardListener(board, found.locator.array)
+        else:
+            listener = found.listen(samples, recorder, contact_radius_mm)
         session = LiveSession(listener, found)
         stack.enter_context(_nothing_freed())
         stack.enter_context(short_turns())
@@ -206,8 +242,26 @@ def listen(
                     break
         except KeyboardInterrupt:
             pass
-    fit = sensor_fit(found.locator, loud.frames(), listener.stream.noise)
-    return counts.summary(session, fit, listener.stopped)
+    fit = None
+    if isinstance(listener, LiveListener):
+        fit = sensor_fit(found.locator, loud.frames(), listener.stream.noise)
+    return counts.summary(session, fit, listener.stopped, None if board is None else board.counts)
+
+
+def _check_needs_no_samples(
+    board: BoardLine, record: Path | None, radius: float | None, decoding: Decoding | None
+) -> None:
+    """Refuse options that need samples, because a board that decides sends none."""
+    options, usual = decoding or Decoding(), Decoding()
+    given = {"record": record is not None, "contact_radius_mm": radius is not None}
+    given["air"] = options.air not in (None, LocalAir())
+    for name in ("microphone_noise", "waveform", "ambient", "rejected_fraction", "follow_drift", "microphone_output"):
+        given[name] = getattr(options, name) != getattr(usual, name)
+    for name, is_given in given.items():
+        if is_given:
+            board.close()
+            problem = "needs samples, and the board sends touches"
+            raise Refusal(problem, kind=Kind.CONFLICT, field=name, remedy="set the board to raw mode")
 
 
 @contextmanager
@@ -243,7 +297,9 @@ class _Counts:
         elif isinstance(event, Notice):
             self._faults[event.kind] += 1
 
-    def summary(self, session: LiveSession, fit: SensorFit | None, unrecorded: str) -> LiveSummary:
+    def summary(
+        self, session: LiveSession, fit: SensorFit | None, unrecorded: str, line: LineCounts | None
+    ) -> LiveSummary:
         """All of it."""
         return LiveSummary(
             perf_counter() - self._began,
@@ -256,4 +312,5 @@ class _Counts:
             session.assumptions,
             None if fit is None else fit.warning,
             unrecorded,
+            line,
         )

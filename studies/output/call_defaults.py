@@ -14,6 +14,8 @@ BEST_DESIGNS = 10
 """Number of designs in a list of the best."""
 FULL_SCALE = 1.0
 """Pressure at full scale of live input, Pa."""
+BAUD = 115200
+"""Speed of a serial line, bit/s."""
 PRECISION: Literal["float32"] = "float32"
 """Numbers of the tables of an exported decoder."""
 EMBEDDED_PREFIX = "touch"

@@ -125,6 +125,8 @@ def test_a_sweep_needs_torch_for_predicted_accuracies_alone(tmp_path: Path) -> N
         ("run array-2x6 --out demo", "fem,train,studies"),
         ("studio array-2x6", "fem,train,studies,studio"),
         ("live library.nc", "live"),
+        ("live library.nc --serial COM3", "serial"),
+        ("record --serial COM3 --out r.wav", "serial"),
         ("locate decoder.onnx touches.wav --full-scale 20", "onnx"),
     ],
 )

@@ -55,6 +55,7 @@ FILES = {
     "track": ("library.nc take.wav", ".csv"),
     "pulse": ("library.nc take.wav", ".csv"),
     "live": ("library.nc --replay take.wav", ".jsonl"),
+    "record": ("--serial COM3", ".wav"),
     "report": ("results.zarr", ".html"),
     "best": ("results.zarr 0", ".toml"),
 }
