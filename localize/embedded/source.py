@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.decoder_options import DecoderOptions, SoundOptions
 from localize.decoders.frame_covariance import DECIMATION, SAMPLES, TAPS
+from localize.embedded.decimator import FACTOR, FIR_TAPS, decimator_taps
 from localize.embedded.decoder_tables import (
     EmbeddedTables,
     high_pass_coefficients,
@@ -20,7 +21,22 @@ from localize.embedded.decoder_tables import (
 from localize.live.stream_options import StreamOptions
 
 #: Sources that are the same for every array.
-SOURCES = ("touch_decoder.h", "touch_decoder.c", "touch_serial.h", "touch_serial.c", "touch_bench.c")
+SOURCES = (
+    "touch_decoder.h",
+    "touch_decoder.c",
+    "touch_bench.c",
+    "touch_serial.h",
+    "touch_serial.c",
+    "touch_ring.h",
+    "touch_ring.c",
+    "touch_decimator.h",
+    "touch_decimator.c",
+    "touch_hal.h",
+    "touch_firmware.h",
+    "touch_firmware.c",
+    "touch_board_mps2.c",
+    "touch_board_mps2.ld",
+)
 #: Points that a decision names.
 TOP = 3
 #: Powers that are tried at once.
@@ -40,7 +56,8 @@ def source_files(tables: EmbeddedTables) -> dict[str, str]:
     """Texts of the C files by name, the tables among them."""
     folder = files(__package__) / "sources"
     texts = {name: (folder / name).read_text(encoding="utf-8") for name in SOURCES}
-    return {**texts, "touch_tables.h": _header(tables), "touch_tables.c": _constants(tables)}
+    made = {"touch_tables.h": _header(tables), "touch_tables.c": _constants(tables)}
+    return {**texts, **made, "touch_decimator_taps.h": _decimator()}
 
 
 def check_prefix(prefix: str) -> None:
@@ -113,11 +130,23 @@ def _header(tables: EmbeddedTables) -> str:
     lines = [f"/* Tables of the array {_words(tables.name)}: microphones {_words(', '.join(tables.microphones))}. */"]
     lines += ["#ifndef TOUCH_TABLES_H", "#define TOUCH_TABLES_H", "", "#include <stdint.h>", ""]
     lines += [f"#define TOUCH_{name} {value}" for name, value in numbers.items()]
+    lines += [f'#define TOUCH_NAME "{_sent(tables.name)}"']
     number, coordinate = ("int16_t", "int32_t") if tables.precision == "int16" else ("float", "float")
     lines += ["", f"typedef {number} touch_number;", f"typedef {coordinate} touch_coordinate;", ""]
     lines += [*(f"extern const {_declared(*each)};" for each in _arrays(tables))]
     lines += [f"extern const float {name};" for name in _scalars(tables)]
     return "\n".join([*lines, "", "#endif", ""])
+
+
+def _decimator() -> str:
+    """First half of the taps of the decimator: the others are the same backwards."""
+    half = decimator_taps()[: FIR_TAPS // 2].astype(np.float32)
+    lines = ["/* Taps of touch_decimator.c: the first half, of which the second is the mirror. */"]
+    lines += ["#ifndef TOUCH_DECIMATOR_TAPS_H", "#define TOUCH_DECIMATOR_TAPS_H", ""]
+    lines += [f"#define TOUCH_FIR_TAPS {FIR_TAPS}", f"#define TOUCH_FIR_FACTOR {FACTOR}", ""]
+    return "\n".join(
+        [*lines, "static const float touch_fir[TOUCH_FIR_TAPS / 2] = {", *_rows(half), "};", "", "#endif", ""]
+    )
 
 
 def _constants(tables: EmbeddedTables) -> str:
@@ -156,6 +185,13 @@ def _number(value: float) -> str:
     """A float constant that reads back as the same single-precision number."""
     text = f"{np.float32(value):.9g}"
     return (text if any(mark in text for mark in ".en") else text + ".0") + "f"
+
+
+def _sent(text: str) -> str:
+    """Name of a design as a string of C: its bytes that are no letters or digits of ASCII in octal."""
+    return "".join(
+        chr(each) if chr(each).isascii() and chr(each).isalnum() else f"\\{each:03o}" for each in text.encode()
+    )
 
 
 def _words(text: str) -> str:

@@ -154,7 +154,7 @@ class FrameReader:
             found += [] if frame is None else [frame]
         else:
             # The last byte may be the first one of a frame.
-            kept = start if start >= 0 else len(data) - data.endswith(SYNC[:1])
+            kept = start if start >= 0 else max(at, len(data) - data.endswith(SYNC[:1]))
             self._pass_over(kept - at)
             at = kept
         del data[:at]

@@ -111,6 +111,14 @@ def test_with_one_percent_damaged_and_one_percent_lost_no_frame_is_wrong_and_eve
     assert 100 < reader.counts.damaged <= (fate == 1).sum()
 
 
+@pytest.mark.parametrize("size", [1, 2, 7, 50])
+def test_a_whole_line_has_no_damage_wherever_it_is_cut(size):
+    line = b"".join(Board().stream(np.random.default_rng(0).normal(size=(2, 8000))))
+    reader = FrameReader()
+    assert sum(len(reader.push(line[at : at + size])) for at in range(0, len(line), size)) == 532
+    assert (reader.counts.lost, reader.counts.damaged) == (0, 0)
+
+
 def test_the_check_is_that_of_the_catalogues():
     text = b"123456789"
     assert encoder().touch_serial_crc(text, len(text)) == crc_hqx(text, 0xFFFF) == 0x29B1

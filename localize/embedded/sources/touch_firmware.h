@@ -1,0 +1,24 @@
+/* The firmware of a sensor in raw mode: samples of 16 kHz in, samples of 1 kHz out as frames of touch_serial.h. */
+#ifndef TOUCH_FIRMWARE_H
+#define TOUCH_FIRMWARE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* For the board's interrupt: instants of all microphones at 16 kHz, interleaved in the order of the design. NULL for
+ * instants that the board lost. */
+void touch_firmware_take(const int16_t *samples, uint32_t count);
+/* For main: runs until touch_hal_wait returns 0. */
+void touch_firmware_run(void);
+/* For a main loop of your own, after touch_hal_start: do what there is to do now. */
+void touch_firmware_step(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

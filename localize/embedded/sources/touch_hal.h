@@ -1,0 +1,34 @@
+/* What a board must do: five functions, and one pressure. touch_board_mps2.c is an example. */
+#ifndef TOUCH_HAL_H
+#define TOUCH_HAL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Pressure of the largest sample, 32767, in Pa: 1.41 * 10^(-S / 20) for microphones of S dBFS at 94 dB SPL. The default is
+ * that of S = -26. */
+#ifndef TOUCH_FULL_SCALE
+#define TOUCH_FULL_SCALE 28.2f
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Start the clocks, the microphones and the line. From then on the board calls touch_firmware_take, mostly from an
+ * interrupt. Returns 0, or another number if something failed. */
+int touch_hal_start(void);
+/* Bytes that the line can take now. */
+size_t touch_hal_room(void);
+/* Send bytes, of which there is room for all; copy them, for they change when this returns. */
+void touch_hal_send(const uint8_t *bytes, size_t count);
+/* Sleep until the next interrupt. Returns 0 where there will be none, so that the firmware ends: never on a chip. */
+int touch_hal_wait(void);
+/* Stop: something failed. */
+void touch_hal_fail(int reason);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,142 @@
+"""The firmware in raw mode: its frames hold what its low-pass gives of the samples, and every gap is where it was."""
+
+import contextlib
+import socket
+import subprocess
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from embedded_bench import COMPILER, SANITIZED, STRICT, needs_compiler
+from small_run import small_design
+
+import acoustic_fem
+import studies
+from acoustic_fem.sound.sound_file import read_wav
+from benchmarks.boards import missing_tools
+from benchmarks.firmware import firmware_bytes, linked_firmware, started
+from localize.embedded import embed
+from localize.embedded.decimator import FACTOR, FIR_TAPS, decimator_response, decimator_taps
+from localize.live.serial_frames import FrameReader, SampleFrame, StatusFrame
+from localize.live.sources import SourceError
+
+FULL_SCALE = float(np.float32(28.2))
+SOURCES = ("firmware", "ring", "decimator", "serial")
+HOST = Path(__file__).parents[2] / "support" / "firmware_host.c"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """The project of a small array with two microphones."""
+    path = tmp_path_factory.mktemp("firmware")
+    library = acoustic_fem.solve(small_design(), np.linspace(1.0, 500.0, 20), "lumped")
+    for name, text in embed(library, prefix="hand").files.items():
+        (path / name).write_text(text, encoding="utf-8")
+    host = HOST.read_text(encoding="utf-8").replace("touch_", "hand_").replace("TOUCH_", "HAND_")
+    (path / "host.c").write_text(host, encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def host(folder):
+    sources = ["host.c", *(f"hand_{each}.c" for each in SOURCES)]
+    command = [str(COMPILER), *STRICT, *SANITIZED, *sources, "-o", "host"]
+    made = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert made.returncode == 0, made.stderr
+    return folder / "host"
+
+
+def samples_of(instants):
+    """(n, 2) int16 of a converter: tones in the band, above it, and noise."""
+    time = np.arange(instants) / 16_000
+    tones = 6000 * np.sin(2 * np.pi * 40 * time) + 5000 * np.sin(2 * np.pi * 3100 * time)
+    noise = np.random.default_rng(1).normal(0, 500, (instants, 2))
+    return np.clip(np.stack([tones, -0.3 * tones], axis=1) + noise, -32768, 32767).astype("<i2")
+
+
+def decimated(samples):
+    """(n_microphone, n) Pa: the sample n of 1 kHz from the converter's up to 16 n + 15; NaN before there are enough."""
+    taps, first = decimator_taps(), FIR_TAPS // FACTOR - 1
+    rows = [np.convolve(row.astype(float), taps, "valid")[::FACTOR] for row in samples.T]
+    return np.concatenate([np.full((2, first), np.nan), rows], axis=1) * FULL_SCALE / 32767
+
+
+def assert_frames_hold(frames, expected):
+    for frame in frames:
+        here = expected[:, frame.first : frame.first + frame.samples.shape[1]]
+        step = np.abs(here).max() / 32767
+        np.testing.assert_allclose(frame.samples, here, rtol=0, atol=0.51 * step + 2e-6 * FULL_SCALE)
+
+
+def test_the_low_pass_is_as_flat_and_as_steep_as_it_is_said_to_be():
+    assert np.abs(decimator_response(np.linspace(0, 300, 1000))).max() < 0.01
+    assert decimator_response(np.linspace(612, 8000, 5000)).max() < -70
+
+
+def recorded(port, path):
+    """Four seconds of a board, as soon as its emulator is there."""
+    for _ in range(200):
+        with contextlib.suppress(SourceError):
+            return studies.record_board(port, path, seconds=4)
+        time.sleep(0.1)
+    raise AssertionError("the emulator does not start")
+
+
+@needs_compiler
+def test_gaps_of_the_board_are_where_they_were_and_counted(host):
+    samples = samples_of(40_000)
+    gaps = [(1003, 5), (9000, 160), (20_000, 4000)]
+    words = [str(word) for gap in gaps for word in gap]
+    done = subprocess.run([host, *words], input=samples.tobytes(), capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr.decode()
+    reader = FrameReader()
+    found = reader.push(done.stdout)
+    frames = [each for each in found if isinstance(each, SampleFrame)]
+    assert (reader.counts.lost, reader.counts.damaged) == (0, 0)
+    expected = decimated(samples)
+    for begin, count in gaps:
+        numbers = np.arange(expected.shape[1])
+        newest = FACTOR * numbers + FACTOR - 1
+        expected[:, (newest >= begin) & (newest - FIR_TAPS < begin + count - 1)] = np.nan
+    assert_frames_hold(frames, expected)
+    got = np.concatenate([each.first + np.arange(each.samples.shape[1]) for each in frames])
+    known = np.flatnonzero(np.isfinite(expected).all(0))
+    assert got.tolist() == known[: len(got)].tolist()
+    assert len(known) - len(got) < 16  # the hop that the end cuts off
+    last = [each for each in found if isinstance(each, StatusFrame)][-1]
+    assert (last.name, last.points, last.microphones, last.mode) == (small_design().name, 3, 2, "raw")
+    assert last.lost == last.sample - (known < last.sample).sum() - known[0]
+    assert last.lost > 260
+
+
+@needs_compiler
+def test_frames_that_find_no_room_are_lost_and_told(host):
+    done = subprocess.run([host], input=samples_of(20_000).tobytes(), capture_output=True, check=True)
+    reader = FrameReader()
+    last = [each for each in reader.push(done.stdout) if isinstance(each, StatusFrame)][-1]
+    assert last.unsent == reader.counts.lost > 5
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(missing_tools() is not None, reason=f"{missing_tools()} is not installed")
+def test_an_emulated_board_is_recorded_over_its_line(folder, tmp_path):
+    samples = samples_of(16_000 * 5)
+    program = linked_firmware(folder, "hand")
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    board = started(program, samples, f"tcp:127.0.0.1:{port},server=on,wait=on")
+    try:
+        made = recorded(f"socket://127.0.0.1:{port}", tmp_path / "r.wav")
+    finally:
+        board.kill()
+        board.wait()
+    assert (made.samples_lost, made.line.lost, made.line.damaged) == (0, 0, 0)
+    sound = read_wav(tmp_path / "r.wav")
+    found = np.stack([sound.channels["1"], sound.channels["2"]])
+    first = FIR_TAPS // FACTOR - 1
+    expected = decimated(samples)[:, first : first + 4000]
+    np.testing.assert_allclose(found, expected, atol=np.abs(expected).max() / 60_000)
+    flash, ram = firmware_bytes(program)
+    assert flash < 12_000
+    assert ram < 8_000
