@@ -21,6 +21,6 @@ def decimator_taps() -> Array:
 
 
 def decimator_response(frequency: Array) -> Array:
-    """Gain at frequencies in Hz before the decimation, dB."""
+    """Gain at frequencies in Hz, (n,), before the decimation; (n,) float64, dB."""
     _, response = scipy.signal.freqz(decimator_taps(), worN=np.asarray(frequency, float), fs=FACTOR * SAMPLE_RATE)
     return np.asarray(20 * np.log10(np.abs(response)))
