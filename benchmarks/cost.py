@@ -30,7 +30,9 @@ def row(name: str) -> str:
     with tempfile.TemporaryDirectory() as folder:
         order = studies.export_parts(design, folder, formats=("stl",), allow_overlaps=True).order
     split = [order.cost(purpose) for purpose in ("array", "molds", "consumable", "tool")]
-    money = " | ".join(f"{each:.1f}" if each < 10 else f"{each:.0f}" for each in (order.bill.cost, *split, order.cost_of_packs))
+    money = " | ".join(
+        f"{each:.1f}" if each < 10 else f"{each:.0f}" for each in (order.bill.cost, *split, order.cost_of_packs)
+    )
     return f"| {name} | {design.point_count} | {money} | {order.hours:.0f} | {order.waiting:.0f} |"
 
 
