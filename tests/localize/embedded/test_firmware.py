@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy.signal
 from embedded_bench import COMPILER, SANITIZED, STRICT, needs_compiler
 from small_run import small_design
 
@@ -18,11 +19,15 @@ from benchmarks.boards import missing_tools
 from benchmarks.firmware import firmware_bytes, linked_firmware, started
 from localize.embedded import embed
 from localize.embedded.decimator import FACTOR, FIR_TAPS, decimator_response, decimator_taps
+from localize.live import serial_port
+from localize.live.events import Decision, TouchEvent
 from localize.live.serial_frames import FrameReader, SampleFrame, StatusFrame
 from localize.live.sources import SourceError
 
 FULL_SCALE = float(np.float32(28.2))
 SOURCES = ("firmware", "ring", "decimator", "serial")
+needs_board = pytest.mark.skipif(missing_tools() is not None, reason=f"{missing_tools()} is not installed")
+RECORDINGS = Path(__file__).parents[3] / "docs" / "examples" / "recordings"
 HOST = Path(__file__).parents[2] / "support" / "firmware_host.c"
 
 
@@ -74,11 +79,31 @@ def test_the_low_pass_is_as_flat_and_as_steep_as_it_is_said_to_be():
     assert decimator_response(np.linspace(612, 8000, 5000)).max() < -70
 
 
-def recorded(port, path):
-    """Four seconds of a board, as soon as its emulator is there."""
+@pytest.fixture
+def patient(monkeypatch):
+    """All samples wait until they are taken: the emulator is faster than time."""
+    monkeypatch.setattr(serial_port, "QUEUE", 60.0)
+
+
+@contextlib.contextmanager
+def emulated(folder, prefix, samples):
+    """Address of the line of an emulated board, whose samples begin when somebody is there."""
+    program = linked_firmware(folder, prefix)
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    board = started(program, samples, f"tcp:127.0.0.1:{port},server=on,wait=on")
+    try:
+        yield f"socket://127.0.0.1:{port}"
+    finally:
+        board.kill()
+        board.wait()
+
+
+def as_soon_as_it_is_there(call):
+    """Result of a call, as soon as the emulator listens."""
     for _ in range(200):
         with contextlib.suppress(SourceError):
-            return studies.record_board(port, path, seconds=4)
+            return call()
         time.sleep(0.1)
     raise AssertionError("the emulator does not start")
 
@@ -119,24 +144,42 @@ def test_frames_that_find_no_room_are_lost_and_told(host):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(missing_tools() is not None, reason=f"{missing_tools()} is not installed")
-def test_an_emulated_board_is_recorded_over_its_line(folder, tmp_path):
+@needs_board
+def test_an_emulated_board_is_recorded_over_its_line(folder, tmp_path, patient):
     samples = samples_of(16_000 * 5)
-    program = linked_firmware(folder, "hand")
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = free.getsockname()[1]
-    board = started(program, samples, f"tcp:127.0.0.1:{port},server=on,wait=on")
-    try:
-        made = recorded(f"socket://127.0.0.1:{port}", tmp_path / "r.wav")
-    finally:
-        board.kill()
-        board.wait()
+    with emulated(folder, "hand", samples) as port:
+        made = as_soon_as_it_is_there(lambda: studies.record_board(port, tmp_path / "r.wav", seconds=4))
     assert (made.samples_lost, made.line.lost, made.line.damaged) == (0, 0, 0)
     sound = read_wav(tmp_path / "r.wav")
     found = np.stack([sound.channels["1"], sound.channels["2"]])
     first = FIR_TAPS // FACTOR - 1
     expected = decimated(samples)[:, first : first + 4000]
     np.testing.assert_allclose(found, expected, atol=np.abs(expected).max() / 60_000)
-    flash, ram = firmware_bytes(program)
+    flash, ram = firmware_bytes(folder / "firmware.elf")
     assert flash < 12_000
     assert ram < 8_000
+
+
+@pytest.mark.slow
+@needs_board
+def test_touches_that_an_emulated_board_sends_are_those_of_the_recording(tmp_path, patient):
+    library, recording = RECORDINGS / "library.nc", RECORDINGS / "touches.wav"
+    for name, text in embed(acoustic_fem.load(library)).files.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    sound = read_wav(recording)
+    signals = scipy.signal.resample_poly(20 * np.stack(list(sound.channels.values())), FACTOR, 1, axis=1)
+    samples = np.round(np.pad(signals, ((0, 0), (0, 16_000))) / FULL_SCALE * 32767).astype("<i2").T
+    downs = []
+
+    def hear(session, heard, line):
+        if isinstance(heard.event, TouchEvent) and heard.event.kind == "down":
+            downs.append(heard.event.point)
+        return not (isinstance(heard.event, Decision) and heard.event.time > 6.4)
+
+    with emulated(tmp_path, "touch", samples) as port:
+        source = studies.LiveInput(serial=port)
+        summary = as_soon_as_it_is_there(lambda: studies.listen(library, source, hear=hear))
+    expected = [touch.point for touch in studies.locate_recording(library, recording, full_scale=20.0).touches]
+    assert downs == expected
+    assert len(downs) == 12
+    assert (summary.samples_lost, summary.line.lost, summary.line.damaged) == (0, 0, 0)
