@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from itertools import zip_longest
@@ -12,8 +11,9 @@ from geometry.ground.refusal import Field, Text
 from studies.proposals.design_search import Found, Progress, Screened, judge, look
 from studies.proposals.designer_question import CONTACTS, Question, most_microphones
 
-SECONDS = 6.0
-"""Processor time after which no further question is tried, s."""
+#: Number of questions after which no further one is tried, and once an answer is known. Processor time would make the
+#: answers depend on the machine.
+_QUESTIONS, _ONCE_TOLD = 14, 6
 #: Factors by which points and sizes are tried, and numbers of microphones.
 _FEWER, _SIZES, _COUNTS = (0.8, 0.64, 0.5, 0.36, 0.25, 0.16), (1.25, 0.8, 1.6, 0.6, 0.45), (3, 4, 6, 8, 11, 16)
 #: Factors by which a budget and a force are tried.
@@ -58,16 +58,14 @@ def alternatives(
         progress: called with the name of a step and the fraction done.
         broken: names of the rules of the verdict that its best design breaks.
     """
-    begun = time.process_time()
     told: list[Alternative] = []
-    for other, text, best in _promising(asked, name, set(broken)):
-        spent = time.process_time() - begun
-        progress("what would work instead", min(spent / SECONDS, 1.0))
+    for number, (other, text, best) in enumerate(_promising(asked, name, set(broken)), 1):
+        progress("what would work instead", min(number / _QUESTIONS, 1.0))
         known = any(_is_more(text, each.text) for each in told)
         found = None if known or best is None or best.error > _PROMISING else judge(best)
         if found is not None and found.verdict.outcome == "works":
             told.append(Alternative(other, text, found))
-        if spent > (SECONDS / 2 if told else SECONDS) or len(told) == _TOLD:
+        if number >= (_ONCE_TOLD if told else _QUESTIONS) or len(told) == _TOLD:
             break
     progress("what would work instead", 1.0)
     return tuple(told)
