@@ -22,7 +22,7 @@ from studies.proposals.quick_discs import QuickDiscs
 from studies.verdict import OUTCOMES, RULES, Verdict, measure
 from studies.verdict.measured import Measured
 from studies.verdict.part_rules import CLEAR, bottoming
-from studies.verdict.tap_levels import tap_levels
+from studies.verdict.tap_levels import loudest_taps, tap_levels
 
 #: Rules whose figures closed forms give in milliseconds.
 QUICK = ("slow", "separate", "bottoming", "printable", "coverage", "affordable")
@@ -31,6 +31,8 @@ _OF_LAYOUT = ("separate", "printable", "coverage", "affordable")
 #: Loss at 10 Hz from the touched cavity to the second microphone up to which noise hardly counts, dB, and the error
 #: that each decibel beyond adds: fitted to predicted accuracies of arrays of 36 points on four microphones.
 _LOSS, _PER_DECIBEL = 20.0, 0.01
+#: Error that clipped taps count as, so that a design without them comes first unless it is much less accurate.
+_CLIPPED = 0.2
 #: Error beyond which the verdict is known before it is computed.
 _HOPELESS = 0.7
 #: Fraction of a round that drawing takes, for the progress.
@@ -79,8 +81,14 @@ class Found:
 
     @property
     def merit(self) -> tuple[float, ...]:
-        """Key by which designs are sorted, the best first: rules that are broken, then the least accuracy."""
-        return *_broken(self.verdict.values), -self.accuracy
+        """Key by which designs are sorted, the best first: broken rules, clipped taps, the least accuracy."""
+        clipped = float(self.verdict.above_overload > 0)
+        return *_broken(self.verdict.values), clipped, -self.accuracy
+
+    @property
+    def is_whole(self) -> bool:
+        """True where the design works and no tap of the target's force is clipped."""
+        return self.verdict.outcome == "works" and self.verdict.above_overload <= 0
 
     @property
     def accuracy(self) -> float:
@@ -102,12 +110,14 @@ class Screened:
     """Figures of rules of the verdict by their names."""
     error: float
     """Error under scatter, with what the loss adds."""
+    clipped: bool = False
+    """True where a tap of the target's force is louder than the microphone's overload."""
 
     @property
     def merit(self) -> tuple[int, int, float]:
         """Key by which designs are sorted, the best first."""
         failed, marginal, missed = _broken(self.values)
-        return failed, marginal, self.error + missed
+        return failed, marginal, self.error + missed + (_CLIPPED if self.clipped else 0.0)
 
 
 Progress = Callable[[str, float], None]
@@ -147,7 +157,7 @@ def search(asked: Question, name: str, points: int, effort: Effort, progress: Pr
         pool.sort(key=lambda each: each.merit)
         found += _judged(pool, 1 if hopeless else effort.judged, found, told)
         found.sort(key=lambda each: each.merit)
-        enough = found and found[0].verdict.outcome == "works" and number + 1 >= min(2, effort.rounds)
+        enough = found and found[0].is_whole and number + 1 >= min(2, effort.rounds)
         if not found or enough or hopeless:
             break
     progress(f"{points} points", 1.0)
@@ -190,7 +200,7 @@ def judge(candidate: Screened) -> Found | None:
 def is_hopeless(best: Screened) -> bool:
     """True where even the best of many designs breaks a rule of closed forms, or is confused under scatter."""
     failed, marginal, error = best.merit
-    return failed + marginal > 0 or error > _HOPELESS
+    return failed + marginal > 0 or error - (_CLIPPED if best.clipped else 0.0) > _HOPELESS
 
 
 def _first(layouts: Sequence[Candidates], draws: int, progress: Progress = silent) -> list[Screened]:
@@ -223,9 +233,11 @@ def screened(layout: Candidates, drawn: Sequence[tuple[ArrayDesign, Sizes]]) -> 
         errors = scatter_detection([_longest_line(design) for design in designs], known)
     # Beyond some loss the noise confuses more points than the scatter.
     errors = np.where(np.isfinite(errors), errors, 1.0) + _PER_DECIBEL * np.maximum(loss - _LOSS, 0.0)
+    loudest = np.array([taps.max() for taps in loudest_taps(designs, known)])
+    clipped = loudest > np.array([design.microphone.overload for design in designs])
     found = [
-        Screened(design, sizes, layout.grid, own, float(error))
-        for (design, sizes), own, error in zip(drawn, values, errors, strict=True)
+        Screened(design, sizes, layout.grid, own, float(error), bool(over))
+        for (design, sizes), own, error, over in zip(drawn, values, errors, clipped, strict=True)
     ]
     if all(any(each.merit[:2]) for each in found):
         unclear = [each for each in found if CLEAR[0] < each.values["bottoming"].value < CLEAR[1]]

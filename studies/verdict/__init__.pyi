@@ -10,6 +10,7 @@ from .verdict import (
 from .words import (
     figure_rows as figure_rows,
     force_in_words as force_in_words,
+    overload_lines as overload_lines,
     reason_lines as reason_lines,
     remedy_in_words as remedy_in_words,
     rule_rows as rule_rows,

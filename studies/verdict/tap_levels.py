@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from acoustic_fem.batch.topology import Topology
 from acoustic_fem.library.noise_floor import gas_temperature, thermal_covariance
 from acoustic_fem.membrane.disc import KnownDiscs
 from acoustic_fem.network.microphone import noise_density
+from acoustic_fem.network.microphone_output import output_response
 from acoustic_fem.quantities.local_air import design_air
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import Array
@@ -35,6 +37,12 @@ TAP = math.sqrt(math.prod(TAP_SECONDS))
 """Length of the tap, s: the geometric mean of the shortest and the longest tap of a finger."""
 LOSS_AT = 10.0
 """Frequency of the loss, Hz."""
+#: Frequencies from which a tap is put together, Hz, up to five by its length, and the times from its middle, s, in
+#: which it is loudest; they repeat after a quarter of a second.
+_TAP_GRID = np.arange(2.0, 162.0, 4.0)
+_AROUND_TAP = np.arange(-0.05, 0.15, 0.001)
+
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,10 +82,32 @@ def tap_levels(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None) 
         designs: the arrays.
         known: membranes that need not be solved.
     """
+    return _of_each(designs, FREQUENCIES, _levels, known)
+
+
+def loudest_taps(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None) -> list[Array]:
+    """Largest output of each microphone while the tap of :func:`tap_levels` is on each point, in closed forms.
+
+    :func:`localize.contacts.loudest_outputs` does so in time, with membranes that stiffen under large presses.
+
+    Args:
+        designs: the arrays.
+        known: membranes that need not be solved.
+
+    Returns:
+        (n_point, n_microphone) float64 for each design, Pa at 1 kHz, to be compared with ``microphone.overload``.
+    """
+    return _of_each(designs, _TAP_GRID, _loudest, known)
+
+
+def _of_each(
+    designs: Sequence[ArrayDesign], grid: Array, figures: Callable[[Responses], list[_T]], known: KnownDiscs | None
+) -> list[_T]:
+    """Figures of each design from the responses at some frequencies; those of like designs are computed at once."""
     alike: dict[tuple[Topology, Air] | int, list[int]] = {}
     for number, design in enumerate(designs):
         alike.setdefault((Topology.of(design), design.air) if fits_batch(design) else number, []).append(number)
-    found: dict[int, TapLevels] = {}
+    found: dict[int, _T] = {}
     with warnings.catch_warnings(), np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         # check lists the same limits under validity
         warnings.filterwarnings(
@@ -85,8 +115,8 @@ def tap_levels(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None) 
         )
         for key, numbers in alike.items():
             own = [designs[number] for number in numbers]
-            responses = _alone(own[0]) if isinstance(key, int) else _batch(own, key[0], known)
-            found |= zip(numbers, _levels(responses), strict=True)
+            responses = _alone(own[0], grid) if isinstance(key, int) else _batch(own, grid, key[0], known)
+            found |= zip(numbers, figures(responses), strict=True)
     return [found[number] for number in range(len(designs))]
 
 
@@ -98,11 +128,11 @@ def covered_forces(design: ArrayDesign) -> Array:
     return np.asarray(target.force * covered[list(design.kind_of_point)])
 
 
-def _batch(designs: Sequence[ArrayDesign], topology: Topology, known: KnownDiscs | None) -> Responses:
+def _batch(designs: Sequence[ArrayDesign], grid: Array, topology: Topology, known: KnownDiscs | None) -> Responses:
     air = design_air(designs[0])
-    found = batch_response(ArrayParameters.from_designs(designs, air, known), topology, FREQUENCIES, air)
+    found = batch_response(ArrayParameters.from_designs(designs, air, known), topology, grid, air)
     return Responses(
-        FREQUENCIES,
+        grid,
         np.asarray(found.transfer_function),
         tuple(designs),
         (air,) * len(designs),
@@ -113,8 +143,8 @@ def _batch(designs: Sequence[ArrayDesign], topology: Topology, known: KnownDiscs
     )
 
 
-def _alone(design: ArrayDesign) -> Responses:
-    return Responses.of_library(acoustic_fem.solve(design, FREQUENCIES, fidelity="lumped"))
+def _alone(design: ArrayDesign, grid: Array) -> Responses:
+    return Responses.of_library(acoustic_fem.solve(design, grid, fidelity="lumped"))
 
 
 def _levels(responses: Responses) -> list[TapLevels]:
@@ -125,10 +155,7 @@ def _levels(responses: Responses) -> list[TapLevels]:
     thermal = np.einsum("dfmm->dmf", thermal_covariance(mutual, temperature[:, None])).real
     own = np.stack([noise_density(design.microphone, grid) for design in designs]) ** 2
     received = touch_response(responses, "force") * force[:, :, None, None]
-    # |spectrum| of sin^2(pi t / T) per newton: T / 2 sinc(f T) / (1 - (f T)^2)
-    cycles = grid * TAP
-    spectrum = TAP / 2 * np.sinc(cycles) / np.where(np.abs(cycles - 1) < 1e-9, np.inf, 1 - cycles**2)
-    power = np.abs(received * spectrum) ** 2 / (thermal + own[:, None])[:, None]
+    power = np.abs(received * _tap_spectrum(grid)) ** 2 / (thermal + own[:, None])[:, None]
     with np.errstate(divide="ignore"):
         snr = 10 * np.log10(4 * np.trapezoid(power, grid, axis=-1))
         loss = -20 * np.log10(np.abs(responses.transfer_function))
@@ -141,3 +168,19 @@ def _levels(responses: Responses) -> list[TapLevels]:
     closest = apart.argmin(axis=1)
     pairs = [(int(first[pair]) + 1, int(second[pair]) + 1) for pair in closest]
     return [TapLevels(*each) for each in zip(snr, loss[..., at], apart.min(axis=1), pairs, strict=True)]
+
+
+def _loudest(responses: Responses) -> list[Array]:
+    designs, grid = required(responses.designs), responses.frequency
+    force = np.stack([covered_forces(design) for design in designs])
+    outputs = np.stack([output_response(design.microphone, grid, design_air(design)) for design in designs])
+    received = touch_response(responses, "force") * force[:, :, None, None] * outputs[:, None, None]
+    phases = np.exp(2j * np.pi * grid[:, None] * _AROUND_TAP)
+    course = 2 * (grid[1] - grid[0]) * ((received * _tap_spectrum(grid)) @ phases).real
+    return list(np.abs(course).max(axis=-1))
+
+
+def _tap_spectrum(grid: Array) -> Array:
+    """Spectrum of sin^2(pi t / T) about its middle, (n_freq,) float64, s: T / 2 sinc(f T) / (1 - (f T)^2)."""
+    cycles = grid * TAP
+    return np.asarray(TAP / 2 * np.sinc(cycles) / np.where(np.abs(cycles - 1) < 1e-9, np.inf, 1 - cycles**2))

@@ -20,6 +20,7 @@ from studies.verdict.measured import Measured
 from studies.verdict.measuring import Drawn, measure
 from studies.verdict.remedy_search import Remedies, Remedy
 from studies.verdict.rules import OUTCOMES, RULES, SHOWN, Outcome, VerdictRule, rule_named, worst
+from studies.verdict.tap_levels import loudest_taps
 
 #: Rules to which the drawn parts add.
 _OF_DRAWN = ("buildable", "printable")
@@ -165,6 +166,19 @@ class Verdict(Shown):
             cost=float(cost(self.design)),
         )
 
+    @cached_property
+    def loudest_tap(self) -> float:
+        """Largest output of a microphone during a tap of the target's force on any point, Pa at 1 kHz.
+
+        No rule judges it, because the overload of many microphones is not published but assumed.
+        """
+        return float(loudest_taps([self.design])[0].max())
+
+    @property
+    def above_overload(self) -> float:
+        """Level of the loudest tap above the overload of the microphone, dB; above 0 this tap is clipped."""
+        return 20 * math.log10(max(self.loudest_tap, 1e-30) / self.design.microphone.overload)
+
     @property
     def not_judged(self) -> tuple[str, ...]:
         """Names of the rules that do not apply to the design."""
@@ -222,6 +236,8 @@ class Verdict(Shown):
                 "smallest_force_n": _or_none(figures.smallest_force),
                 "size_mm": list(figures.size),
                 "cost_usd": figures.cost,
+                "loudest_tap_pa": _or_none(self.loudest_tap),
+                "overload_pa": self.design.microphone.overload,
             },
             "rules": {
                 rule.name: {

@@ -42,7 +42,7 @@ def remedy_in_words(rule: str, remedy: Remedy) -> str:
 
 
 def reason_lines(verdict: Verdict) -> Iterator[str]:
-    """Lines on the worst reasons, each with its remedy, and how many more there are."""
+    """Lines on the worst reasons, each with its remedy, how many more there are, and on taps that are clipped."""
     for reason in verdict.reasons[:SHOWN]:
         yield f"- {reason.words}"
         if reason.remedy is not None:
@@ -50,6 +50,17 @@ def reason_lines(verdict: Verdict) -> Iterator[str]:
     more = verdict.reasons[SHOWN:]
     if more:
         yield f"- also: {', '.join(reason.rule for reason in more)}"
+    yield from overload_lines(verdict)
+
+
+def overload_lines(verdict: Verdict) -> Iterator[str]:
+    """A line on taps that are clipped; none where no tap is."""
+    if verdict.above_overload > 0:
+        force, overload = verdict.design.target.force, verdict.design.microphone.overload
+        yield (
+            f"- not judged: a tap of {force:g} N reaches {number(verdict.loudest_tap)} Pa, "
+            f"{verdict.above_overload:.1f} dB above the overload of the microphone ({overload:g} Pa), so it is clipped"
+        )
 
 
 def worse_lines(before: Verdict, after: Verdict) -> Iterator[str]:

@@ -33,11 +33,13 @@ def quick(monkeypatch):
     monkeypatch.setattr(proposing, "thorough", lambda points: SMALL)
 
 
-def proposal(outcome, taps, cost, force, height):
+def proposal(outcome, taps, cost, force, height, level=-6.0):
     """A found design as the choice of proposals sees it."""
     figures = SimpleNamespace(taps=taps, cost=cost, smallest_force=force, size=(30.0, 30.0, height))
     values = {name: Measured(taps, "") for name in ("taps", "presses", "multi-sines")}
-    return Found(object(), SimpleNamespace(outcome=outcome, figures=figures, values=values), {}, None)
+    return Found(
+        object(), SimpleNamespace(outcome=outcome, figures=figures, values=values, above_overload=level), {}, None
+    )
 
 
 def test_the_best_three_differ_in_what_they_are_best_at():
@@ -49,6 +51,14 @@ def test_the_best_three_differ_in_what_they_are_best_at():
     assert [each.design for each in chosen] == [best.design, cheap.design, light.design]
     assert [each.strength for each in chosen] == ["most accurate", "cheapest", "lightest touch"]
     assert proposing._chosen([]) == ()
+
+
+def test_of_designs_that_work_the_ones_whose_taps_are_not_clipped_come_first():
+    clipped, whole = proposal("works", 0.99, 4.0, 2e-5, 8.0, level=3.0), proposal("works", 0.96, 4.0, 2e-5, 8.0)
+    assert sorted([clipped, whole], key=lambda each: each.merit) == [whole, clipped]
+    assert (clipped.is_whole, whole.is_whole) == (False, True)
+    marginal = proposal("marginal", 0.9, 4.0, 2e-5, 8.0)
+    assert not marginal.is_whole
 
 
 def test_every_strength_is_true_of_all_that_are_proposed():
@@ -104,7 +114,9 @@ def test_a_new_design_works_can_be_built_and_bought_and_fits(tmp_path):
     assert made.target.size == (50.0, 25.0)
     assert buildability_notes(made, lay_out(made)) == ()
     assert catalogue().fit(made).bought
-    assert studies.Verdict(made).outcome == "works"
+    verdict = studies.Verdict(made)
+    assert verdict.outcome == "works"
+    assert verdict.above_overload < 0
     length, width, _ = array_size(made)
     assert length <= 50.01
     assert width <= 25.01

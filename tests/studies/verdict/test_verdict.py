@@ -19,6 +19,7 @@ from geometry.ground.refusal import Kind
 from geometry.printing.print_rules import Finding
 from geometry.schema.target import Target
 from geometry.stock import catalogue
+from localize.contacts import loudest_outputs
 from studies.verdict import (
     RULES,
     Drawn,
@@ -26,6 +27,7 @@ from studies.verdict import (
     Remedy,
     Verdict,
     measure,
+    overload_lines,
     points_in_words,
     reason_lines,
     remedy_in_words,
@@ -36,7 +38,7 @@ from studies.verdict.candidate_changes import CHOICES, changes_of
 from studies.verdict.part_rules import stiffened
 from studies.verdict.remedy_search import CHOICES_OF
 from studies.verdict.rules import rule_named
-from studies.verdict.tap_levels import tap_levels
+from studies.verdict.tap_levels import loudest_taps, tap_levels
 
 #: Thick membranes give even the uncalibrated sensor its accuracy.
 ARRAY = geometry.prototype("array-2x6").with_values({"membrane.thickness": 1.0})
@@ -262,3 +264,19 @@ def test_figures_that_a_fix_makes_worse_are_said() -> None:
     lines = list(worse_lines(Verdict(ARRAY), sparse))
     assert any(line.startswith("worse by the change: coverage, ") for line in lines)
     assert not list(worse_lines(sparse, sparse))
+
+
+def test_a_clipped_tap_is_said_beside_the_reasons_and_a_louder_microphone_ends_it() -> None:
+    verdict = verdict_on("")
+    library = acoustic_fem.solve(ARRAY, np.arange(1.0, 201.0), fidelity="lumped")
+    # a force at which membranes are linear
+    loudest = loudest_outputs(library, 1e-4, contact_radius_mm=ARRAY.target.contact_radius)
+    ratio = loudest_taps([ARRAY.with_values({"target.force": 1e-4})])[0] / loudest
+    assert ratio == pytest.approx(np.ones(loudest.shape), rel=0.02)
+    assert verdict.loudest_tap == pytest.approx(1e3 * loudest.max(), rel=0.02)
+    (line,) = overload_lines(verdict)
+    assert line in list(reason_lines(verdict))
+    assert f"{20 * math.log10(verdict.loudest_tap / 28.3):.1f} dB above the overload" in line
+    louder = Verdict(ARRAY.with_values({"microphone.overload": 2 * verdict.loudest_tap}))
+    assert louder.above_overload == pytest.approx(20 * math.log10(0.5))
+    assert list(overload_lines(louder)) == []
