@@ -1,4 +1,4 @@
-"""Draw pictures of the pages: top view, exploded view and mold section of every prototype that was made (parts.md), and
+"""Draw pictures of the pages: top view, exploded view and open mold of every prototype that was made (parts.md), and
 waveforms of kinds of touch (kinds.md), a finger's path with its signals (touches.md), flash of decoders
 (embed.md), and levels of two designs (compare.md).
 
@@ -15,7 +15,7 @@ import numpy as np
 
 import geometry
 from geometry.assembly.model import array_model
-from geometry.pictures.mold_cut import mold_section
+from geometry.pictures.mold_cut import open_mold
 from geometry.pictures.views import exploded_view, top_view
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 
@@ -33,7 +33,7 @@ def draw(name: str) -> list[Path]:
     return [
         top_view(model, IMAGES / f"{name}-top.png", (1200, 750)),
         exploded_view(model, IMAGES / f"{name}-exploded.png", (1200, 750)),
-        mold_section(model, IMAGES / f"{name}-mold.png", (1200, 600)),
+        open_mold(model, IMAGES / f"{name}-mold.png", (1200, 750)),
     ]
 
 

@@ -17,12 +17,12 @@ from geometry.design.shell_rules import ledge_height
 from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, MicrophonePlacement, PointPlacement
-from geometry.molds.mold import MoldKind, build_mold, mold_counts, mold_kinds
+from geometry.molds.mold import MoldKind, build_mold, mold_counts, mold_kinds, molds_of
 from geometry.plan.cylinder import FLAT, Axes
 from geometry.schema.manufacture import Printing
 from geometry.schema.part_fields import Membrane, Resonator
 from geometry.schema.ports import Port
-from geometry.solids.membrane import build_membrane, membrane_radius, membranes_of
+from geometry.solids.membrane import build_membrane, membrane_radius
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -289,7 +289,7 @@ class _Plan:
     shells: dict[str, _Form]
     housings: dict[str, tuple[Port, ...]]
     alike: dict[str, ArrayDesign]
-    """For each membrane the design whose points all have it, see :func:`membranes_of`."""
+    """For each membrane the design whose points all have it, see :func:`molds_of`."""
     point_shells: tuple[tuple[str, float], ...]
     point_membranes: tuple[str, ...]
     microphone_housings: tuple[tuple[str, float], ...]
@@ -303,7 +303,7 @@ def _plan(design: ArrayDesign, layout: ArrayLayout) -> _Plan:
     of_sizes = _size_suffixes(forms, design.printing)
     names = {form: of_ports[form.ports] + of_sizes[form] for form in forms}
     housings = _named([ports for ports, _ in at_microphones], _housing_name)
-    alike = membranes_of(design)
+    alike = molds_of(design)
     membranes = {own.membrane: name for name, own in alike.items()}
     places = [(design.lines[point.line], point.place) for point in layout.points]
     return _Plan(

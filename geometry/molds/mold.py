@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 import geometry
+from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.molds.mold_plan import MoldPlan, plan_mold
+from geometry.solids.membrane import membranes_of
 
 if TYPE_CHECKING:
     import cadquery as cq
 
 
 #: Kind of a part of a mold.
-MoldKind = Literal["mold-base", "mold-lid", "mold-shim", "mold-scraper"]
+MoldKind = Literal["mold-base", "mold-lid", "mold-shim", "mold-scraper", "mold-plugs"]
 
 
 @dataclass(frozen=True)
@@ -24,7 +27,7 @@ class Mold:
 
     parts: Mapping[str, cq.Workplane]
     """Workplane with one solid by name: ``mold-base`` and, of a two-part mold, ``mold-lid`` and ``mold-shim-1``, ...
-    for one step, two steps, ...; of an open-face mold ``mold-scraper``.
+    for one step, two steps, ...; of an open-face mold ``mold-scraper``; with ejector pins ``mold-plugs``.
     """
     counts: Mapping[str, int]
     """How many of each part one mold has; a set of shims has one per pin."""
@@ -40,21 +43,38 @@ class Mold:
         return [cq.Workplane(turned_over.moved(cq.Location(cq.Vector(x, y, 0)))) for x, y in self.plan.centres]
 
 
+def molds_of(design: DesignLike) -> dict[str, ArrayDesign]:
+    """Distinct membranes of a design by the names of their parts, each as the design of its mold.
+
+    All points of such a design have the membrane. Its ``mold.rows`` and ``mold.columns`` are what the membranes of the
+    whole array need.
+    """
+    design = resolve_design(design)
+    needed = Counter(design.of_kind(design.kinds[kind]).membrane for kind in design.kind_of_point)
+    found = {}
+    for name, alike in membranes_of(design).items():
+        plan = plan_mold(alike, needed[alike.membrane])
+        grid = {"rows": plan.rows, "columns": plan.columns}
+        found[name] = alike.model_copy(update={"mold": alike.mold.model_copy(update=grid)})
+    return found
+
+
 def mold_kinds(design: DesignLike) -> dict[str, MoldKind]:
     """Kind of each part of the mold, by the names of :func:`build_mold`."""
     design = resolve_design(design)
     if design.mold.kind == "open-face":
-        return {"mold-base": "mold-base", "mold-scraper": "mold-scraper"}
-    shims = [f"mold-shim-{step}" for step in range(1, design.mold.shim_count + 1)]
-    return {"mold-base": "mold-base", "mold-lid": "mold-lid", **dict.fromkeys(shims, "mold-shim")}
+        kinds: dict[str, MoldKind] = {"mold-base": "mold-base", "mold-scraper": "mold-scraper"}
+    else:
+        shims = [f"mold-shim-{step}" for step in range(1, design.mold.shim_count + 1)]
+        kinds = {"mold-base": "mold-base", "mold-lid": "mold-lid", **dict.fromkeys(shims, "mold-shim")}
+    return kinds | ({"mold-plugs": "mold-plugs"} if plan_mold(design).ejector else {})
 
 
 def mold_counts(design: DesignLike) -> dict[str, int]:
     """How many of each part one mold has, by the names of :func:`build_mold`."""
     design = resolve_design(design)
-    kinds = mold_kinds(design)
-    shims = len(plan_mold(design).pins) if "mold-shim" in kinds.values() else 0
-    return {name: shims if kind == "mold-shim" else 1 for name, kind in kinds.items()}
+    pins = len(plan_mold(design).pins)
+    return {name: pins if kind == "mold-shim" else 1 for name, kind in mold_kinds(design).items()}
 
 
 def build_mold(design: DesignLike) -> Mold:
@@ -64,16 +84,20 @@ def build_mold(design: DesignLike) -> Mold:
         Refusal: a part is not one valid solid.
     """
     design = resolve_design(design)
-    from geometry.molds.mold_parts import base_block, lid, mark, mark_text, scraper, shim, with_pins, with_rails
+    from geometry.molds.mold_parts import base_block, lid, mark, mark_text, plugs, scraper, shim, with_pins, with_rails
 
-    plan = plan_mold(design)
-    base = mark(base_block(plan), plan, mark_text(design))
-    if design.mold.kind == "open-face":
-        shapes = {"mold-base": with_rails(base, plan), "mold-scraper": scraper(plan)}
+    plan, shapes = plan_mold(design), {}
+    base = base_block(plan)
+    if plan.ejector:
+        # The plate lies below the base, so it bears the mark.
+        shapes["mold-plugs"] = mark(plugs(plan), plan, mark_text(design))
     else:
-        shapes = {"mold-base": with_pins(base, plan), "mold-lid": lid(plan)}
+        base = mark(base, plan, mark_text(design))
+    if design.mold.kind == "open-face":
+        shapes |= {"mold-base": with_rails(base, plan), "mold-scraper": scraper(plan)}
+    else:
+        shapes |= {"mold-base": with_pins(base, plan), "mold-lid": lid(plan)}
         for step in range(1, design.mold.shim_count + 1):
             shapes[f"mold-shim-{step}"] = shim(plan, step)
-    return Mold(
-        {name: geometry.solids.one_solid(shape, name) for name, shape in shapes.items()}, mold_counts(design), plan
-    )
+    parts = {name: geometry.solids.one_solid(shapes[name], name) for name in mold_kinds(design)}
+    return Mold(parts, mold_counts(design), plan)

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 import cadquery as cq
 
 from geometry.design.array_design import ArrayDesign
-from geometry.molds.mold_plan import LID_THICKNESS, RAIL_WIDTH, SHIM_WIDTH, SOCKET_SPARE, MoldPlan
+from geometry.molds.mold_forces import LID_THICKNESS, PRY_DEPTH, PRY_HEIGHT
+from geometry.molds.mold_plan import CORNER, PLUG_PLATE, RAIL_WIDTH, SHIM_WIDTH, SOCKET_SPARE, MoldPlan
 from geometry.solids.round_solids import cylinder, revolved
 from geometry.solids.stroke_font import letters_within, text_bars, text_size
 
@@ -22,6 +23,8 @@ _LETTER_HEIGHTS, _STROKE = (3.0, 2.4), 1 / 6
 _MARK_SHARE = 0.85
 #: Chamfer of the tip of a pin, mm.
 _PIN_CHAMFER = 0.3
+#: Chamfer of an ejector hole where its pin enters, mm.
+_LEAD_IN = 0.3
 #: Notches in the rim of a shim: width and depth, mm, and the angle between them, degrees; ten go round.
 _NOTCH, _NOTCH_TURN = (0.6, 0.4), 36.0
 #: Flat of the blade, height of the scraper above the lands, width of its back and of its guides, mm.
@@ -41,13 +44,48 @@ def base_block(plan: MoldPlan) -> cq.Shape:
         floor = plan.groove_bottom
         groove = ((start, top), (start + narrowed, floor), (end - narrowed, floor), (end, top))
         pockets.append(revolved(groove, centre))
+    if plan.mold.kind == "two-part":
+        pockets += pry_slots(plan, top - PRY_HEIGHT, top)
+    if plan.ejector:
+        hole, wide = plan.ejector.hole, plan.ejector.hole + _LEAD_IN
+        below, top = plan.bottom, plan.ejector.top + 1e-3
+        section = ((0, below), (wide, below), (hole, below + _LEAD_IN), (hole, top), (0, top))
+        pockets += [revolved(section, spot) for spot in plan.ejector_spots]
     return solid.fuse(*lands).cut(*pockets)
 
 
 def box(plan: MoldPlan, bottom: float, top: float) -> cq.Solid:
-    """A block over the whole mold between two heights, mm."""
+    """A block over the whole mold between two heights, mm; a two-part mold lacks the corner that has no pin."""
     x, y = plan.half
-    return cq.Solid.makeBox(2 * x, 2 * y, top - bottom, cq.Vector(-x, -y, bottom))
+    block = cq.Solid.makeBox(2 * x, 2 * y, top - bottom, cq.Vector(-x, -y, bottom))
+    if plan.mold.kind != "two-part":
+        return block
+    (edge,) = (edge for edge in block.Edges() if edge.Center().x > x - 1e-6 and edge.Center().y < 1e-6 - y)
+    return block.chamfer(CORNER, None, [edge])
+
+
+def pry_slots(plan: MoldPlan, bottom: float, top: float) -> list[cq.Solid]:
+    """Room for a flat blade in the middle of each side, between two heights, mm."""
+    slots = []
+    for along, width, turn in zip(plan.half, plan.slots, (0, 90), strict=True):
+        slot = cq.Solid.makeBox(PRY_DEPTH, width, top - bottom, cq.Vector(along - PRY_DEPTH, -width / 2, bottom))
+        slots += [slot.rotate(cq.Vector(), cq.Vector(0, 0, 1), turn + opposite) for opposite in (0, 180)]
+    return slots
+
+
+def plugs(plan: MoldPlan) -> cq.Shape:
+    """The plate below the base whose pins close the ejector holes, flush with the floors of the cavities.
+
+    Slots in two sides let a blade between the plate and the base.
+    """
+    pins = plan.ejector
+    if pins is None:
+        message = "the cavities are blind"
+        raise AssertionError(message)
+    low = plan.bottom - PLUG_PLATE
+    stems = [cylinder(pins.radius, plan.bottom - PLUG_PLATE / 2, pins.top, spot) for spot in plan.ejector_spots]
+    slots = pry_slots(plan, plan.bottom - PLUG_PLATE / 2, plan.bottom)
+    return box(plan, low, plan.bottom).cut(*slots).fuse(*stems)
 
 
 def mark_text(design: ArrayDesign) -> tuple[str, str]:
@@ -58,6 +96,7 @@ def mark_text(design: ArrayDesign) -> tuple[str, str]:
 
 def mark(solid: cq.Shape, plan: MoldPlan, texts: Sequence[str]) -> cq.Shape:
     """Engrave texts into the lower face, to be read from below: the first one whole, of the others what has room."""
+    low = solid.BoundingBox().zmin
     width, depth = (2 * _MARK_SHARE * half for half in plan.half)
     for height in _LETTER_HEIGHTS:
         longest, most = letters_within(width, depth, height)
@@ -68,7 +107,7 @@ def mark(solid: cq.Shape, plan: MoldPlan, texts: Sequence[str]) -> cq.Shape:
     height *= min(1.0, width / text_size(lines, height)[0])
     bars = text_bars(lines, height, _STROKE * height, _MARK_DEPTH)
     # Turned over about the x axis: its front looks downwards.
-    place = cq.Location(cq.Vector(0, 0, plan.bottom + _MARK_DEPTH), cq.Vector(1, 0, 0), 180)
+    place = cq.Location(cq.Vector(0, 0, low + _MARK_DEPTH), cq.Vector(1, 0, 0), 180)
     return solid.cut(*(bar.moved(place) for bar in bars))
 
 
@@ -83,7 +122,7 @@ def with_pins(base: cq.Shape, plan: MoldPlan) -> cq.Shape:
 
 
 def lid(plan: MoldPlan) -> cq.Shape:
-    """A plate that lies on the lands, with a socket per pin and two vents per cavity above its groove.
+    """A plate that lies on the lands, with a socket per pin, two vents per cavity above its groove, and pry slots.
 
     Through sockets trap nothing while printing, and the halves can be pushed apart in them.
     """
@@ -94,7 +133,7 @@ def lid(plan: MoldPlan) -> cq.Shape:
     for x, y in plan.centres:
         for side in (-1, 1):
             holes.append(cylinder(plan.mold.vent_diameter / 2, 0, LID_THICKNESS, (x + side * aside, y)))
-    return box(plan, 0, LID_THICKNESS).cut(*holes)
+    return box(plan, 0, LID_THICKNESS).cut(*holes, *pry_slots(plan, 0, PRY_HEIGHT))
 
 
 def shim(plan: MoldPlan, step: int) -> cq.Shape:

@@ -1,4 +1,4 @@
-from .mold_cut import mold_section as mold_section
+from .mold_cut import mold_section as mold_section, open_mold as open_mold
 from .viewer import write_gltf as write_gltf, write_viewer as write_viewer
 from .views import (
     draw_array as draw_array,

@@ -215,53 +215,35 @@ def _exploded(width: float, depth: float, thick: float, layers: int, size: tuple
 def draw_point(
     array: ArrayDesign | ArrayModel, path: str | os.PathLike[str], size: tuple[int, int] = (1600, 1000)
 ) -> Path:
-    """Render the parts of one point pulled apart: shell and membrane, beside them the open mold.
+    """Render the parts of one point pulled apart: the shell and the membrane above it.
 
-    A quarter of the shell and of the mold is cut away to show the cavity, a port and the groove. Arguments as
-    for :func:`draw_array`; the shell is the first one of the design.
+    A quarter of the shell is cut away to show the cavity and a port. Arguments as for :func:`draw_array`; the shell is
+    the first one of the design.
     """
     model = array_model(array)
     design, parts = model.design, model.parts
     shell = next(name for name in parts if parts.kinds[name] == "shell")
-    first = design.of_kind(design.kinds[0])
+    resonator = design.of_kind(design.kinds[0]).resonator
     membrane = next(name for name in membranes_of(design))
-    base, cover = "mold-base", "mold-scraper" if design.mold.kind == "open-face" else "mold-lid"
-    base, cover = (name + membrane.removeprefix("membrane") for name in (base, cover))
-    mold = parts[base].val().BoundingBox()
-    top, thickness = first.resonator.cavity_height, first.membrane.thickness
-    # The cover hangs clear of the pins, the mold clear of the shell although the view is oblique.
-    lift, aside = 1.3 * max(mold.zmax - thickness, mold.zlen / 2), design.resonator.outer_diameter / 2 + 0.8 * mold.xlen
     plotter = open_plotter(size)
     seen_from = (0.25, -1.0, 0.6)
     across = picture_axes(seen_from)[0]
-    drawn: dict[bool, list[tuple[str, pv.PolyData]]] = {False: [], True: []}
-    for name, offset, cut in (
-        (shell, (0.0, 0.0, 0.0), True),
-        (membrane, (0.0, 0.0, top + lift), False),
-        (base, (aside, 0.0, 0.0), True),
-        (membrane, (aside, 0.0, 1.2 * lift), False),
-        (cover, (aside, 0.0, 3.2 * lift), True),
-    ):
-        solid = parts[name].val()
-        box = solid.BoundingBox()
-        if cut:
-            # The quarter towards the viewer; ports lie at 0 degrees and beyond, so one of them is cut in half.
-            reach = 2 * (box.DiagonalLength + 1)
-            solid = solid.cut(cq.Solid.makeBox(reach, reach, reach, cq.Vector(0, -reach, -reach / 2)))
-        mesh = polydata(solid).translate(offset)
+    solid = parts[shell].val()
+    # The quarter towards the viewer; ports lie at 0 degrees and beyond, so one of them is cut in half.
+    reach = 2 * (solid.BoundingBox().DiagonalLength + 1)
+    quarter = cq.Solid.makeBox(reach, reach, reach, cq.Vector(0, -reach, -reach / 2))
+    lifted = parts[membrane].val().moved(cq.Location(cq.Vector(0, 0, 2 * resonator.cavity_height)))
+    meshes = {shell: polydata(solid.cut(quarter)), membrane: polydata(lifted)}
+    width = resonator.outer_diameter
+    # Names stand beside everything, to the left.
+    left = min(float((mesh.points @ across).min()) for mesh in meshes.values())
+    for name, mesh in meshes.items():
         plotter.add_mesh(mesh, color=_look(parts.kinds[name])[0], split_sharp_edges=True, smooth_shading=True)
-        drawn[offset[0] > 0].append((name, mesh))
-    # Names stand beside everything: those of the shell's parts to the left, those of the mold's to the right.
-    for is_mold, side in ((False, -1.0), (True, 1.0)):
-        reach = max(float((side * (mesh.points @ across)).max()) for _, mesh in drawn[is_mold])
-        for name, mesh in drawn[is_mold]:
-            outermost = mesh.points[int(np.argmax(side * (mesh.points @ across)))]
-            away = side * (1.06 * reach + 0.03 * mold.xlen) - outermost @ across
-            end = outermost + away * across
-            plotter.add_mesh(pv.Line(outermost, end), color="black", line_width=1)
-            anchor = tuple((end + side * 0.01 * mold.xlen * across).tolist())
-            draw_labels(plotter, [anchor], [name], 22, ("left" if is_mold else "right", "center"))
-    aim(plotter, seen_from, left=_WORDS_RIGHT, right=_WORDS_RIGHT)
+        outermost = mesh.points[int(np.argmin(mesh.points @ across))]
+        end = outermost + (left - 0.06 * width - outermost @ across) * across
+        plotter.add_mesh(pv.Line(outermost, end), color="black", line_width=1)
+        draw_labels(plotter, [tuple((end - 0.01 * width * across).tolist())], [name], 22, ("right", "center"))
+    aim(plotter, seen_from, left=_WORDS_RIGHT)
     return save_picture(plotter, path)
 
 

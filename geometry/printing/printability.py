@@ -114,7 +114,7 @@ def _gaps(kind: PartKind | None, design: ArrayDesign) -> dict[str, float]:
             return {"glue_gap": design.printing.glue_gap}
         case "mold-scraper":
             return {"guide_clearance": design.mold.pin_clearance}
-        case "mold-lid" | "mold-shim":
+        case "mold-lid" | "mold-shim" | "mold-plugs":
             return {"pin_clearance": design.mold.pin_clearance}
         case _:
             return {}

@@ -72,8 +72,14 @@ class Molding(Section):
     kind: Literal["two-part", "open-face"] = Field(
         default="two-part", description="two-part: base and lid; open-face: base and a scraper that rides on its lands"
     )
-    rows: Count = Field(default=1, ge=1, le=20, description="rows of cavities")
-    columns: Count = Field(default=1, ge=1, le=20, description="cavities per row")
+    rows: Count | None = Field(
+        default=None,
+        ge=1,
+        le=20,
+        description="rows of cavities; without rows and columns the mold has a cavity for every membrane of the array, "
+        "as far as the printer has room",
+    )
+    columns: Count | None = Field(default=None, ge=1, le=20, description="cavities per row; see rows")
     draft: Degree = Field(
         default=1.0, ge=0, le=10, description="slope of the walls and of the membranes' edges; assumed"
     )
@@ -111,6 +117,11 @@ class Molding(Section):
         ge=0,
         le=0.1,
         description="linear shrinkage of the printed mold that the printer does not correct; assumed",
+    )
+    ejector: Literal["pins", "none"] = Field(
+        default="pins",
+        description="pins: holes in the floor of each cavity, closed by the pins of a plate while you cast, through "
+        "which you push the membranes out; none: blind cavities",
     )
 
     @property

@@ -9,9 +9,10 @@ from dataclasses import dataclass
 from geometry.assembly.bill import Bill
 from geometry.assembly.model import ArrayModel
 from geometry.design.array_design import ArrayDesign
-from geometry.molds.mold_plan import plan_mold
+from geometry.molds import molds_of, plan_mold
+from geometry.molds.ejector_pins import Ejector
+from geometry.molds.mold_forces import OpeningForces, closed_film, overflow
 from geometry.schema.print_processes import PrintProcess
-from geometry.solids.membrane import membranes_of
 from geometry.stock import Glue, Silicone, StockMicrophone, catalogue
 from studies.kit.work_hours import count_casts
 
@@ -27,6 +28,8 @@ _GLUE_DANGERS = {
     "copper, so let it cure before the microphones are mounted.",
 }
 _OTHER_GLUE = "Read the safety data sheet of the glue before you open it. Wear nitrile gloves and safety glasses."
+#: Silicone mixed per silicone in the mold at least, a ratio, for what stays in the cup; assumed.
+_CUP = 1.2
 #: Dangers of what else is used.
 _RESIN = (
     "Liquid resin irritates skin and can cause an allergy for life. Wear nitrile gloves and safety glasses until the "
@@ -88,6 +91,18 @@ class Cast:
     """Mass of that, g."""
     shims: tuple[str, ...]
     """Names of the shims of the mold, and how much each raises the lid."""
+    overflow: float
+    """Silicone that flows over the rims into the grooves, ml."""
+    wasted: float
+    """Fraction of the mixed silicone that becomes no membrane of the array, in the mean over all casts."""
+    film: float
+    """Thickness of the silicone on the lands a minute after the weight is put on, mm."""
+    opening: OpeningForces
+    """Forces while a blade opens the mold, at most."""
+    ejector: Ejector | None
+    """Ejector holes of a cavity; None where it is blind."""
+    closed: bool
+    """True for a mold with a lid."""
 
 
 @dataclass(frozen=True)
@@ -121,8 +136,7 @@ def casts_of(model: ArrayModel, bill: Bill) -> tuple[Cast, ...]:
     needed = Counter(part.part for part in model.placed if part.kind == "membrane")
     numbers = count_casts(model)
     return tuple(
-        _cast(model, name, alike, needed[name], numbers[name], bill)
-        for name, alike in membranes_of(model.design).items()
+        _cast(model, name, alike, needed[name], numbers[name], bill) for name, alike in molds_of(model.design).items()
     )
 
 
@@ -131,14 +145,30 @@ def _cast(model: ArrayModel, name: str, alike: ArrayDesign, needed: int, casts: 
     density = silicone.density if isinstance(silicone, Silicone) else 1070.0
     plan, volume = plan_mold(alike), model.parts[name].val().Volume() / 1000
     poured = volume * plan.mold.scale**3 * len(plan.centres)
-    mixed = poured * bill.waste.silicone_factor
+    over = overflow(plan) / 1000
+    mixed = max(poured * bill.waste.silicone_factor, (poured + over) * _CUP)
     of_kind = name.removeprefix("membrane")
     shims = [
         f"mold-shim-{step}{of_kind} raises the lid by {step * plan.mold.shim_step:g} mm"
         for step in range(1, alike.mold.shim_count + 1)
         if f"mold-shim-{step}{of_kind}" in model.parts
     ]
-    return Cast(name, needed, len(plan.centres), casts, poured, mixed, mixed * density / 1000, tuple(shims))
+    return Cast(
+        membrane=name,
+        needed=needed,
+        cavities=len(plan.centres),
+        casts=casts,
+        poured=poured,
+        mixed=mixed,
+        grams=mixed * density / 1000,
+        shims=tuple(shims),
+        overflow=over,
+        wasted=1 - needed * volume / (casts * mixed),
+        film=closed_film(plan),
+        opening=plan.forces,
+        ejector=plan.ejector,
+        closed=plan.mold.kind == "two-part",
+    )
 
 
 def glue_of(bill: Bill, joint: str) -> Glue | None:

@@ -19,6 +19,7 @@ from geometry.printing.printability import PrintReport
 from geometry.printing.report_files import write_report
 from geometry.schema.print_processes import PrintProcess
 from geometry.stock import Silicone, catalogue
+from studies.kit.casting_sheet import write_casting
 from studies.kit.cutting_template import write_cutting
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 from studies.kit.manual import write_manual
@@ -95,6 +96,8 @@ def write_kit(
     geometry.pictures.top_view(model, build / "top-view.png")
     geometry.pictures.exploded_view(model, build / "exploded-view.png")
     geometry.pictures.mold_section(model, _made(folder / CAST) / "mold-section.png")
+    geometry.pictures.open_mold(model, folder / CAST / "mold-open.png")
+    write_casting(model, order.bill, folder / CAST)
     manual = write_manual(
         model, folder, plates, shapes, printing, order, process, lambda what, done: report(what, 0.75 + 0.25 * done)
     )

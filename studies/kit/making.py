@@ -92,6 +92,7 @@ def export_parts(
             stay, unless they have the name of a new file.
         formats: formats of the files of each part.
         process: printing process whose rules are applied: a name or a ``.toml`` file; by default that of the design.
+            A mold whose rows and columns the design leaves open fits its machine.
         allow_overlaps: draw the design even if parts overlap; the overlaps are then listed.
         display: shows progress.
 
@@ -106,6 +107,7 @@ def export_parts(
     named = None if process is None or isinstance(process, PrintProcess) else process
     check_folder(folder, "parts", FILES, reads=(named,))
     rules = process_of(design.printing) if process is None else find_process(process)
+    design = _for_printer(design, rules)
     layout = lay_out(design)
     if not allow_overlaps:
         refuse_unbuildable(design, layout, ALL_THE_SAME)
@@ -134,3 +136,11 @@ def export_parts(
         notes=buildability_notes(design, layout),
         misfits=in_the_way,
     )
+
+
+def _for_printer(design: ArrayDesign, process: PrintProcess) -> ArrayDesign:
+    """The design with the build volume of the machine, if the number of cavities of its molds depends on it."""
+    mold, given = design.mold, process_of(design.printing).build_volume
+    if process.build_volume == given or (mold.rows is not None and mold.columns is not None):
+        return design
+    return design.with_values({"printing.rules.build_volume": list(process.build_volume)})

@@ -22,6 +22,7 @@ from geometry.solids.membrane import membrane_radius
 from geometry.stock import Silicone, Sleeve, catalogue
 from studies.kit import step_drawings, step_pictures
 from studies.kit.build_facts import casts_of, dangers_of, glue_of, wiring_of
+from studies.kit.casting_sheet import casting_words, closing_words, opening_words
 from studies.kit.cutting_template import template_strips
 from studies.kit.expected_signals import FREQUENCY, HOLE, LEAK_FREQUENCY, expected_signals
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
@@ -121,6 +122,9 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "volts": 10 ** (design.microphone.sensitivity / 20),
         "radius": membrane_radius(design.resonator, design.membrane),
         "resin": facts.process.name in ("sla-resin", "dlp-fine"),
+        "casting_words": casting_words,
+        "closing_words": closing_words,
+        "opening_words": opening_words,
         "casting": sum(cast.casts for cast in facts.casts),
         "hours": {
             job: math.fsum(w.hours for w in facts.order.work if w.job == job) for job in (PRINT, CAST, CUT, BUILD)
@@ -137,6 +141,7 @@ def _pictures(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> di
         "plate": lambda: step_pictures.plate_picture(last, shapes, facts.process),
         "parts": lambda: step_pictures.parts_picture(model),
         "mold": lambda: step_pictures.mold_picture(model),
+        "open": lambda: step_pictures.open_mold_picture(model),
         "membrane": lambda: step_pictures.membrane_picture(model),
         "joint": lambda: step_pictures.joint_picture(model),
         "order": lambda: step_pictures.order_picture(model),

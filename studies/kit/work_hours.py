@@ -8,9 +8,8 @@ from dataclasses import dataclass
 
 from geometry.assembly.model import ArrayModel
 from geometry.layout.cutting import cutting_list
-from geometry.molds.mold_plan import plan_mold
+from geometry.molds import molds_of, plan_mold
 from geometry.schema.print_processes import PrintProcess
-from geometry.solids.membrane import membranes_of
 from studies.kit.jobs import BUILD, CAST, CUT, PRINT
 
 #: Source of every figure of minutes below.
@@ -41,7 +40,7 @@ class Work:
 def count_casts(model: ArrayModel) -> dict[str, int]:
     """Number of casts of each membrane by its name: pieces of the array by cavities of the mold."""
     needed = Counter(part.part for part in model.placed if part.kind == "membrane")
-    designs = membranes_of(model.design)
+    designs = molds_of(model.design)
     return {name: math.ceil(needed[name] / len(plan_mold(alike).centres)) for name, alike in designs.items()}
 
 

@@ -40,7 +40,8 @@ def test_each_kind_has_its_shells_membranes_and_molds(design, model):
     membranes = {name: count for name, count in parts.counts.items() if parts.kinds[name] == "membrane"}
     assert membranes == {f"membrane-{thickness:g}": 2, "membrane-0.8": 2}
     molds = {name for name in parts if parts.kinds[name].startswith("mold")}
-    assert molds == {f"mold-{part}-{size}" for part in ("base", "lid", "shim-1") for size in (f"{thickness:g}", "0.8")}
+    pieces = ("base", "lid", "shim-1", "plugs")
+    assert molds == {f"mold-{part}-{size}" for part in pieces for size in (f"{thickness:g}", "0.8")}
     heights = {name: parts[name].val().BoundingBox().zlen for name in membranes}
     assert heights == pytest.approx({f"membrane-{thickness:g}": thickness, "membrane-0.8": 0.8}, rel=1e-6)
     deep, low = (next(name for name in shells if f"-h{height}-" in name) for height in ("4", "2.5"))

@@ -137,7 +137,7 @@ def test_every_part_of_every_prototype_is_one_valid_solid_and_is_counted(name):
     assert list(parts) == list(counts) == list(parts.kinds)
     assert {parts.kinds[name]: parts.origin(name) for name in parts} == {
         "shell": "printed", "membrane": "cast", "housing": "printed", "board": "bought",
-        "mold-base": "printed", "mold-lid": "printed", "mold-shim": "printed",
+        "mold-base": "printed", "mold-lid": "printed", "mold-shim": "printed", "mold-plugs": "printed",
     }  # fmt: skip
     half = parts.only(*list(parts)[::2])
     assert (list(half), list(half.counts), list(half.kinds)) == (list(parts)[::2],) * 3
@@ -160,6 +160,7 @@ def test_the_2x6_array_has_two_kinds_of_shell(parts):
         "mold-lid": 1,
         "mold-shim-1": 3,
         "mold-shim-2": 3,
+        "mold-plugs": 1,
         "microphone-housing": 2,
         "microphone-board": 2,
     }
@@ -242,7 +243,8 @@ def test_springs_wound_around_a_cylinder_are_cut_shorter_than_their_sheaths():
 
 @pytest.mark.slow
 def test_a_carrier_takes_the_place_of_its_shells_on_plates_and_lists(tmp_path):
-    design = geometry.prototype("array-2x6").with_values({"printing.carrier": "sheet", "mold.kind": "open-face"})
+    values = {"printing.carrier": "sheet", "mold.kind": "open-face", "mold.rows": 1, "mold.columns": 1}
+    design = geometry.prototype("array-2x6").with_values(values)
     parts = build_parts(design)
     assert {name: count for name, count in parts.counts.items() if name.startswith(("shell", "carrier"))} == {
         "shell-straight": 0, "shell-corner-90": 0, "carrier": 1,
@@ -253,7 +255,7 @@ def test_a_carrier_takes_the_place_of_its_shells_on_plates_and_lists(tmp_path):
     copies = Counter()
     for plate in laid.plates:
         copies.update(plate.copies)
-    assert copies == {"carrier": 1, "mold-base": 1, "mold-scraper": 1, "microphone-housing": 2}
+    assert copies == {"carrier": 1, "mold-base": 1, "mold-scraper": 1, "mold-plugs": 1, "microphone-housing": 2}
     # On a machine that is too small for the carrier nothing stands in for it.
     small = with_rules(PROCESSES["sla-resin"], {"build_volume": (50, 45, 50)})
     laid = export_plates(parts, tmp_path, small, shapes)

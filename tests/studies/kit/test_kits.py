@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import csv
 import html
 import json
 import re
@@ -24,7 +25,9 @@ import studies
 from acoustic_fem.calibration import read_manifest
 from geometry.formats.three_mf import read_3mf
 from geometry.layout import cutting_list
+from geometry.molds import molds_of
 from geometry.schema.print_processes import PrintProcess, process_of
+from geometry.solids.membrane import build_membrane
 from studies.kit import JOBS
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 
@@ -38,7 +41,7 @@ PIXELS = 96 / 25.4
 FILES = {
     BUY: ("order-list.csv", "work-hours.csv", "bill.csv", "bill.json", "bill.txt"),
     PRINT: ("plate-1-molds.3mf", "plate-2.3mf", "print-report.html", "print-report.json", "parts/mold-base.stl"),
-    CAST: ("mold-section.png", "reference/membrane.stl"),
+    CAST: ("mold-section.png", "mold-open.png", "casting.txt", "casting.csv", "reference/membrane.stl"),
     CUT: ("cutting-list.csv", "cutting-template.dxf", "cutting-template-a4.pdf", "cutting-template-letter.pdf"),
     BUILD: (
         *("manual.html", "assembly.txt", "assembly.csv", "assembly.step", "array.glb", "array.html", "top-view.png"),
@@ -153,6 +156,27 @@ def test_the_folder_answers_thirty_questions(kit: studies.MadeParts) -> None:
     assert design.microphone.model.upper() in answers["Where does pin 2 go?"].upper()
     assert f"{kit.order.hours:.1f} h of work" in answers["How long does it take?"]
     assert f"{design.membrane.thickness:g} mm" in answers["How thick must a membrane be?"]
+
+
+def test_the_silicone_of_a_cast_adds_up(kit: studies.MadeParts) -> None:
+    rows = list(csv.DictReader((kit.folder / CAST / "casting.csv").open(encoding="utf-8")))
+    molds = molds_of(kit.design)
+    assert [row["membrane"] for row in rows] == list(molds)
+    words = (kit.folder / CAST / "casting.txt").read_text(encoding="utf-8")
+    page = kit.manual.read_text(encoding="utf-8")
+    for row, alike in zip(rows, molds.values(), strict=True):
+        own = build_membrane(alike).val().Volume() / 1000
+        in_cavities, over, left, mixed = (
+            float(row[f"{name}_ml"]) for name in ("in_cavities", "overflow", "in_cup", "mixed")
+        )
+        assert in_cavities == pytest.approx(int(row["cavities"]) * own / 0.999**3, rel=1e-3)
+        assert in_cavities + over + left == pytest.approx(mixed, rel=1e-3)
+        assert left > 0.1 * mixed
+        assert int(row["casts"]) * int(row["cavities"]) >= int(row["needed"])
+        kept = int(row["needed"]) * own / (int(row["casts"]) * mixed)
+        assert float(row["wasted"]) == pytest.approx(1 - kept, abs=1e-3)
+        assert f"{float(row['mixed_ml']):.3g} ml" in words
+        assert f"{float(row['opening_force_n']):.0f} N at most" in page
 
 
 def test_what_calibrate_reads_back_lies_in_the_kit(kit: studies.MadeParts) -> None:
