@@ -1,13 +1,9 @@
-"""Forces on a mold: the weight that closes it, and the blade in a slot that opens it."""
+"""Forces of a blade in a slot that opens a mold."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from geometry.molds.mold_plan import MoldPlan
 
 #: Pressure of the air on a lid below which there is none, MPa: no lid is held by a stronger suction.
 ATMOSPHERE = 0.101325
@@ -15,12 +11,6 @@ ATMOSPHERE = 0.101325
 ALLOWED_STRESS = 45.0
 #: Lid, and what a slot for a blade takes of it, mm.
 LID_THICKNESS, PRY_DEPTH, PRY_HEIGHT = 3.0, 3.0, 0.9
-#: Weight on the lid, N, and how long it presses until the thickness of the film is stated, s.
-CLOSING_FORCE, CLOSING_TIME = 10.0, 60.0
-#: Viscosity of mixed silicone, Pa s; assumed, at the upper end of what makers state for casting silicones.
-VISCOSITY = 30.0
-#: Height to which silicone stands above the rims of the cavities before the lid is closed, mm; assumed.
-OVERFILL = 0.2
 
 
 @dataclass(frozen=True)
@@ -62,28 +52,3 @@ def opening_forces(cavities: int, land: float, block: tuple[float, float], slot:
     # Lid: a beam between the blade and the opposite edge under an even load.
     bend = 6 * suction * max(block) / 8 / (min(block) * LID_THICKNESS**2)
     return OpeningForces(suction, blade, roof, bend)
-
-
-def closed_film(plan: MoldPlan) -> float:
-    """Thickness of the silicone that stays on the lands after a minute below 1 kg, mm.
-
-    Stefan's equation of a long strip: F = viscosity L w^3 / h^3 |dh/dt|, so h = sqrt(viscosity L w^3 / (2 F t)).
-    It holds for a film much thinner than the strip is wide, and parallel faces.
-    """
-    inner, outer = (1e-3 * radius for radius in plan.land)
-    length = len(plan.centres) * math.pi * (inner + outer)
-    return 1e3 * math.sqrt(VISCOSITY * length * (outer - inner) ** 3 / (2 * CLOSING_FORCE * CLOSING_TIME))
-
-
-def overflow(plan: MoldPlan) -> float:
-    """Silicone that stands above the rims of all cavities and goes into the grooves and the gap, mm^3."""
-    return len(plan.centres) * math.pi * plan.land[0] ** 2 * OVERFILL
-
-
-def room_for_overflow(plan: MoldPlan) -> float:
-    """Room in the grooves and in the gap between the halves, mm^3."""
-    start, end = plan.groove
-    groove = math.pi * (end**2 - start**2) * (plan.gap - plan.groove_bottom)
-    cavities = len(plan.centres)
-    gap = (4 * plan.half[0] * plan.half[1] - cavities * math.pi * start**2) * -plan.gap
-    return gap + cavities * groove

@@ -11,7 +11,8 @@ from geometry.assembly.model import ArrayModel
 from geometry.design.array_design import ArrayDesign
 from geometry.molds import molds_of, plan_mold
 from geometry.molds.ejector_pins import Ejector
-from geometry.molds.mold_forces import OpeningForces, closed_film, overflow
+from geometry.molds.mold_filling import closed_film, overflow
+from geometry.molds.mold_forces import OpeningForces
 from geometry.schema.print_processes import PrintProcess
 from geometry.stock import Glue, Silicone, StockMicrophone, catalogue
 from studies.kit.work_hours import count_casts

@@ -10,7 +10,7 @@ from geometry.assembly.bill import Bill
 from geometry.assembly.model import ArrayModel
 from geometry.ground.refusal import counted
 from geometry.ground.whole_files import write_text
-from geometry.molds.mold_forces import CLOSING_FORCE, CLOSING_TIME, OVERFILL
+from geometry.molds.mold_filling import CLOSING_FORCE, CLOSING_TIME, OVERFILL
 from studies.kit.build_facts import Cast, casts_of
 
 #: Smallest batch of two parts that a scale of 0.1 g divides well, g; assumed.

@@ -7,7 +7,8 @@ import pytest
 
 import geometry
 from geometry.molds import build_mold, mold_counts, molds_of, plan_mold
-from geometry.molds.mold_forces import ALLOWED_STRESS, closed_film, opening_forces, overflow, room_for_overflow
+from geometry.molds.mold_filling import closed_film, overflow, room_for_overflow
+from geometry.molds.mold_forces import ALLOWED_STRESS, opening_forces
 from geometry.solids.membrane import build_membrane
 
 SMALL_PRINTER = {"printing.rules.build_volume": [120.0, 68.0, 150.0]}
