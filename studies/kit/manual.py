@@ -141,7 +141,6 @@ def _pictures(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> di
         "plate": lambda: step_pictures.plate_picture(last, shapes, facts.process),
         "parts": lambda: step_pictures.parts_picture(model),
         "mold": lambda: step_pictures.mold_picture(model),
-        "open": lambda: step_pictures.open_mold_picture(model),
         "membrane": lambda: step_pictures.membrane_picture(model),
         "joint": lambda: step_pictures.joint_picture(model),
         "order": lambda: step_pictures.order_picture(model),

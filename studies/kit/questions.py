@@ -152,14 +152,16 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
         (
             "mixed",
             "; ".join(f"{c.mixed:.2g} ml ({c.grams:.2g} g) a cast of {c.membrane}" for c in casts)
-            + ". Below 5 g mix 5 g, because a smaller cup cannot be weighed well. "
-            + "; ".join(f"The cavities of {c.membrane} take {c.poured:.2g} ml" for c in casts)
-            + ".",
+            + ". Below 5 g mix 5 g, because a smaller cup cannot be weighed well.",
             "step-4",
         ),
         (
             "casts",
-            "; ".join(f"{c.casts} of {c.membrane} with {counted(c.cavities, 'cavity')}" for c in casts) + ".",
+            "; ".join(
+                f"{c.casts} of {c.membrane} with {counted(c.cavities, 'cavity')}, which take {c.poured:.2g} ml"
+                for c in casts
+            )
+            + ".",
             "step-4",
         ),
         ("pot_life", f"{pot:g} min, then {cure:g} h at 23 degC.", "step-4"),

@@ -89,14 +89,9 @@ def parts_picture(model: ArrayModel) -> bytes:
     return _png(draw)
 
 
-def open_mold_picture(model: ArrayModel) -> bytes:
+def mold_picture(model: ArrayModel) -> bytes:
     """The parts of the mold above each other."""
     return _png(lambda path: geometry.pictures.open_mold(model, path, _SIZE))
-
-
-def mold_picture(model: ArrayModel) -> bytes:
-    """The closed mold, cut through its cavities."""
-    return _png(lambda path: geometry.pictures.mold_section(model, path, (_SIZE[0], 480)))
 
 
 def order_picture(model: ArrayModel) -> bytes:
