@@ -2,6 +2,7 @@ from . import (
     contacts as contacts,
     datasets as datasets,
     decoders as decoders,
+    diagnosis as diagnosis,
     embedded as embedded,
     evaluation as evaluation,
     graphs as graphs,
@@ -39,6 +40,7 @@ from .decoders.reconstruct import (
 from .decoders.sound_test import SoundTest as SoundTest
 from .decoders.tolerant import TolerantDecoder as TolerantDecoder
 from .decoders.two_touches import TwoTouchDecoder as TwoTouchDecoder, TwoTouches as TwoTouches
+from .diagnosis.diagnosis import Diagnosis as Diagnosis, diagnose as diagnose
 from .evaluation.accuracy import Evaluation as Evaluation, evaluate as evaluate
 from .evaluation.goodness_of_fit import SensorFit as SensorFit, sensor_fit as sensor_fit
 from .graphs.description import LocalizerError as LocalizerError

@@ -40,6 +40,7 @@ from .findings.reporting import (
 )
 from .findings.searching import Search as Search, optimize as optimize
 from .inference.board_recording import RecordedBoard as RecordedBoard, record_board as record_board
+from .inference.diagnosing import diagnose_recording as diagnose_recording
 from .inference.embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder as embed_decoder
 from .inference.exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
 from .inference.live import LiveInput as LiveInput, LiveSummary as LiveSummary, listen as listen

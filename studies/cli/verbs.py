@@ -85,6 +85,9 @@ VERBS = {
         "Update the library of your sensor from ordinary touches, whose points need not be known.",
         ("train",),
     ),
+    "diagnose": Entry(
+        "diagnoses", "Make", "Find what is broken in a built sensor, from a recording of ordinary touches."
+    ),
     "train": Entry(
         "localizers", "Use", "Train a network that locates touches, or one that recognizes kinds of touch.", ("train",)
     ),

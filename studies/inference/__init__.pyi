@@ -1,3 +1,4 @@
+from .diagnosing import diagnose_recording as diagnose_recording
 from .embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder as embed_decoder
 from .exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
 from .live import LiveInput as LiveInput, LiveSession as LiveSession, LiveSummary as LiveSummary, listen as listen

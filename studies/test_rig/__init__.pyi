@@ -1,5 +1,10 @@
 from .calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
 from .calibration_figures import draw_calibration as draw_calibration
+from .faulty_rig import (
+    DiagnosisSession as DiagnosisSession,
+    FaultyRig as FaultyRig,
+    diagnosis_session as diagnosis_session,
+)
 from .priors import fit_priors as fit_priors, model_deviation as model_deviation
 from .recalibrating import Recalibration as Recalibration, recalibrate as recalibrate
 from .rig_contacts import record_contact as record_contact

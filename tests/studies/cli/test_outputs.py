@@ -48,6 +48,7 @@ FILES = {
     "solve": ("row.toml", ".nc"),
     "calibrate": ("touches.toml", ".nc"),
     "recalibrate": ("library.nc take.wav", ".nc"),
+    "diagnose": ("library.nc take.wav", ".json"),
     "convert": ("library.nc", ".csv"),
     "onnx": ("library.nc", ".onnx"),
     "locate": ("library.nc take.wav", ".jsonl"),

@@ -1,0 +1,258 @@
+"""Diagnosis of a built sensor from ordinary touches: sound, one fault named, or faults that cannot be told apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from acoustic_fem import Library
+from geometry.design.array_design import ArrayDesign
+from geometry.ground.argument_checks import check_range
+from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.typed import Array
+from localize.decoders.hypotheses import bare_library
+from localize.diagnosis.bench_advice import bench_advice, most_telling_point
+from localize.diagnosis.diagnosis_options import DiagnosisOptions
+from localize.diagnosis.fault_libraries import FaultLibraries, Tables
+from localize.diagnosis.fault_likelihood import Fitted, TouchLikelihood
+from localize.diagnosis.fault_search import FaultSearch
+from localize.diagnosis.faults import SensorFault
+from localize.diagnosis.touch_spectra import TouchSpectra, touch_spectra
+from localize.signals.array_response import response_of
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
+from localize.signals.threads import one_thread
+
+Verdict: TypeAlias = Literal["sound", "fault", "one of several", "unexplained"]
+KnownPoints: TypeAlias = Sequence[int] | Mapping[float, int]
+"""Points of all touches in their order, or of some of them by a time within the touch, s; points count from 1."""
+
+NEAR = 0.3
+"""Time from the beginning of a touch within which a stated time means it, s, unless it lies within the touch."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Diagnosis:
+    """Result of a diagnosis."""
+
+    verdict: Verdict
+    """Sound, one fault, one of several faults that cannot be told apart, or touches that no single fault explains."""
+    faults: tuple[SensorFault, ...]
+    """Faults that explain the touches, the likeliest first, each with its likeliest amount; none if it is sound."""
+    not_excluded: tuple[SensorFault, ...]
+    """Faults that explain the touches of a sound sensor as well as no fault does."""
+    gain: float
+    """Log-likelihood of the likeliest fault over that of a sound sensor, nats."""
+    misfit: float
+    """Mean square of the residual over the expected one, for the likeliest explanation; about 1 or less if it fits."""
+    start: Array
+    """Time at which each touch begins, (n_touch,) float64, s."""
+    point: NDArray[np.int64]
+    """Point of each touch, from 1, as given or as the likeliest explanation has it; (n_touch,) int64."""
+    known: NDArray[np.bool_]
+    """True for each touch whose point was given; (n_touch,) bool."""
+    next_point: int | None
+    """Point, from 1, whose touch would best distinguish what is left; None if nothing is left to distinguish."""
+    advice: tuple[str, ...]
+    """Work at the bench, in sentences."""
+    design: ArrayDesign
+    """Design of the sensor."""
+
+    @property
+    def text(self) -> str:
+        """Verdict as a sentence."""
+        names = [fault.described(self.design) for fault in self.faults]
+        if self.verdict == "sound":
+            return f"no fault was found in {counted(len(self.start), 'touch')}"
+        if self.verdict == "unexplained":
+            return (
+                f"no single fault explains the touches, because their residual is {self.misfit:.3g} times the expected "
+                f"one; the likeliest single fault is that {names[0]}"
+            )
+        return names[0] if self.verdict == "fault" else "one of these faults: " + "; or ".join(names)
+
+    def summary(self) -> dict[str, Any]:
+        """Figures of the diagnosis as plain values, for a file of JSON."""
+
+        def plain(fault: SensorFault) -> dict[str, Any]:
+            return {"kind": fault.kind, "part": list(fault.part), "amount": round(fault.amount, 4),
+                    "text": fault.described(self.design)}  # fmt: skip
+
+        touches = zip(self.start.tolist(), self.point.tolist(), self.known.tolist(), strict=True)
+        return {
+            "design": self.design.name,
+            "verdict": self.verdict,
+            "text": self.text,
+            "faults": [plain(fault) for fault in self.faults],
+            "not_excluded": [plain(fault) for fault in self.not_excluded],
+            "gain": round(self.gain, 2),
+            "misfit": round(self.misfit, 4),
+            "next_point": self.next_point,
+            "advice": list(self.advice),
+            "touches": [{"start": round(start, 3), "point": point, "known": known} for start, point, known in touches],
+        }
+
+
+class Diagnoser:
+    """Diagnoses of sensors of one library, whose tables are computed once.
+
+    Args:
+        library: of the design, or a calibrated one; it covers 1 to 100 Hz.
+        microphone_noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        options: numbers that tune it.
+
+    Raises:
+        Refusal: bare transfer functions, or a design whose scatter is not known.
+    """
+
+    def __init__(
+        self, library: Library, microphone_noise: NoiseChoice = "design", options: DiagnosisOptions | None = None
+    ) -> None:
+        if not hasattr(library, "fidelity"):
+            raise bare_library()
+        self.options = options or DiagnosisOptions()
+        response = response_of(library)
+        noise = response.noise(microphone_noise)
+        self._noise = noise.rms if isinstance(noise, NoiseSpectrum) else noise
+        self.libraries = FaultLibraries(library, self.options)
+
+    @one_thread()
+    def diagnose(self, signals: ArrayLike, points: KnownPoints | None = None) -> Diagnosis:
+        """Diagnosis from a recording of touches, one at a time, spread over the array.
+
+        Args:
+            signals: (n_microphone, n_sample), Pa, at 1 kHz, from 0.5 s before the first touch on.
+            points: of the touches, as far as they are known.
+
+        Raises:
+            Refusal: signals of another number of microphones, too few touches, or points that do not fit the touches.
+        """
+        heard = np.asarray(signals, np.float64)
+        count = len(self.libraries.design.microphones)
+        if heard.ndim != 2 or len(heard) != count:
+            problem = f"has shape {heard.shape}; it must be ({count}, n_sample), one row for each microphone"
+            raise Refusal(problem, kind=Kind.WRONG_TYPE, field="signals")
+        if not np.isfinite(heard).all():
+            raise Refusal("must be finite", kind=Kind.UNSUITABLE, field="signals")
+        spectra = touch_spectra(heard, self.libraries.frequency, self._noise)
+        if len(spectra.start) < self.options.fewest:
+            raise Refusal(
+                f"holds {counted(len(spectra.start), 'touch')} with quiet between them; a diagnosis needs at least "
+                f"{self.options.fewest}, better 24",
+                kind=Kind.UNSUITABLE,
+                field="signals",
+            )
+        known = known_points(points, spectra, self.libraries.design.point_count)
+        likelihood = TouchLikelihood(spectra, known, self.options.mismatch)
+        return self._decided(FaultSearch(self.libraries, likelihood, self.options).found(), spectra, known)
+
+    def _decided(
+        self, found: list[tuple[Tables, Fitted]], spectra: TouchSpectra, known: NDArray[np.int64]
+    ) -> Diagnosis:
+        options, design = self.options, self.libraries.design
+        (sound, as_designed), *others = found
+        best = others[0][1]
+        gain = best.evidence - as_designed.evidence
+        is_sound = gain < options.believed
+        fit = as_designed if is_sound else best
+        lead = options.apart + options.apart_of_gain * max(gain, 0.0)
+        near = [each for each in others if each[1].evidence > fit.evidence - lead]
+        alike = [] if is_sound else near
+        verdict: Verdict = "sound" if is_sound else "fault" if len(alike) == 1 else "one of several"
+        if fit.misfit > options.explained:
+            verdict, alike = "unexplained", others[:1]
+        faults = tuple(_with_found_amount(*each) for each in alike)
+        left = [(sound, as_designed), *near[:3]] if is_sound else near if len(near) > 1 else others[:2]
+        next_point = None
+        if verdict != "unexplained" and len(left) > 1:
+            next_point = 1 + most_telling_point([tables.at(each.deviations) for tables, each in left], options.mismatch)
+        return Diagnosis(
+            verdict=verdict,
+            faults=faults,
+            not_excluded=tuple(_with_found_amount(*each) for each in near) if is_sound else (),
+            gain=gain,
+            misfit=fit.misfit,
+            start=spectra.start,
+            point=fit.point + 1,
+            known=known >= 0,
+            next_point=next_point,
+            advice=tuple(bench_advice(self.libraries, fault) for fault in faults if verdict != "unexplained"),
+            design=design,
+        )
+
+
+def diagnose(
+    library: Library,
+    signals: ArrayLike,
+    points: KnownPoints | None = None,
+    microphone_noise: NoiseChoice = "design",
+    options: DiagnosisOptions | None = None,
+) -> Diagnosis:
+    """Fault of a built sensor, found from ordinary touches.
+
+    Args:
+        library: of the sensor's design, or its calibrated one.
+        signals: (n_microphone, n_sample), Pa, at 1 kHz: 20 to 30 touches, one at a time, spread over the array, each
+            with quiet before and after it.
+        points: of the touches, as far as they are known, from 1: one for each touch, or {time in s: point} of some.
+        microphone_noise: of the microphones, white, Pa rms over 0 to 500 Hz, or "design".
+        options: numbers that tune the diagnosis.
+
+    Raises:
+        Refusal: bare transfer functions, a design whose scatter is not known, signals of another number of
+            microphones, too few touches, or points that do not fit the touches.
+    """
+    return Diagnoser(library, microphone_noise, options).diagnose(signals, points)
+
+
+def known_points(points: KnownPoints | None, spectra: TouchSpectra, count: int) -> NDArray[np.int64]:
+    """Index of the point of each touch, (n_touch,) int64; -1 where it is not known.
+
+    Args:
+        points: as they are given.
+        spectra: of the touches.
+        count: number of points of the array.
+
+    Raises:
+        Refusal: a point that the array does not have, another number of points than there are touches, or a time at
+            which there is no touch.
+    """
+    known = np.full(len(spectra.start), -1, np.int64)
+    if not points:
+        return known
+    values = points.values() if isinstance(points, Mapping) else points
+    for value in values:
+        check_range("points", value, 1, count, whole=True, why="the points of the array")
+    if not isinstance(points, Mapping):
+        if len(points) != len(known):
+            raise Refusal(
+                f"states {counted(len(points), 'point')}, but {counted(len(known), 'touch')} were found, at "
+                f"{times(spectra.start)} s",
+                kind=Kind.MISMATCH,
+                field="points",
+                remedy="give points by their times, such as 2.5=9",
+            )
+        return np.array(points, np.int64) - 1
+    for time, value in points.items():
+        inside = np.flatnonzero((spectra.start - NEAR <= time) & (time <= spectra.end + NEAR))
+        if not len(inside):
+            raise Refusal(
+                f"states a touch at {time:g} s; touches begin at {times(spectra.start)} s",
+                kind=Kind.MISMATCH,
+                field="points",
+            )
+        known[inside] = value - 1
+    return known
+
+
+def times(start: Array) -> str:
+    """Times as a list, s."""
+    return ", ".join(f"{each:.1f}" for each in start)
+
+
+def _with_found_amount(tables: Tables, fit: Fitted) -> SensorFault:
+    assert tables.fault is not None
+    return tables.fault.with_amount(float(fit.deviations[-1]))

@@ -1,0 +1,58 @@
+"""Numbers of a diagnosis, with their units and where they come from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from acoustic_fem.scatter.tolerances import UNCALIBRATED, Tolerance
+
+
+@dataclass(frozen=True)
+class DiagnosisOptions:
+    """Numbers that tune a diagnosis."""
+
+    tolerances: tuple[Tolerance, ...] = UNCALIBRATED
+    """Scatter of manufacturing that is no fault."""
+    calibrated_fraction: float = 0.3
+    """Fraction of that scatter by which a sensor may have changed since its library was measured."""
+    pressure: float = 5e3
+    """Standard deviation of the static pressure about that of the library, Pa."""
+    temperature: float = 7.0
+    """Standard deviation of the temperature about that of the library, K."""
+    slope: float = 0.6
+    """Standard deviation of the exponent of the rubber's modulus over that of its material, a ratio."""
+    band: tuple[float, float] = (3.0, 95.0)
+    """Lowest and highest frequency that is compared, Hz."""
+    frequencies: int = 48
+    """Number of frequencies in the band, evenly spread on a logarithmic scale, before they are rounded to whole Hz."""
+    mains: tuple[float, ...] = (49.0, 50.0, 51.0, 59.0, 60.0, 61.0)
+    """Frequencies that are left out because of mains hum, Hz."""
+    mismatch: float = 0.02
+    """Fraction of a microphone's signal, in amplitude, that even the correct sensor does not explain: fidelity, lengths
+    of tubes, the end of a window."""
+    first_mismatches: tuple[float, ...] = (0.3, 0.15, 0.08, 0.04)
+    """The same in the first steps of a fit, in which points may still be wrong."""
+    first_stiffness: tuple[float, ...] = (-1.5, 0.0, 1.5)
+    """Deviations of the modulus of all membranes that a fit begins with, standard deviations: a softer sensor and one
+    whose points are one place off look alike."""
+    candidates: int = 8
+    """Number of parts whose fault is fitted with care, beside microphones."""
+    leading: int = 2
+    """Number of fits whose points the others try."""
+    refinements: int = 2
+    """Number of times that derivatives are computed anew about the deviations that were found."""
+    converged: float = 0.8
+    """Mean square of the residual over the expected one, above which there are twice as many refinements."""
+    hopeless: float = 5e3
+    """Lag behind the best fault, nats, from which on a fault is not refined."""
+    believed: float = 150.0
+    """Gain in log-likelihood over a sound sensor, nats, from which on a fault is believed."""
+    apart: float = 10.0
+    """Lead in log-likelihood, nats, within which two faults are not distinguished."""
+    apart_of_gain: float = 1e-4
+    """Fraction of the gain of the best fault that is added to this lead: no model of a sensor is right to the last nat.
+    """
+    explained: float = 5.0
+    """Mean square of the residual over the expected one, above which no hypothesis explains the touches."""
+    fewest: int = 6
+    """Least number of touches."""

@@ -1,0 +1,141 @@
+r"""Likelihood of touches on a sensor with a fault, whatever its scatter, its air and the points of the touches.
+
+A touch at a point is a source s(f) of any spectrum: x = h s + e at the microphones, whose noise is white of variance
+1. The best source leaves r = x - h (h^H x) / |h|^2, which has as many components as there are microphones, less one.
+Their variance is that of the noise and of a mismatch, a fraction of each microphone's own signal. Deviations z of the
+sensor, standard normal and common to all touches, change h, so r changes by -P (dh/dz) s, with P the projection off h
+(variable projection; Golub and Pereyra 1973). Each fault is fitted by Gauss-Newton steps over z, and in each step every
+touch takes its likeliest point. The evidence is the Laplace approximation of the integral over z.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.ground.typed import Array, ComplexArray
+from localize.diagnosis.fault_libraries import Tables
+from localize.diagnosis.touch_spectra import TouchSpectra
+
+LONGEST_STEP, FARTHEST = 2.0, 3.5
+"""Longest step, and largest value, of a deviation, standard deviations."""
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """A hypothesis, fitted to touches."""
+
+    evidence: float
+    """Logarithm of the evidence, nats, up to a constant that all hypotheses share."""
+    deviations: Array
+    """Most probable deviations, (n_deviation,) float64, standard deviations."""
+    point: NDArray[np.int64]
+    """Index of the likeliest point of each touch, (n_touch,) int64."""
+    misfit: float
+    """Mean square of the residual over its expected variance, a ratio."""
+
+
+class TouchLikelihood:
+    """Likelihood of the touches of a recording.
+
+    Args:
+        spectra: of the touches.
+        known: index of the point of each touch, (n_touch,) int64; -1 where it is not known.
+        mismatch: fraction of a microphone's signal that even the correct sensor does not explain.
+    """
+
+    def __init__(self, spectra: TouchSpectra, known: NDArray[np.int64], mismatch: float) -> None:
+        self.spectra, self.known, self._mismatch = spectra, known, mismatch
+        self._x = spectra.spectrum
+        self._touches = len(spectra.start)
+        self._of_touch = np.eye(self._touches)[spectra.touch].T
+
+    def _by_point(self, h: ComplexArray, spread: ComplexArray | None, mismatch: float) -> Array:
+        """(n_touch, n_point) log-likelihoods; ``spread`` is the covariance of the logarithms of h."""
+        residual, variance = self._residual(h / self.spectra.noise, spread, mismatch)
+        free = h.shape[1] - 1
+        score = -(residual / variance + free * np.log(variance)).sum(-1)  # (n_point, n_window)
+        return self._of_touch @ score.T
+
+    def _residual(self, h: ComplexArray, spread: ComplexArray | None, mismatch: float) -> tuple[Array, Array]:
+        """Squared residual and the variance of each of its components, (n_point, n_window, n_freq) each."""
+        power = np.abs(h) ** 2  # (n_point, n_microphone, n_freq)
+        whole = power.sum(1)
+        along = np.einsum("pmf,wmf->pwf", h.conj(), self._x)
+        residual = np.maximum((np.abs(self._x) ** 2).sum(1)[None] - np.abs(along) ** 2 / whole[:, None], 0.0)
+        source = np.abs(along / whole[:, None]) ** 2
+        free = h.shape[1] - 1
+        own = mismatch**2 * (whole - (power**2).sum(1) / whole) / free
+        if spread is not None:
+            diagonal = np.einsum("pmmf->pmf", spread).real
+            across = np.einsum("pmf,pmnf,pnf->pf", power, spread, power).real / whole
+            own = own + np.maximum((power * diagonal).sum(1) - across, 0.0) / free
+        return residual, 1.0 + source * own[:, None]
+
+    def fitted(
+        self,
+        tables: Tables,
+        mismatches: Sequence[float],
+        deviations: Array | None = None,
+        point: NDArray[np.int64] | None = None,
+    ) -> Fitted:
+        """Fit a hypothesis.
+
+        Args:
+            tables: of the hypothesis, about some deviations.
+            mismatches: mismatch of each step, descending to that of the likelihood: with a large one the first points
+                need not be right.
+            deviations: to begin with; None begins with those of the tables, and counts them as noise of each frequency
+                on its own where the first points are chosen.
+            point: index of the point of each touch to begin with; None for the likeliest ones.
+        """
+        spread = tables.spread if deviations is None else None
+        deviations = tables.deviations if deviations is None else deviations
+        for number, mismatch in enumerate(mismatches):
+            now = tables.at(deviations)
+            if number > 1 or point is None:
+                point = self._points(now, None if number else spread, mismatch)
+            point = np.where(self.known >= 0, self.known, point)
+            _, change = self._step(tables, now, point, deviations, mismatch)
+            deviations = np.clip(deviations + np.clip(change, -LONGEST_STEP, LONGEST_STEP), -FARTHEST, FARTHEST)
+        now = tables.at(deviations)
+        point = self._points(now, None, self._mismatch)
+        return self._step(tables, now, point, deviations, self._mismatch)[0]
+
+    def _points(self, h: ComplexArray, spread: ComplexArray | None, mismatch: float) -> NDArray[np.int64]:
+        likeliest = self._by_point(h, spread, mismatch).argmax(1)
+        return np.where(self.known >= 0, self.known, likeliest)
+
+    def _step(
+        self, tables: Tables, now: ComplexArray, point: NDArray[np.int64], deviations: Array, mismatch: float
+    ) -> tuple[Fitted, Array]:
+        """Evidence at some deviations, and the Gauss-Newton step from there."""
+        size, free = len(deviations), self._x.shape[1] - 1
+        touched, of_window = np.unique(point[self.spectra.touch], return_inverse=True)
+        h = now[touched] / self.spectra.noise  # (n_touched, n_microphone, n_freq)
+        power = np.abs(h) ** 2
+        whole = power.sum(1)
+        own = mismatch**2 * (whole - (power**2).sum(1) / whole) / free
+        beside = h[of_window]
+        source = (beside.conj() * self._x).sum(1) / whole[of_window]  # (n_window, n_freq)
+        residual = self._x - beside * source[:, None]
+        square, loudness = (np.abs(residual) ** 2).sum(1), np.abs(source) ** 2
+        variance = 1.0 + loudness * own[of_window]
+        score = -float((square / variance + free * np.log(variance)).sum())
+        misfit = float((square / variance).mean()) / free
+        # Sums over the windows of each point, because the derivatives are those of the point.
+        members = np.eye(len(touched))[of_window].T
+        weight = members @ (loudness / variance)  # (n_touched, n_freq)
+        pull = np.tensordot(members, source.conj()[:, None] * residual / variance[:, None], 1)
+        changed = h * tables.derivatives[:, touched]
+        changed -= h * ((h.conj() * changed).sum(2) / whole)[:, :, None]  # (n_deviation, n_touched, ...)
+        slope = 2 * (changed.reshape(size, -1).conj() @ pull.ravel()).real - deviations
+        flat = (changed * np.sqrt(weight)[:, None]).reshape(size, -1)
+        precision = np.eye(size) + 2 * (flat.real @ flat.real.T + flat.imag @ flat.imag.T)
+        change = np.linalg.solve(precision, slope)
+        evidence = score - 0.5 * float(deviations @ deviations) + 0.5 * float(slope @ change)
+        evidence -= 0.5 * float(np.linalg.slogdet(precision)[1])
+        return Fitted(evidence, deviations, point, misfit), change

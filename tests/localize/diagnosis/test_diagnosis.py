@@ -1,0 +1,186 @@
+"""Faults of as-built sensors are named from ordinary touches, and sound sensors are not accused."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import acoustic_fem
+import geometry
+import localize
+import studies
+from acoustic_fem.sound.sound_file import write_wav
+from geometry import Kind, Refusal
+from geometry.ground.typed import Array
+from localize.diagnosis import Diagnoser, SensorFault
+from localize.diagnosis.faults import single_faults, tube_ends
+from localize.diagnosis.touch_spectra import touch_spectra
+from studies.test_rig.faulty_rig import DiagnosisSession, FaultyRig, diagnosis_session
+
+DESIGN = geometry.prototype("array-2x6")
+KNOWN = (0, 7, 13, 20)
+
+
+@cache
+def diagnoser() -> Diagnoser:
+    return Diagnoser(acoustic_fem.solve(DESIGN, np.arange(1.0, 201.0), "lumped"))
+
+
+@cache
+def session(fault: SensorFault | None, seed: int = 46900) -> DiagnosisSession:
+    return diagnosis_session(FaultyRig(DESIGN, seed, fault, fidelity="lumped"), seed)
+
+
+def known(of: DiagnosisSession) -> dict[float, int]:
+    return {float(of.time[k]): int(of.point[k]) for k in KNOWN}
+
+
+def test_a_leak_is_a_shunt_and_a_blocked_tube_a_series_resistance() -> None:
+    """Well below all corner frequencies: levels at both microphones, by a chain of two resistances and a shunt."""
+    libraries = diagnoser().libraries
+    sound, leaking, blocked = np.abs(
+        libraries.with_deviations(
+            [None, SensorFault("leak", (6,), 0.3), SensorFault("blocked tube", (7,), 0.3)],
+            np.zeros((1, libraries.size)),
+        )
+    )[..., 0]
+    # A touch before the leak arrives weaker behind it; what does not pass the leak changes much less.
+    assert leaking[0, 1] < 0.9 * sound[0, 1]
+    assert leaking[0, 0] == pytest.approx(sound[0, 0], rel=0.1)
+    # The touched cavity drives what is on its own side as before, and the other side through 1 / 0.3^4 = 123 times.
+    assert blocked[5, 0] == pytest.approx(sound[5, 0], rel=1e-6)
+    assert blocked[5, 1] < 0.5 * sound[5, 1]
+
+
+def test_there_is_one_fault_for_each_part() -> None:
+    line = geometry.prototype("line-3")
+    kinds = [part[0].kind for part in single_faults(line)]
+    assert kinds.count("blocked tube") == 111 == len(tube_ends(line))
+    assert kinds.count("leak") == 108
+    assert kinds.count("exchanged microphones") == 3 == kinds.count("reversed microphone")
+    assert [part[0].kind for part in single_faults(DESIGN)].count("reversed microphone") == 1
+    assert tube_ends(DESIGN)[0] == ("microphone A", "point 1")
+
+
+def test_touches_are_found_where_they_are() -> None:
+    of = session(None)
+    found = touch_spectra(of.signals, diagnoser().libraries.frequency, 1e-3)
+    nearest = np.abs(of.time[:, None] - found.start).min(1)
+    assert nearest.max() < 0.12
+    beside = np.abs(found.start[:, None] - of.time).min(1)
+    assert (beside < 1.0).all()  # a press is let go within a second
+
+
+@pytest.mark.slow
+@pytest.mark.physics
+@pytest.mark.parametrize(
+    ("fault", "words"),
+    [
+        (SensorFault("leak", (9,), 0.3), "point 9 leaks"),
+        (SensorFault("blocked tube", (6,), 0.35), "tube 6 (between points 5 and 6)"),
+        (SensorFault("quiet microphone", (1,), -12.0), "microphone A is about"),
+        (SensorFault("reversed microphone", (1,)), "reversed"),
+    ],
+)
+def test_a_fault_is_named_without_known_points(fault: SensorFault, words: str) -> None:
+    found = diagnoser().diagnose(session(fault).signals)
+    assert found.verdict == "fault"
+    assert found.faults[0].same_part(fault)
+    assert words in found.text
+    assert found.misfit < 1.0
+    assert len(found.advice) == 1
+    assert json.loads(json.dumps(found.summary()))["faults"][0]["part"] == list(fault.part)
+
+
+@pytest.mark.slow
+@pytest.mark.physics
+def test_a_sound_sensor_is_not_accused() -> None:
+    of = session(None)
+    found = diagnoser().diagnose(of.signals)
+    assert found.verdict == "sound"
+    assert not found.faults
+    assert not found.advice
+    # The design is its own mirror image, so exchanged microphones are not excluded, and a touch at an end tells.
+    assert any(each.kind == "exchanged microphones" for each in found.not_excluded)
+    assert found.next_point is not None
+    with_known = diagnoser().diagnose(of.signals, known(of))
+    assert with_known.verdict == "sound"
+    assert not any(each.kind == "exchanged microphones" for each in with_known.not_excluded)
+    assert np.isin(found.point[with_known.known], with_known.point[with_known.known]).all()
+
+
+@pytest.mark.slow
+@pytest.mark.physics
+def test_exchanged_microphones_show_with_known_points() -> None:
+    fault = SensorFault("exchanged microphones", (1, 2))
+    of = session(fault)
+    found = diagnoser().diagnose(of.signals, known(of))
+    assert found.faults[0] == fault
+    assert "Exchange" in found.advice[0]
+
+
+@pytest.mark.slow
+@pytest.mark.physics
+def test_the_advice_holds_on_the_sensor() -> None:
+    """The change of level that is promised is that between the faulty and the repaired sensor."""
+    fault = SensorFault("leak", (5,), 0.4)
+    found = diagnoser().diagnose(session(fault).signals)
+    words = found.advice[0].split()
+    point = int(words[words.index("touch") + 2].rstrip(":"))
+    change = int(words[words.index("dB") - 1]) * (1 if "louder" in words else -1)
+    named, other = (words[k + 1].rstrip(":") for k, word in enumerate(words) if word == "microphone")
+    index = [DESIGN.microphones.index(name) for name in (named, other)]
+    grid = diagnoser().libraries.frequency.astype(float)
+
+    def difference(of: SensorFault | None) -> float:
+        h = FaultyRig(DESIGN, 46900, of, fidelity="lumped").transfer_function(grid)[point - 1, index]
+        level: Array = 10 * np.log10((np.abs(h) ** 2).mean(1))
+        return float(level[0] - level[1])
+
+    assert difference(None) - difference(fault) == pytest.approx(change, abs=4.0)
+    assert abs(change) > 5
+
+
+def test_bad_input_is_refused() -> None:
+    of = session(None)
+    cases = (
+        (of.signals[:1], None, Kind.WRONG_TYPE, "signals"),
+        (of.signals[:, :6000], None, Kind.UNSUITABLE, "at least 6"),
+        (0 * of.signals, None, Kind.UNSUITABLE, "0 touches"),
+        (np.where(np.arange(of.signals.shape[1]) == 9, np.nan, of.signals), None, Kind.UNSUITABLE, "finite"),
+        (of.signals, [1, 2, 3], Kind.MISMATCH, "states 3 points"),
+        (of.signals, {0.1: 3}, Kind.MISMATCH, "touches begin at"),
+        (of.signals, {float(of.time[0]): 13}, Kind.OUT_OF_RANGE, "between 1 and 12"),
+    )
+    for signals, points, kind, words in cases:
+        with pytest.raises(Refusal) as refused:
+            diagnoser().diagnose(signals, points)
+        assert refused.value.kind is kind
+        assert words in str(refused.value)
+    with pytest.raises(Refusal, match="amount"):
+        replace(SensorFault("leak", (1,), 0.3), amount=-1.0)
+
+
+@pytest.mark.slow
+@pytest.mark.end_to_end
+def test_a_recording_gives_the_same_diagnosis(tmp_path: Path) -> None:
+    of = session(SensorFault("leak", (9,), 0.3))
+    write_wav(tmp_path / "touches.wav", of.signals / 4.0, 1000, 24)
+    library = diagnoser().libraries
+    acoustic_fem.save(acoustic_fem.solve(DESIGN, np.arange(1.0, 201.0), "lumped"), tmp_path / "library.nc")
+    points = known(of)
+    found = studies.diagnose_recording(
+        tmp_path / "library.nc", tmp_path / "touches.wav", tmp_path / "found.json", points=points, full_scale=4.0
+    )
+    assert library.design.name == found.design.name
+    written = json.loads((tmp_path / "found.json").read_text())
+    assert written == found.summary()
+    assert written["text"] == "point 9 leaks"
+    assert sum(each["known"] for each in written["touches"]) >= len(points)
+    direct = localize.diagnose(acoustic_fem.load(tmp_path / "library.nc"), of.signals, points)
+    assert direct.text == found.text
