@@ -158,8 +158,7 @@ class Diagnoser:
         gain = best.evidence - as_designed.evidence
         is_sound = gain < options.believed
         fit = as_designed if is_sound else best
-        lead = options.apart + options.apart_of_gain * max(gain, 0.0)
-        near = [each for each in others if each[1].evidence > fit.evidence - lead]
+        near = [each for each in others if each[1].evidence > fit.evidence - options.apart]
         alike = [] if is_sound else near
         verdict: Verdict = "sound" if is_sound else "fault" if len(alike) == 1 else "one of several"
         if fit.misfit > options.explained:

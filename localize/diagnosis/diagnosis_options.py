@@ -12,7 +12,7 @@ class DiagnosisOptions:
     """Numbers that tune a diagnosis."""
 
     tolerances: tuple[Tolerance, ...] = UNCALIBRATED
-    """Scatter of manufacturing that is no fault."""
+    """Scatter of manufacturing, which does not count as a fault."""
     calibrated_fraction: float = 0.3
     """Fraction of that scatter by which a sensor may have changed since its library was measured."""
     pressure: float = 5e3
@@ -39,6 +39,10 @@ class DiagnosisOptions:
     """Number of parts whose fault is fitted with care, beside microphones."""
     leading: int = 2
     """Number of fits whose points the others try."""
+    moves: int = 3
+    """Largest number of times in a row that the points of the best fits are moved by one place along their lines."""
+    moved: int = 5
+    """Number of fits whose points are moved, beside that of the sound sensor."""
     refinements: int = 2
     """Number of times that derivatives are computed anew about the deviations that were found."""
     converged: float = 0.8
@@ -49,9 +53,6 @@ class DiagnosisOptions:
     """Gain in log-likelihood over a sound sensor, nats, from which on a fault is believed."""
     apart: float = 10.0
     """Lead in log-likelihood, nats, within which two faults are not distinguished."""
-    apart_of_gain: float = 1e-4
-    """Fraction of the gain of the best fault that is added to this lead: no model of a sensor is right to the last nat.
-    """
     explained: float = 5.0
     """Mean square of the residual over the expected one, above which no hypothesis explains the touches."""
     fewest: int = 6

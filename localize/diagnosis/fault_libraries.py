@@ -1,4 +1,4 @@
-"""Transfer functions of a sensor with each of its faults, and their derivatives by all that is no fault."""
+"""Transfer functions of a sensor with each of its faults, and their derivatives by the tolerances and the air."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Tables:
     transfer_function: ComplexArray
     """(n_point, n_microphone, n_freq) complex128, Pa/Pa."""
     derivatives: ComplexArray
-    """Of the logarithms, (n_deviation, n_point, n_microphone, n_freq) complex128."""
+    """Derivatives of their logarithms, (n_deviation, n_point, n_microphone, n_freq) complex128."""
 
     @cached_property
     def spread(self) -> ComplexArray:

@@ -12,7 +12,7 @@ from geometry.ground.typed import Array
 from localize.diagnosis.diagnosis_options import DiagnosisOptions
 from localize.diagnosis.fault_libraries import FaultLibraries, Tables
 from localize.diagnosis.fault_likelihood import Fitted, TouchLikelihood
-from localize.diagnosis.faults import SensorFault
+from localize.diagnosis.faults import SensorFault, tube_lines
 
 
 class FaultSearch:
@@ -86,22 +86,37 @@ class FaultSearch:
         return [None, *(each * batch for each in self._options.first_stiffness)]
 
     def _try_points_of_others(self) -> None:
-        """Let each fit go on from the points that the best fits found, and from these one place further, if better."""
-        leading = sorted((fit for _, fit in self._fits.values()), key=lambda fit: -fit.evidence)
-        tried = [fit.point for fit in leading[: self._options.leading]]
-        tried += [self._moved(leading[0].point, step) for step in (-1, 1)]
-        for fault, (tables, fit) in list(self._fits.items()):
-            if fault is not None and fit.evidence < leading[0].evidence - self._options.hopeless:
-                continue
-            others = [self._likelihood.fitted(tables, self._coarse, None, point)
-                      for point in tried if (point != fit.point).any()]  # fmt: skip
-            self._fits[fault] = tables, max((fit, *others), key=_evidence)
+        """Let the best fits go on from the points of others, and from their own moved by one place, while it helps."""
+        for _ in range(self._options.moves):
+            order = sorted(self._fits, key=lambda fault: -self._fits[fault][1].evidence)
+            leading = [self._fits[fault][1].point for fault in order[: self._options.leading]]
+            helped = False
+            for fault in dict.fromkeys([None, *order[: self._options.moved]]):
+                tables, fit = self._fits[fault]
+                tried = [point for point in (*leading, *self._moved(fault, fit.point)) if (point != fit.point).any()]
+                fits = [self._likelihood.fitted(tables, self._coarse[1:], None, point) for point in tried]
+                best = max((fit, *fits), key=_evidence)
+                helped = helped or best.evidence > fit.evidence + 1.0
+                self._fits[fault] = tables, best
+            if not helped:
+                return
 
-    def _moved(self, point: NDArray[np.int64], step: int) -> NDArray[np.int64]:
-        """Points so many places further along their lines, where the lines have these."""
+    def _moved(self, fault: SensorFault | None, point: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+        """Points moved by one place along their lines, all, or those on one side of a fault or of the middle."""
         line = np.repeat(range(len(self._libraries.design.lines)), [one.points for one in self._libraries.design.lines])
-        moved = np.clip(point + step, 0, len(line) - 1)
-        return np.where(line[moved] == line[point], moved, point)
+        sides = [np.ones(len(point), bool)]
+        place = len(line) // 2
+        if fault is not None and "microphone" not in fault.kind:
+            place = fault.part[0] - 1
+            if fault.kind == "blocked tube":
+                place -= tube_lines(self._libraries.design)[place]
+        sides += [point >= place, point < place]
+        found = []
+        for side in sides:
+            for step in (-1, 1):
+                moved = np.clip(point + step, 0, len(line) - 1)
+                found.append(np.where(side & (line[moved] == line[point]), moved, point))
+        return found
 
 
 def _evidence(fit: Fitted) -> float:

@@ -80,12 +80,12 @@ class SensorFault:
         amount = self.amount * float(np.exp(SPREAD[self.kind] * deviation))
         return replace(self, amount=min(max(amount, low), high))
 
-    def of_parts(self, parameters: ArrayParameters, medium: Medium) -> ArrayParameters:
+    def of_parts(self, parameters: ArrayParameters, air: Medium) -> ArrayParameters:
         """Parameters of sensors with the fault; those of microphones stay.
 
         Args:
             parameters: of sensors without it, with a column for every part, as NumPy arrays.
-            medium: air, on which the flow through a leak depends.
+            air: on its viscosity the flow through a leak depends.
         """
         own = np.arange(max(parameters.tube_radius.shape[1], parameters.leak_conductance.shape[1])) + 1 == self.part[0]
         if self.kind == "blocked tube":
@@ -93,7 +93,7 @@ class SensorFault:
             return replace(parameters, tube_radius=parameters.tube_radius * np.where(own[:count], self.amount, 1.0))
         if self.kind == "leak":
             count = parameters.leak_conductance.shape[1]
-            added = leak_conductance(metres(self.amount) / 2, metres(HOLE_LENGTH), medium)
+            added = leak_conductance(metres(self.amount) / 2, metres(HOLE_LENGTH), air)
             return replace(parameters, leak_conductance=parameters.leak_conductance + added * own[:count])
         return parameters
 
@@ -153,6 +153,11 @@ def tube_ends(design: ArrayDesign) -> list[tuple[str, str]]:
     return found
 
 
+def tube_lines(design: ArrayDesign) -> list[int]:
+    """Index of the line of every tube."""
+    return [number for number, line in enumerate(design.lines) for _ in range(line.points + 1)]
+
+
 def tube_name(design: ArrayDesign, number: int) -> str:
     """Name of a tube with its ends, such as "tube 6 (between points 5 and 6)"."""
     first, last = tube_ends(design)[number - 1]
@@ -161,5 +166,5 @@ def tube_name(design: ArrayDesign, number: int) -> str:
 
 
 def level(values: ComplexArray) -> Array:
-    """Level over frequencies in the last axis, dB."""
+    """Mean level of values (..., n_freq) over the frequencies, (...) float64, dB."""
     return np.asarray(10 * np.log10(np.maximum((np.abs(values) ** 2).mean(-1), 1e-30)))

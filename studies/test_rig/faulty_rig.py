@@ -38,7 +38,7 @@ class FaultyRig(Rig):
             self.hidden = fault.of_parts(self.hidden, self.medium)
 
     def transfer_function(self, frequency: FrequencyLike) -> ComplexArray:
-        """Transfer functions with the fault; as of :meth:`Rig.transfer_function`."""
+        """Transfer functions with the fault, (n_point, n_microphone, n_freq) complex128, Pa/Pa; as of :class:`Rig`."""
         found = super().transfer_function(frequency)
         return found if self.fault is None else self.fault.of_microphones(found)
 
