@@ -26,7 +26,7 @@ from studies.test_rig.faulty_rig import DiagnosisSession, FaultyRig, diagnosis_s
 
 PAGE = Path(__file__).parents[1] / "docs" / "diagnosis.md"
 BEGIN, END = "<!-- diagnosis: made by benchmarks/diagnosis.py -->", "<!-- end diagnosis -->"
-SENSORS, SEED, FAULTS = {"array-2x6": 3, "glove": 1}, 47000, 6
+SENSORS, SEED, FAULTS = {"array-2x6": 20, "glove": 6, "line-2": 3}, 47000, 6
 KNOWN = (0, 7, 13, 20)
 AMOUNTS = {"blocked tube": (0.15, 0.45), "leak": (0.2, 0.5), "quiet microphone": (-20.0, -8.0)}
 ROWS = ("inner tube blocked", "tube at a microphone blocked", "leak", "quiet microphone", "dead microphone",

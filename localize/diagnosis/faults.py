@@ -11,7 +11,7 @@ import numpy as np
 
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.duct.leak import leak_conductance
-from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.local_air import AirLike
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_choice, check_range
@@ -80,7 +80,7 @@ class SensorFault:
         amount = self.amount * float(np.exp(SPREAD[self.kind] * deviation))
         return replace(self, amount=min(max(amount, low), high))
 
-    def of_parts(self, parameters: ArrayParameters, air: Medium) -> ArrayParameters:
+    def of_parts(self, parameters: ArrayParameters, air: AirLike) -> ArrayParameters:
         """Parameters of sensors with the fault; those of microphones stay.
 
         Args:
