@@ -53,7 +53,7 @@ def test_files_are_named_after_parts_and_formats(exported):
 
 def test_every_stl_is_one_closed_body_of_the_cad_volume(exported):
     parts, _, files = exported
-    # Ways through: ejector holes of a base, sockets and vents of a lid, a shim's ring, the sound hole; shells and housings have one per port.
+    # Ways through: ejector holes of a base, sockets and vents of a lid, a ring, the sound hole; others: one per port.
     ways = {"membrane": 0, "mold-base": 24, "mold-lid": 27, "mold-shim": 1, "mold-plugs": 0, "microphone-board": 1}
     checked = 0
     for file in files:
