@@ -71,6 +71,7 @@ def test_rays_see_every_part_leave_the_mold_upwards(mold):
     assert np.nanmin(of_lid[0] - 0.5 - of_base[1]) < -0.49
 
 
+@pytest.mark.slow
 def test_rays_find_the_volume_of_the_membrane_in_every_cavity(mold):
     made, membrane = mold
     base, lid, plugs = (made.parts[f"mold-{name}"].val() for name in ("base", "lid", "plugs"))

@@ -40,7 +40,10 @@ def finding(report, part, rule):
 
 @pytest.fixture(scope="module")
 def design():
-    return geometry.prototype("array-2x6").with_values({"printing.port_lip": 0.3, "printing.glue_gap": 0.05})
+    one_cavity = {"mold.rows": 1, "mold.columns": 1}
+    return geometry.prototype("array-2x6").with_values(
+        {"printing.port_lip": 0.3, "printing.glue_gap": 0.05, **one_cavity}
+    )
 
 
 @pytest.fixture(scope="module")
