@@ -26,6 +26,7 @@ from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.threads import one_thread
 
+#: Outcomes of a diagnosis, as :attr:`Diagnosis.verdict` has them.
 Verdict: TypeAlias = Literal["sound", "fault", "one of several", "unexplained"]
 KnownPoints: TypeAlias = Sequence[int] | Mapping[float, int]
 """Points of all touches in their order, or of some of them by a time within the touch, s; points count from 1."""
