@@ -40,7 +40,7 @@ PIXELS = 96 / 25.4
 #: Files of every kit.
 FILES = {
     BUY: ("order-list.csv", "work-hours.csv", "bill.csv", "bill.json", "bill.txt"),
-    PRINT: ("plate-1-molds.3mf", "plate-2.3mf", "print-report.html", "print-report.json", "parts/mold-base.stl"),
+    PRINT: ("plate-1-molds.3mf", "print-report.html", "print-report.json", "parts/mold-base.stl"),
     CAST: ("mold-section.png", "mold-open.png", "casting.txt", "casting.csv", "reference/membrane.stl"),
     CUT: ("cutting-list.csv", "cutting-template.dxf", "cutting-template-a4.pdf", "cutting-template-letter.pdf"),
     BUILD: (
@@ -85,6 +85,8 @@ def test_the_folder_has_the_five_jobs_and_all_their_files(kit: studies.MadeParts
     for job, names in FILES.items():
         for name in names:
             assert (kit.folder / job / name).stat().st_size > 40, f"{job}/{name}"
+    plates = [path.stem for path in (kit.folder / PRINT).glob("plate-*.3mf")]
+    assert any(not stem.endswith("-molds") for stem in plates)  # of large molds there are two plates
     first = (kit.folder / "READ-ME-FIRST.txt").read_text(encoding="utf-8")
     assert [line.split()[0] for line in first.splitlines()[4:]] == list(JOBS)
     listed = (kit.folder / "files.txt").read_text(encoding="utf-8").split()
