@@ -123,6 +123,9 @@ def write_dxf(strips: Sequence[Strip], title: str, path: Path) -> None:
         space.add_line((0, bottom), (SCALE_BAR, bottom), dxfattribs={"layer": "scale"})
         words = {"layer": "words", "height": _WORDS}
         space.add_text(f"{title}: this bar is {SCALE_BAR:g} mm", dxfattribs=words).set_placement((0, bottom + 1.5))
+        # A file lists its classes in the order of a set, which differs from one process to the next.
+        drawing.classes.add_required_classes(drawing.dxfversion)
+        drawing.classes.classes = dict(sorted(drawing.classes.classes.items()))
         drawing.saveas(path)
     finally:
         ezdxf.options.write_fixed_meta_data_for_testing = fixed

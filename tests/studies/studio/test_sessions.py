@@ -6,7 +6,8 @@ import asyncio
 import json
 import struct
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Coroutine, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -27,6 +28,12 @@ from studies.studio.workplace import Workplace
 ARRAY = prototype("array-2x6")
 
 
+def ended(play: Coroutine[Any, Any, Any]) -> Any:
+    """What a coroutine gives; in a thread, because a browser of other tests may have left its loop in this one."""
+    with ThreadPoolExecutor(1) as thread:
+        return thread.submit(asyncio.run, play).result()
+
+
 class Page:
     """Messages that a page would get."""
 
@@ -41,7 +48,7 @@ class Page:
             self.texts.append(json.loads(message))
 
     async def until(self, kind: str) -> dict[str, Any]:
-        for _ in range(2000):
+        for _ in range(24000):
             found = [each for each in self.texts if each["type"] == kind]
             if found:
                 return found[-1]
@@ -49,7 +56,7 @@ class Page:
         pytest.fail(f"no {kind}")
 
     async def until_curves(self, revision: int) -> dict[str, Any]:
-        for _ in range(2000):
+        for _ in range(24000):
             for message in reversed(self.curves):
                 header, values = unpacked(message)
                 if header["revision"] == revision:
@@ -89,7 +96,7 @@ def test_a_change_is_told_with_what_changed_alone_and_its_curves_follow(workplac
         assert curves["fidelity"] == "atlas"
         assert len(page.curves[-1]) < 20_000
 
-    asyncio.run(play())
+    ended(play())
 
 
 def test_a_bought_size_brings_the_parts_that_go_with_it(workplace: Workplace) -> None:
@@ -112,7 +119,7 @@ def test_a_bought_size_brings_the_parts_that_go_with_it(workplace: Workplace) ->
         await session.take({"do": "set", "name": "tube.length", "value": 14.0, "bought": True})
         assert (await page.until("refused"))["name"] == "tube.length"
 
-    asyncio.run(play())
+    ended(play())
 
 
 def test_a_remedy_of_the_verdict_bar_is_one_step_and_a_bad_one_changes_nothing(workplace: Workplace) -> None:
@@ -131,7 +138,7 @@ def test_a_remedy_of_the_verdict_bar_is_one_step_and_a_bad_one_changes_nothing(w
         await session.take({"do": "undo"})
         assert session.state.design == ARRAY
 
-    asyncio.run(talk())
+    ended(talk())
 
 
 def test_the_verdict_bar_gets_reasons_with_the_changes_that_help() -> None:
@@ -158,7 +165,7 @@ def test_what_follows_the_tube_is_told_too_until_it_is_stated(workplace: Workpla
         await session.take({"do": "set", "name": "microphone_tube.length", "value": 9.0})
         assert (await page.until("design"))["stated"]["microphone_tube"]["length"] == 9.0
 
-    asyncio.run(play())
+    ended(play())
 
 
 def test_two_pages_have_two_designs_and_each_finds_its_own_again(workplace: Workplace) -> None:
@@ -178,7 +185,7 @@ def test_two_pages_have_two_designs_and_each_finds_its_own_again(workplace: Work
         assert doubled is not other
         assert doubled.state.design == other.state.design
 
-    asyncio.run(play())
+    ended(play())
 
 
 def test_the_number_of_sessions_is_bounded_and_open_ones_stay(workplace: Workplace) -> None:
@@ -191,7 +198,7 @@ def test_the_number_of_sessions_is_bounded_and_open_ones_stay(workplace: Workpla
         assert len(sessions) == MOST_SESSIONS
         assert sessions.find(first.id) is first
 
-    asyncio.run(play())
+    ended(play())
 
 
 def test_while_a_job_runs_of_those_asked_for_the_last_alone_is_done() -> None:
@@ -213,7 +220,7 @@ def test_while_a_job_runs_of_those_asked_for_the_last_alone_is_done() -> None:
         for _ in range(5):
             await asyncio.sleep(0)
 
-    asyncio.run(play())
+    ended(play())
     assert done == [0, 4]
     assert superseded == [0, 0, 0, 0]
 
@@ -238,7 +245,7 @@ def test_a_job_that_fails_takes_none_of_those_that_wait_with_it() -> None:
         for _ in range(5):
             await asyncio.sleep(0)
 
-    asyncio.run(play())
+    ended(play())
     assert done == [1]
 
 
@@ -290,7 +297,7 @@ def test_a_file_that_waits_for_that_of_another_page_is_stopped_alone(workplace: 
         busy.go_on.set()
         assert (await pages[0].until("file"))["name"] == "array-2x6-report.html"
 
-    asyncio.run(play())
+    ended(play())
     assert busy.done == ["report.html"]
 
 
@@ -313,7 +320,7 @@ def test_a_design_is_saved_while_another_file_is_made(workplace: Workplace, busy
         await session.join(page.send)
         assert (await page.until("file"))["name"] == "array-2x6-report.html"
 
-    asyncio.run(play())
+    ended(play())
 
 
 @pytest.mark.slow
@@ -332,7 +339,7 @@ def test_the_page_that_compares_needs_a_pinned_design(workplace: Workplace) -> N
         ((path, _),) = session.files.values()
         return path.read_text(encoding="utf-8")
 
-    assert "Comparison of array-2x6-pinned, array-2x6-now" in asyncio.run(play())
+    assert "Comparison of array-2x6-pinned, array-2x6-now" in ended(play())
 
 
 def test_a_sound_card_is_given_back_before_another_is_taken(
@@ -366,7 +373,7 @@ def test_a_sound_card_is_given_back_before_another_is_taken(
         while "give 2" not in taken:
             await asyncio.sleep(0.005)
 
-    asyncio.run(play())
+    ended(play())
 
 
 def test_a_page_that_comes_back_is_told_the_pinned_design_and_its_figures_again(workplace: Workplace) -> None:
@@ -400,7 +407,7 @@ def test_a_page_that_comes_back_is_told_the_pinned_design_and_its_figures_again(
         assert (await page.until("refused-design"))["message"].startswith("the pinned design that the page kept: ")
         assert held.pinned == ARRAY
 
-    asyncio.run(play())
+    ended(play())
 
 
 def test_a_session_that_is_given_up_leaves_no_files(workplace: Workplace) -> None:
@@ -424,7 +431,7 @@ def test_a_session_that_is_given_up_leaves_no_files(workplace: Workplace) -> Non
         assert sessions.find(first.id) is None
         assert not path.exists()
 
-    asyncio.run(play())
+    ended(play())
 
 
 def test_what_a_sound_card_hears_is_told_until_it_is_stopped(
@@ -450,7 +457,7 @@ def test_what_a_sound_card_hears_is_told_until_it_is_stopped(
         await session.take({"do": "stop", "stage": "live"})
         assert (await page.until("failed"))["message"] == "stopped"
 
-    asyncio.run(play())
+    ended(play())
     assert stopped == ["live"]
 
 
@@ -479,7 +486,7 @@ def test_a_cad_process_that_crashes_and_a_full_disk_are_told_and_the_design_is_k
         assert told["message"] == "parts.zip: No space left on device; the design is kept"
         assert session.state.design.tube.length == 14.0
 
-    asyncio.run(play())
+    ended(play())
 
 
 def test_the_last_files_that_were_handed_out_can_be_fetched_and_older_ones_are_removed(workplace: Workplace) -> None:
@@ -494,7 +501,7 @@ def test_the_last_files_that_were_handed_out_can_be_fetched_and_older_ones_are_r
             paths.append(session.files[told["file"].rsplit("/", 1)[1]][0])
         return [path.exists() for path in paths]
 
-    assert asyncio.run(play()) == [False] * 2 + [True] * MOST_FILES
+    assert ended(play()) == [False] * 2 + [True] * MOST_FILES
 
 
 def test_a_page_whose_link_was_cut_unnoticed_takes_up_its_session_again(workplace: Workplace) -> None:
@@ -505,4 +512,4 @@ def test_a_page_whose_link_was_cut_unnoticed_takes_up_its_session_again(workplac
         assert sessions.enter(first.id, "one page") == (first, False)
         assert sessions.enter(first.id, "another page")[0] is not first
 
-    asyncio.run(play())
+    ended(play())
