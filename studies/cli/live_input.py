@@ -179,9 +179,7 @@ def record(
 
     Example: [bold]acoustic-fem record --serial /dev/ttyACM0 --out touches.wav --seconds 60[/bold]
     """
-    made = studies.record_board(
-        serial, out, baud=baud, seconds=seconds, hear=lambda text: print(in_one_line(text), file=sys.stderr)
-    )
+    made = studies.record_board(serial, out, baud=baud, seconds=seconds, hear=_told)
     tell(
         f"{', '.join(map(str, made.recordings))}: {counted(made.microphones, 'microphone')}, {made.seconds:.1f} s, "
         f"{made.rate:g} Hz, in Pa"
@@ -253,3 +251,8 @@ def _print_summary(summary: LiveSummary) -> None:
         *summary.recordings,
     ):
         print(in_one_line(str(line)), file=sys.stderr)
+
+
+def _told(text: str) -> None:
+    """Notice of a board, on stderr."""
+    print(in_one_line(text), file=sys.stderr)
