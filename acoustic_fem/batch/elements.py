@@ -19,6 +19,7 @@ from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.duct.tube_opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
 from acoustic_fem.membrane.rubber import causal_slope, modulus_ratio
 from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.typed import NumpyOrTorch
 
@@ -264,6 +265,7 @@ def _entrance(radius: NumpyOrTorch, air: Conditions) -> NumpyOrTorch:
             f"entrance loss of a tube: shear number a sqrt(w/nu) = {shear:.2g} is above {LARGEST_SHEAR_NUMBER:g}, "
             f"the largest it is fit for (bore radius {largest(radius) * 1e3:.3g} mm, up to "
             f"{largest(air.omega) / (2 * np.pi):.4g} Hz)",
+            ModelLimitWarning,
         )
     resistance = (RESISTANCE * air.medium.viscosity) / radius**3
     return resistance + (1j * air.omega) * (INERTANCE * air.medium.density / radius)

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.local_air import AirLike, medium_of
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from geometry.ground.argument_checks import positive_numbers
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.typed import ComplexArray
@@ -52,6 +53,7 @@ def entrance_impedance(radius: ArrayLike, frequency: FrequencyLike, air: AirLike
             f"entrance loss of a tube: shear number a sqrt(w/nu) = {shear:.2g} is above {LARGEST_SHEAR_NUMBER:g}, "
             f"the largest it is fit for (bore radius {np.max(radius) * 1e3:.3g} mm, up to "
             f"{np.max(omega) / (2 * np.pi):.4g} Hz)",
+            ModelLimitWarning,
         )
     impedance: ComplexArray = (
         RESISTANCE * medium.viscosity / radius**3 + 1j * omega * INERTANCE * medium.density / radius

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.caller_warnings import warn_caller
 from geometry.ground.refusal import Kind, Refusal
@@ -14,7 +15,8 @@ from geometry.ground.typed import Array
 SLIP_WARNED, SLIP_REFUSED = 0.005, 0.1
 #: K, temperatures of an ideal gas with a medium's density, pressure and heat capacities. Water would have 3.5 K.
 TEMPERATURES = (100.0, 2000.0)
-#: Pa, pressure up to which air is ideal within 1 %.
+#: Pa, pressure up to which air is ideal within 0.5 %: its compressibility factor is 0.995 at 300 K (Perry's Chemical
+#: Engineers' Handbook, table of compressibility factors of air).
 IDEAL_UP_TO = 2e6
 
 
@@ -43,24 +45,29 @@ def check_model_limits(design: ArrayDesign, frequency: Array, medium: Medium) ->
     if slip > SLIP_WARNED:
         warn_caller(
             f"slip of the air: the real flow through a bore of {bore:g} mm is {100 * slip:.2g} % larger than the "
-            "models', which neglect slip"
+            "models', which neglect slip",
+            ModelLimitWarning,
         )
     low, high = TEMPERATURES
     if not low <= medium.temperature <= high:
         warn_caller(
             "air: the models take it for an ideal gas, which with this density, pressure and heat capacities would "
-            f"be at {medium.temperature:.3g} K; a liquid is stiffer"
+            f"be at {medium.temperature:.3g} K; a liquid is stiffer",
+            ModelLimitWarning,
         )
     elif medium.pressure > IDEAL_UP_TO:
         warn_caller(
-            f"air: the models take it for an ideal gas, which air at {medium.pressure:.3g} Pa is not within 1 %"
+            f"air: the models take it for an ideal gas, as air is within 0.5 % up to {IDEAL_UP_TO:.3g} Pa; the "
+            f"pressure is {medium.pressure:.3g} Pa",
+            ModelLimitWarning,
         )
     widest = widest_cavity(design)
     limit = uniform_up_to(widest, medium)
     if float(np.max(frequency)) > limit:
         warn_caller(
             f"cavities: pressure in the widest, {widest:g} mm, is uniform up to {limit:.4g} Hz, a tenth of a "
-            f"wavelength; the frequencies reach {float(np.max(frequency)):.4g} Hz"
+            f"wavelength; the frequencies reach {float(np.max(frequency)):.4g} Hz",
+            ModelLimitWarning,
         )
 
 

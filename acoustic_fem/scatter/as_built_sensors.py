@@ -20,6 +20,7 @@ from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import AirLike, medium_of
 from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from acoustic_fem.scatter.air_and_rubber import AirAndRubber, DrawnAirAndRubber
 from acoustic_fem.scatter.tolerances import CUT, QUANTITIES, ScatteredDesign
 from geometry.ground.typed import Array, ComplexArray
@@ -164,5 +165,5 @@ def scatter_factors(
     if air_and_rubber is not None:
         drawn = air_and_rubber.draws(first, count, seed, scattered.design, air)
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "entrance loss|slip of the air|cavities: ", UserWarning)
+        warnings.simplefilter("ignore", ModelLimitWarning)
         return np.asarray(sensors.transfer_functions(draws, drawn) / sensors.nominal)

@@ -17,6 +17,7 @@ from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.network.microphone import vent_ratio
 from acoustic_fem.quantities.local_air import LocalAir, medium_of
 from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from acoustic_fem.scatter.air_and_rubber import DrawnAirAndRubber
 from acoustic_fem.scatter.tolerances import QUANTITIES, ScatteredDesign
 from geometry.ground.typed import Array, ComplexArray
@@ -179,7 +180,7 @@ class FaultLibraries:
             **{name: np.concatenate([getattr(each, name) for each in parts]) for name in vars(parts[0])}
         )
         with warnings.catch_warnings():
-            warnings.filterwarnings("ignore", "entrance loss", UserWarning)
+            warnings.simplefilter("ignore", ModelLimitWarning)
             h = np.asarray(batch_transfer_function(joined, self._scattered.topology, frequency, around.medium))
         gain, corner = np.moveaxis(self._scattered.microphones(draws), 1, 0)[:, :, None, :, None]
         vent = vent_ratio(self.design.microphone, frequency, self._medium)

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library.transfer_functions import Library, described, measured_library
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
@@ -152,7 +153,8 @@ def self_calibrate(
     with warnings.catch_warnings():
         # a search also passes through sensors for which these are right; for the one it ends at they are given
         # when its library is made, outside of here
-        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: |slip of the air|cavities: ", UserWarning)
+        warnings.simplefilter("ignore", ModelLimitWarning)
+        warnings.filterwarnings("ignore", "membrane: ", UserWarning)
         return _calibrated(
             UpdatedModel(library, priors),
             response,

@@ -24,6 +24,7 @@ from acoustic_fem.library.touch_pressure import membranes_in_vacuo
 from acoustic_fem.membrane.design_discs import design_disc, design_rubber
 from acoustic_fem.membrane.disc import DiscResponse, KnownDiscs
 from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from acoustic_fem.scatter.air_and_rubber import DrawnAirAndRubber
 from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign, Tolerance
@@ -214,7 +215,7 @@ def _right_of_design(
             allowed = "at least 2, because one alone tells no points apart"
             raise Refusal(kind=Kind.UNSUITABLE, field=field, value=count, allowed=allowed)
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "entrance loss|slip of the air|cavities: ", UserWarning)
+        warnings.simplefilter("ignore", ModelLimitWarning)
         array = _BinnedArray(design, known, tolerances)
         built = array.built(sensors, seed)
         tables = None if calibrated else array.hypotheses(BinnedOptions())

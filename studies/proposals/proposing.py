@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Field, Kind, Refusal, Text
 from geometry.ground.shown import Shown
@@ -148,7 +149,7 @@ def propose(asked: Question, name: str, progress: Progress | None = None) -> Pro
     told = progress or silent
     with warnings.catch_warnings():
         # check gives these warnings for the design that is chosen
-        warnings.filterwarnings("ignore", "entrance loss|slip of the air|cavities: ", UserWarning)
+        warnings.simplefilter("ignore", ModelLimitWarning)
         if asked.points is None:
             found = most_points(asked, name, told)
         else:

@@ -19,6 +19,7 @@ from acoustic_fem.membrane.disc import KnownDiscs
 from acoustic_fem.network.microphone import noise_density
 from acoustic_fem.network.microphone_output import output_response
 from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import Array
 from geometry.schema.array_fields import Air
@@ -110,9 +111,8 @@ def _of_each(
     found: dict[int, _T] = {}
     with warnings.catch_warnings(), np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         # check lists the same limits under validity
-        warnings.filterwarnings(
-            "ignore", "entrance loss of a tube|membrane: |noise: |slip of the air|cavities: ", UserWarning
-        )
+        warnings.simplefilter("ignore", ModelLimitWarning)
+        warnings.filterwarnings("ignore", "membrane: |noise: ", UserWarning)
         for key, numbers in alike.items():
             own = [designs[number] for number in numbers]
             responses = _alone(own[0], grid) if isinstance(key, int) else _batch(own, grid, key[0], known)

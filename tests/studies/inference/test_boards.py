@@ -1,6 +1,7 @@
 """Boards on a serial port: samples and touches as they were sent, every loss counted, an unplugged board awaited."""
 
 import json
+import os
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ from localize.live.events import Decision, Fault, TouchEvent
 from localize.live.listener import Notice
 from localize.live.touches import TouchTracker
 
-pytestmark = [needs_compiler, pytest.mark.skipif(not hasattr(__import__("os"), "openpty"), reason="no terminals here")]
+pytestmark = [needs_compiler, pytest.mark.skipif(not hasattr(os, "openpty"), reason="no terminals here")]
 NOISE = 1e-2
 
 
