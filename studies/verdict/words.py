@@ -59,8 +59,8 @@ def overload_lines(verdict: Verdict) -> Iterator[str]:
         force, overload = verdict.design.target.force, verdict.design.microphone.overload
         yield (
             f"- not judged: a tap of {force:g} N reaches {number(verdict.loudest_tap)} Pa, "
-            f"{verdict.above_overload:.1f} dB above the overload of the microphone ({overload:g} Pa), so it is clipped; "
-            "a microphone whose overload is above this pressure would hear it whole"
+            f"{verdict.above_overload:.1f} dB above the overload of the microphone ({overload:g} Pa), so it is clipped;"
+            " a microphone whose overload is above this pressure would hear it whole"
         )
 
 
