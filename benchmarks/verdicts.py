@@ -1,8 +1,9 @@
 """Verdicts on random designs against independent signals, and remedies against what they give.
 
-``python -m benchmarks.verdicts [--out FILE] [--designs 0 200] [--remedies 0 100] [--prototypes]``. Designs are drawn
-from fixed seeds and none is chosen: lines, areas and gloves of 4 to 40 points, with other bores of the catalogue,
-tubes, cavities, membranes and numbers of microphones. Drawn values that are no valid design are drawn again.
+``python -m benchmarks.verdicts [--out FILE] [--designs 0 200] [--remedies 0 100] [--workers 2] [--prototypes]``. Designs
+are drawn from fixed seeds and none is chosen: lines, areas and gloves of 4 to 40 points, with other bores of the
+catalogue, tubes, cavities, membranes and numbers of microphones. Drawn values that are no valid design, or whose parts
+overlap, are drawn again.
 
 Each verdict is compared with sensors that are drawn with the tolerances of one that nobody calibrated, whose
 microphones differ too, and touched by contacts of a finger
@@ -22,6 +23,7 @@ import argparse
 import json
 import warnings
 from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -34,23 +36,27 @@ from rich.table import Table
 
 import acoustic_fem
 import localize
-from acoustic_fem.atlas.fidelity_choice import quick_fidelity
+from acoustic_fem.atlas.fidelity_choice import outside_atlas
 from acoustic_fem.library.noise_floor import gas_temperature, thermal_covariance
 from acoustic_fem.network.microphone import noise_density
 from benchmarks import finger_touches
 from geometry import ArrayDesign, prototype
 from geometry.design.design_file import prototype_names, read_design
 from geometry.ground.refusal import Refusal
+from geometry.layout.arrangement import lay_out
+from geometry.layout.overlaps import overlaps
 from geometry.schema.field_errors import DesignError
 from geometry.stock import catalogue
 from localize.contacts.contact_shapes import FINGER, Tool
 from localize.signals.array_response import ArrayResponse, response_of
 from studies import Verdict
+from studies.verdict.accuracies import accuracies
 from studies.verdict.rules import ACCURACY_RULES, rule_named
 from studies.verdict.tap_levels import TAP, covered_forces
 
 SEED, REMEDY_SEED = 4040, 4041
-SENSORS, EACH = 8, 2
+#: As-built sensors of a design, fewer the more points it has, and touches of each kind on each point of a sensor.
+SENSORS, TOUCHED_POINTS, EACH = (12, 30), 240, 2
 FAMILIES = ("array-2x6", "large-area-64", "glove")
 KINDS = {"taps": "taps", "presses": "presses", "multi-sines": "sines"}
 #: Rules on sound; the others are of sizes, which decoding says nothing of.
@@ -64,9 +70,11 @@ def random_design(seed: int, number: int) -> ArrayDesign:
     random = np.random.default_rng((seed, number))
     while True:
         try:
-            return _drawn(random, number)
+            design = _drawn(random, number)
         except DesignError:
             continue
+        if not overlaps(design, lay_out(design)):
+            return design
 
 
 def _drawn(random: np.random.Generator, number: int) -> ArrayDesign:
@@ -116,15 +124,16 @@ def judged(design: ArrayDesign) -> dict[str, float]:
     grid = "1:500:500"
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)
-        fidelity = quick_fidelity(design, np.arange(1.0, 501.0)).name
-        library = acoustic_fem.solve(design, grid, fidelity="atlas" if fidelity == "atlas" else "lumped")
+        fidelity = "lumped" if outside_atlas(design, grid) else "atlas"
+        library = acoustic_fem.solve(design, grid, fidelity=fidelity)
         response = response_of(library)
         decoder = localize.TolerantDecoder(library)
         target = design.target
         radii = (0.8 * target.contact_radius, target.contact_radius)
         tool = replace(FINGER, contact_radius_mm=radii, force=(target.force, target.force))
         right: dict[str, list[float]] = {kind: [] for kind in KINDS}
-        for number, sensor in enumerate(finger_touches.as_built(library, response, SENSORS)):
+        count = min(max(TOUCHED_POINTS // design.point_count, SENSORS[0]), SENSORS[1])
+        for number, sensor in enumerate(finger_touches.as_built(library, response, count)):
             frames = _touched(sensor, finger_touches.SEED + number, tool)
             for kind, name in KINDS.items():
                 signals, point = frames[name]
@@ -169,9 +178,11 @@ def design_row(number: int) -> dict[str, Any]:
     }
     seconds = process_time() - start
     rates = {name: verdict.values[name].value for name in KINDS}
+    found = accuracies([design])[0]
+    low = {} if isinstance(found, str) else {name: each.low for name, each in found.as_built.items()}
     return {
         "what": "design", "number": number, "points": design.point_count, "microphones": len(design.microphones),
-        "outcome": verdict.outcome, "outcomes": outcomes, "stated": rates, "decoded": judged(design),
+        "outcome": verdict.outcome, "outcomes": outcomes, "stated": rates, "low": low, "decoded": judged(design),
         "seconds": seconds,
     }  # fmt: skip
 
@@ -227,27 +238,21 @@ def rows_of(path: Path | None) -> list[dict[str, Any]]:
 
 
 def computed(
-    what: str,
-    make: Callable[[int], dict[str, Any]],
-    span: tuple[int, int],
-    known: list[dict[str, Any]],
-    out: Path | None,
+    what: str, make: Callable[[int], dict[str, Any]], span: tuple[int, int], known: list[dict[str, Any]], asked: Any
 ) -> Iterator[dict[str, Any]]:
     """Rows of a range of numbers that are not known yet, each written as soon as it is there."""
     there = {row["number"] for row in known if row["what"] == what}
-    for number in range(*span):
-        if number in there:
-            continue
-        row = make(number)
-        if out is not None:
-            with out.open("a", encoding="utf-8") as file:
-                file.write(json.dumps(row) + "\n")
-        yield row
+    with ProcessPoolExecutor(asked.workers) as pool:
+        for row in as_completed([pool.submit(make, number) for number in range(*span) if number not in there]):
+            if asked.out is not None:
+                with asked.out.open("a", encoding="utf-8") as file:
+                    file.write(json.dumps(row.result()) + "\n")
+            yield row.result()
 
 
 def show_designs(rows: list[dict[str, Any]]) -> None:
     """Table of verdicts against decoding in full."""
-    table = Table(title=f"{len(rows)} random designs: verdict against {SENSORS} as-built sensors decoded in full")
+    table = Table(title=f"{len(rows)} random designs: verdict against as-built sensors decoded in full")
     for column in ("verdict", "designs", "what is counted", "share"):
         table.add_column(column)
     works = [row for row in rows if all(row["outcomes"].get(name) == "works" for name in SOUND)]
@@ -318,11 +323,12 @@ def main() -> None:
     parser.add_argument("--out", type=Path, help="file of lines of JSON")
     parser.add_argument("--designs", type=int, nargs=2, default=(0, 0), metavar=("FIRST", "LAST"))
     parser.add_argument("--remedies", type=int, nargs=2, default=(0, 0), metavar=("FIRST", "LAST"))
+    parser.add_argument("--workers", type=int, default=1, help="processes that compute side by side")
     parser.add_argument("--prototypes", action="store_true")
     asked = parser.parse_args()
     rows = rows_of(asked.out)
-    rows += computed("design", design_row, tuple(asked.designs), rows, asked.out)
-    rows += computed("remedy", remedy_row, tuple(asked.remedies), rows, asked.out)
+    rows += computed("design", design_row, tuple(asked.designs), rows, asked)
+    rows += computed("remedy", remedy_row, tuple(asked.remedies), rows, asked)
     if designs := [row for row in rows if row["what"] == "design"]:
         show_designs(designs)
     if remedies := [row for row in rows if row["what"] == "remedy"]:
