@@ -17,14 +17,11 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_file
 from geometry.molds.mold import MoldKind
-from geometry.printing.pose import Pose, find_pose
+from geometry.printing.pose import MARGIN, Pose, find_pose
 from geometry.schema.print_processes import PrintProcess
 
 if TYPE_CHECKING:
     import cadquery as cq
-
-#: Between the boxes of neighbouring parts, mm: supports and a knife go in.
-SPACING = 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,23 +116,23 @@ Placed = list[tuple[SharedShape, Array]]
 def _packed(copies: list[tuple[SharedShape, Pose]], process: PrintProcess) -> list[Placed]:
     """Rows of copies from the deepest on, a new plate where the next row does not fit; centred on each plate.
 
-    A margin of SPACING stays free for a brim and supports, except beside a part that needs it.
+    A margin of MARGIN stays free for a brim and supports, except beside a part that needs it.
     """
     width, depth, _ = process.build_volume
     plates: list[Placed] = [[]] if copies else []
     x = y = row = 0.0
     for shape, pose in sorted(copies, key=lambda copy: -copy[1].size[1]):
         size = pose.size
-        if x > 0 and x + size[0] > width - 2 * SPACING:
-            x, y, row = 0.0, y + row + SPACING, 0.0
-        if y > 0 and y + size[1] > depth - 2 * SPACING:
+        if x > 0 and x + size[0] > width - 2 * MARGIN:
+            x, y, row = 0.0, y + row + MARGIN, 0.0
+        if y > 0 and y + size[1] > depth - 2 * MARGIN:
             plates.append([])
             x = y = row = 0.0
         matrix = np.eye(4)
         matrix[:3, :3] = pose.rotation
         matrix[:3, 3] = np.array([x, y, 0.0]) - (shape.facets.vertices @ pose.rotation.T).min(axis=0)
         plates[-1].append((shape, matrix))
-        x += size[0] + SPACING
+        x += size[0] + MARGIN
         row = max(row, size[1])
     for placed in plates:
         _centre(placed, (width, depth))

@@ -15,6 +15,8 @@ from geometry.schema.print_processes import PrintProcess
 if TYPE_CHECKING:
     from geometry.solids.measure import Tessellation
 
+#: Free at every side of a plate, and between the boxes of parts, mm: a brim, supports and a knife go in.
+MARGIN = 3.0
 #: Turns about the vertical that are tried, degrees: as drawn, across, then between.
 _TURNS = (0.0, 90.0, *(float(turn) for turn in range(5, 90, 5)), *(float(turn) for turn in range(95, 180, 5)))
 

@@ -1,18 +1,19 @@
-"""The rules of a process applied to one part: what was measured, the limit, the place, the verdict."""
+"""The rules of a process applied to one part, on its solid and on its layers."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 import geometry
+from geometry.printing.finding import Finding, by_rule, with_note
+from geometry.printing.layer_rules import judge_layers, narrowest_vent
 from geometry.printing.overhangs import overhangs, sealed_cup
 from geometry.printing.pose import Pose, find_pose
-from geometry.schema.print_processes import PrintProcess, Relation, Rule, Verdict
+from geometry.schema.print_processes import PrintProcess, Rule, Verdict
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -32,30 +33,6 @@ _UPWARDS = 0.5
 _PLATE = 0.5
 
 
-@dataclass(frozen=True)
-class Finding:
-    """One rule applied to one part."""
-
-    part: str
-    """Name of the part."""
-    rule: str
-    """Name of the rule."""
-    value: float
-    """The measured value, in ``unit``."""
-    limit: float
-    """Limit of the value, in ``unit``."""
-    unit: str
-    """Unit of value and limit."""
-    verdict: Verdict
-    """How the value stands to the rule."""
-    reason: str
-    """Source of the limit, or a remark on the measure."""
-    place: tuple[float, float, float] | None = None
-    """Place of the worst spot, in the part's own coordinates, mm; None where the rule has no one place."""
-    relation: Relation = "at least"
-    """How the value must stand to the limit."""
-
-
 def judge_printed(
     name: str, solid: cq.Shape, facets: Tessellation, process: PrintProcess, parameters: Mapping[str, Any]
 ) -> list[Finding]:
@@ -72,22 +49,23 @@ def judge_printed(
 
     faces = Faces(solid, facets)
     wall, gap = thinnest_wall(faces), narrowest_gap(faces)
-    findings = [_by_rule(name, "thinnest wall", wall.value, "mm", process.wall, wall.place)]
+    findings = [by_rule(name, "thinnest wall", wall.value, "mm", process.wall, wall.place)]
     round_ones = geometry.solids.rounds(solid)
     holes = [one for one in round_ones if one.hollow]
     if holes:
-        findings.append(_by_rule(name, "narrowest hole", holes[0].diameter, "mm", process.hole, holes[0].place))
+        findings.append(by_rule(name, "narrowest hole", holes[0].diameter, "mm", process.hole, holes[0].place))
     if math.isfinite(gap.value):
-        findings.append(_by_rule(name, "narrowest gap", gap.value, "mm", process.slot, gap.place))
+        findings.append(by_rule(name, "narrowest gap", gap.value, "mm", process.slot, gap.place))
     pins = [one for one in round_ones if not one.hollow and one.length > _PLATE * one.diameter]
     if pins:
         pin = max(pins, key=_aspect)
-        findings.append(_by_rule(name, "slenderest pin", _aspect(pin), "", process.pin_aspect, pin.place))
+        findings.append(by_rule(name, "slenderest pin", _aspect(pin), "", process.pin_aspect, pin.place))
     for key, called in GAPS.items():
         if isinstance(parameters.get(key), float):
-            findings.append(_by_rule(name, called, parameters[key], "mm", process.clearance, None))
+            findings.append(by_rule(name, called, parameters[key], "mm", process.clearance, None))
     pose = find_pose(facets, process)
     findings += _built(name, facets, process, holes, pose)
+    findings += judge_layers(name, facets, process, holes, pose)
     voids = geometry.solids.inner_voids(solid)
     reason = "voids from which liquid resin or powder cannot escape"
     findings.append(Finding(name, "trapped volumes", voids, 0, "", "fail" if voids else "ok", reason, None, "at most"))
@@ -101,14 +79,14 @@ def judge_cast(name: str, facets: Tessellation, process: PrintProcess) -> Findin
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     upwards = corners[normals[:, 2] > _UPWARDS * np.linalg.norm(normals, axis=1)]
     thickness = float(upwards[:, :, 2].min() - facets.vertices[:, 2].min())
-    return _by_rule(name, "cast thickness", thickness, "mm", process.cast_thickness, None)
+    return by_rule(name, "cast thickness", thickness, "mm", process.cast_thickness, None)
 
 
 def judge_shims(name: str, step: float, process: PrintProcess) -> Finding:
     """Finding on shims of neighbouring steps that look alike: a warning, since they can be measured."""
     tolerance = process.tolerance
     source = f"two shims true to {tolerance:g} mm each may be the wrong way round, measure them; {process.source}"
-    return _by_rule(name, "step of shims", step, "mm", Rule(0.0, 2 * tolerance, source), None)
+    return by_rule(name, "step of shims", step, "mm", Rule(0.0, 2 * tolerance, source), None)
 
 
 def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[Round], pose: Pose) -> list[Finding]:
@@ -116,14 +94,12 @@ def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[R
     findings = []
     if process.overhang_angle > 0:
         hang = overhangs(facets, process.overhang_angle, pose.upside_down)
-        finding = _by_rule(name, "widest overhang", hang.span, "mm", process.overhang_span, hang.place)
+        finding = by_rule(name, "widest overhang", hang.span, "mm", process.overhang_span, hang.place)
         note = f"built {pose.words}, {hang.area:.3g} mm^2 in all are flatter than {process.overhang_angle:g} degrees"
-        findings.append(_with_note(finding, note))
+        findings.append(with_note(finding, note))
     if math.isfinite(process.cup_volume.advised):
-        advised = process.hole.advised
-        narrowest = max(min(holes[0].diameter, advised) if holes else advised, process.hole.limit)
-        cup = sealed_cup(facets, narrowest, pose.upside_down)
-        findings.append(_by_rule(name, "sealed cup", cup.value, "mm^3", process.cup_volume, cup.place))
+        cup = sealed_cup(facets, narrowest_vent(process, holes), pose.upside_down)
+        findings.append(by_rule(name, "sealed cup", cup.value, "mm^3", process.cup_volume, cup.place))
     return findings
 
 
@@ -139,18 +115,6 @@ def _facets(name: str, facets: Tessellation, process: PrintProcess) -> Finding:
     verdict: Verdict = "ok" if facets.deviation <= half else "warn"
     reason = f"limit half a pixel, measured on the exported mesh; {process.source}"
     return Finding(name, "facets off the surface", facets.deviation, half, "mm", verdict, reason, None, "at most")
-
-
-def _by_rule(
-    part: str, name: str, value: float, unit: str, rule: Rule, place: tuple[float, float, float] | None
-) -> Finding:
-    verdict = rule.verdict(value)
-    limit = rule.limit if verdict == "fail" else rule.advised
-    return Finding(part, name, value, limit, unit, verdict, rule.source, place, rule.relation)
-
-
-def _with_note(finding: Finding, note: str) -> Finding:
-    return replace(finding, reason=f"{finding.reason}; {note}")
 
 
 def _aspect(pin: Round) -> float:

@@ -16,6 +16,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import mutable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 
+from geometry.printing.coaxial_faces import Stretches, coaxial_distance
 from geometry.printing.overhangs import Skin, Spot, inside
 from geometry.solids.measure import Tessellation
 
@@ -138,12 +139,10 @@ def _between(
     material: BRepClass3d_SolidClassifier, first: cq.Face, second: cq.Face, sense: float, least: float
 ) -> Spot | None:
     """The smallest distance of two faces where they face each other there; sense -1 through material, 1 through air."""
-    measured = BRepExtrema_DistShapeShape(first.wrapped, second.wrapped)
-    value = measured.Value()
+    value, stretches = coaxial_distance(first, second) or _distance(first, second)
     if value < _CONTACT:
         return None
-    for number in range(1, measured.NbSolution() + 1):
-        start, end = cq.Vector(measured.PointOnShape1(number)), cq.Vector(measured.PointOnShape2(number))
+    for start, end in stretches:
         along = (end - start) * (sense / value)
         if min(first.normalAt(start).dot(along), -second.normalAt(end).dot(along)) < _cosine(_FACING):
             continue
@@ -155,6 +154,14 @@ def _between(
         if value >= least or material.State() != (TopAbs_OUT if sense < 0 else TopAbs_IN):
             return Spot(value, middle.toTuple())
     return None
+
+
+def _distance(first: cq.Face, second: cq.Face) -> Stretches:
+    measured = BRepExtrema_DistShapeShape(first.wrapped, second.wrapped)
+    ends = range(1, measured.NbSolution() + 1)
+    return measured.Value(), [
+        (cq.Vector(measured.PointOnShape1(k)), cq.Vector(measured.PointOnShape2(k))) for k in ends
+    ]
 
 
 def _cosine(degrees: float) -> float:

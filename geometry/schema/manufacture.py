@@ -39,6 +39,11 @@ class PrintRules(Section):
     cast_thickness_advised: Millimetre | None = Field(default=None, description="thinnest cast disc without risk")
     pixel: Millimetre | None = Field(default=None, description="width of a pixel, laser spot or nozzle")
     tolerance: Millimetre | None = Field(default=None, description="tolerance (plus or minus) of a printed length")
+    layer: Millimetre | None = Field(default=None, description="height of a layer")
+    bleed: Millimetre | None = Field(
+        default=None, description="depth to which light hardens resin below a layer, a whole number of layers"
+    )
+    first_layers: Count | None = Field(default=None, description="layers at the plate that are exposed longer")
     build_volume: tuple[Millimetre, Millimetre, Millimetre] | None = Field(
         default=None, description="width, depth and height of the machine, mm"
     )

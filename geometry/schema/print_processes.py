@@ -85,6 +85,12 @@ class PrintProcess:
     """Rule for the width of what hangs without support, mm."""
     cup_volume: Rule = Rule(math.inf, math.inf, "no liquid and no film that could hold a cup", "at most")
     """Rule for the volume that the part and the resin's film seal off while it is printed, mm^3."""
+    layer: float = 0.05
+    """Height of a layer, mm."""
+    bleed: float = 0.0
+    """Depth to which light hardens resin below a layer, mm; 0 where nothing is hardened by light."""
+    first_layers: float = 0.0
+    """Number of layers at the plate that are exposed longer than the others, so that the part sticks."""
     cast_thickness: Rule = CAST_THICKNESS
     """Rule for the thickness of what is cast in printed molds, mm."""
 
@@ -92,7 +98,7 @@ class PrintProcess:
 #: Fields of a process that are rules, and those that are plain numbers.
 RULES = tuple(field.name for field in fields(PrintProcess) if field.type == "Rule")
 #: Fields of a process that are numbers and no rules.
-NUMBERS = ("overhang_angle", "pixel", "tolerance")
+NUMBERS = ("overhang_angle", "pixel", "tolerance", "layer", "bleed", "first_layers")
 
 _SLA = "print services' resin guides (addema.se/guides-sla; layerx3d.in, SLA and DLP design rules)"
 _MICRO = "assumed for projection micro-stereolithography of 10 micrometre pixels"
@@ -118,9 +124,13 @@ PROCESSES: dict[str, PrintProcess] = {
         cup_volume=Rule(math.inf, 100.0, _SUCTION, "at most"),
         pixel=0.085,
         tolerance=0.05,
+        layer=0.05,
+        bleed=0.1,
+        first_layers=8,
         build_volume=(145.0, 145.0, 175.0),
-        source="laser spot, tolerance of small lengths and build volume of a common desktop machine: assumed; print "
-        "services state a tolerance of 0.15 mm for whole parts (hycubeworks.in/design_guide)",
+        source="laser spot, tolerance of small lengths, first layers, overcure of two layers and build volume of a "
+        "common desktop machine: assumed; print services state a tolerance of 0.15 mm for whole parts "
+        "(hycubeworks.in/design_guide)",
     ),
     "dlp-fine": PrintProcess(
         name="dlp-fine",
@@ -140,8 +150,11 @@ PROCESSES: dict[str, PrintProcess] = {
         cup_volume=Rule(math.inf, 100.0, _SUCTION, "at most"),
         pixel=0.01,
         tolerance=0.02,
+        layer=0.01,
+        bleed=0.02,
+        first_layers=10,
         build_volume=(100.0, 100.0, 75.0),
-        source="pixel, tolerance and build volume of a machine of this class, assumed",
+        source="pixel, tolerance, first layers, overcure of two layers and build volume of such a machine, assumed",
     ),
     "fdm": PrintProcess(
         name="fdm",
@@ -157,6 +170,7 @@ PROCESSES: dict[str, PrintProcess] = {
         ),
         pixel=0.4,
         tolerance=0.2,
+        layer=0.1,
         build_volume=(220.0, 220.0, 250.0),
         source=f"tolerance: {_FDM}; nozzle and build volume of a common machine, assumed",
     ),
@@ -172,6 +186,7 @@ PROCESSES: dict[str, PrintProcess] = {
         pin_aspect=Rule(20.0, 10.0, f"a shaft of 0.5 mm may be 10 mm high: {_MJF}; half of this is advised", "at most"),
         pixel=0.08,
         tolerance=0.3,
+        layer=0.08,
         build_volume=(380.0, 284.0, 380.0),
         source=f"layer, tolerance and build volume: {_MJF}",
     ),

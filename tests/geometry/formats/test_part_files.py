@@ -18,7 +18,8 @@ from geometry.design.design_file import read_design
 from geometry.formats import part_files
 from geometry.formats.part_files import LARGEST_VOLUME_ERROR, export, tessellation_tolerance
 from geometry.formats.three_mf import read_3mf
-from geometry.printing.plates import SPACING, export_plates
+from geometry.printing.plates import export_plates
+from geometry.printing.pose import MARGIN
 from geometry.schema.print_processes import PROCESSES, with_rules
 from geometry.solids.measure import tessellate
 
@@ -129,8 +130,8 @@ def test_lib3mf_and_trimesh_read_the_plates(exported, tmp_path):
         assert set(scene.geometry) == set(plate.copies)
         low, high = scene.bounds
         width, depth, _ = PROCESSES["sla-resin"].build_volume
-        assert (low[:2] >= SPACING - 1e-3).all()
-        assert (high[:2] <= np.array([width, depth]) - SPACING + 1e-3).all()
+        assert (low[:2] >= MARGIN - 1e-3).all()
+        assert (high[:2] <= np.array([width, depth]) - MARGIN + 1e-3).all()
         assert low[:2] + high[:2] == pytest.approx((width, depth), abs=1e-3)
 
 
@@ -235,7 +236,7 @@ def test_plates_hold_every_printed_part_as_often_as_it_is_needed(tmp_path):
             assert (high[:2] <= np.array([46, 51]) + 1e-4).all()
             for other_low, other_high in boxes[:k]:
                 apart = np.maximum(low - other_high, other_low - high)[:2].max()
-                assert apart >= SPACING - 1e-4
+                assert apart >= MARGIN - 1e-4
 
 
 def test_a_mesh_that_lost_a_bore_is_refused(tmp_path, monkeypatch):
