@@ -181,5 +181,5 @@ def test_prusaslicer_finds_as_many_islands(tmp_path):
         both = range(min(len(sliced.layers), len(ours.sections)))
         lit = [sliced.layers[layer].sum() * small.pixel**2 for layer in both]
         areas = np.array([ours.sections[layer].area() for layer in both])
-        off = np.abs(lit - areas) > 0.03 * areas + 0.3
-        assert off.sum() <= 3, (name, np.flatnonzero(off), np.array(lit)[off], areas[off])  # faces at a layer's middle
+        off = np.abs(lit - areas) > 0.06 * areas + 0.3  # half a pixel at walls of 1 mm
+        assert off.sum() <= 3, (name, np.flatnonzero(off), np.array(lit)[off], areas[off])
