@@ -55,11 +55,11 @@ def as_built(library: Library, response: ArrayResponse, count: int) -> Iterator[
         yield replace(response, transfer_function=response.transfer_function * np.exp(each))
 
 
-def frame_of(signals: Array, random: np.random.Generator) -> Array:
-    """A frame that holds at least half of the energy of the loudest, behind the high-pass."""
+def frame_of(signals: Array, random: np.random.Generator, least: float = 0.5) -> Array:
+    """A frame that holds at least a fraction of the energy of the loudest, behind the high-pass."""
     heard = scipy.signal.sosfilt(high_pass_sections(HIGH_PASS), signals, axis=-1)
     energy = np.convolve((heard**2).sum(0), np.ones(FRAME), "valid")
-    start = int(random.choice(np.flatnonzero(energy > 0.5 * energy.max())))
+    start = int(random.choice(np.flatnonzero(energy >= least * energy.max())))
     return np.asarray(heard[:, start : start + FRAME])
 
 
@@ -78,20 +78,28 @@ def contacts(
     }
 
 
-def touched(response: ArrayResponse, seed: int, tool: Tool = FINGER, *, linear: bool = False) -> Frames:
-    """Frames of each kind of touch, (n, n_microphone, 250), and their points, from 0."""
+def touched(
+    response: ArrayResponse,
+    seed: int,
+    tool: Tool = FINGER,
+    *,
+    linear: bool = False,
+    least: float = 0.5,
+    kinds: tuple[str, ...] = KINDS[1:],
+) -> Frames:
+    """Frames of multi-sines and of kinds of contacts, (n, n_microphone, 250), and their points, from 0."""
     assert response.position is not None
     recorder, points = ContactRecorder(response, seed=seed, linear=linear), response.point_count
     sines = localize.TouchGenerator(response, seed, "evaluation").samples(0, EACH * points)
     heard = scipy.signal.sosfilt(high_pass_sections(HIGH_PASS), sines.signals.numpy().astype(np.float64), axis=-1)
-    made: dict[str, list[Array]] = {kind: [] for kind in KINDS[1:]}
+    made: dict[str, list[Array]] = {kind: [] for kind in kinds}
     for number in range(EACH * points):
         random = np.random.default_rng((seed, number))
         touches = contacts(response.position[number % points], seed, number, random, tool)
-        for k, (kind, contact) in enumerate(touches.items()):
-            take = recorder.take(contact, 3 * number + k).signals
+        for k, kind in enumerate(kinds):
+            take = recorder.take(touches[kind], 3 * number + k).signals
             silent = max(0, FRAME + 1 - take.shape[1])
-            made[kind].append(frame_of(np.pad(take, ((0, 0), (silent, 0))), random))
+            made[kind].append(frame_of(np.pad(take, ((0, 0), (silent, 0))), random, least))
     point = np.arange(EACH * points) % points
     return {"sines": (heard[..., -FRAME:], point)} | {kind: (np.stack(each), point) for kind, each in made.items()}
 

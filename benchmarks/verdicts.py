@@ -1,9 +1,9 @@
 """Verdicts on random designs against independent signals, and remedies against what they give.
 
-``python -m benchmarks.verdicts [--out FILE] [--designs 0 200] [--remedies 0 100] [--workers 2] [--prototypes]``. Designs
-are drawn from fixed seeds and none is chosen: lines, areas and gloves of 4 to 40 points, with other bores of the
-catalogue, tubes, cavities, membranes and numbers of microphones. Drawn values that are no valid design, or whose parts
-overlap, are drawn again.
+``python -m benchmarks.verdicts [--out FILE] [--designs 0 200] [--remedies 0 100] [--workers 2] [--prototypes]``.
+Designs are drawn from fixed seeds and none is chosen: lines, areas and gloves of 4 to 40 points, with other bores of
+the catalogue, tubes, cavities, membranes and numbers of microphones. Drawn values that are no valid design, or whose
+parts overlap, are drawn again.
 
 Each verdict is compared with sensors that are drawn with the tolerances of one that nobody calibrated, whose
 microphones differ too, and touched by contacts of a finger
@@ -57,6 +57,8 @@ from studies.verdict.tap_levels import TAP, covered_forces
 SEED, REMEDY_SEED = 4040, 4041
 #: As-built sensors of a design, fewer the more points it has, and touches of each kind on each point of a sensor.
 SENSORS, TOUCHED_POINTS, EACH = (12, 30), 240, 2
+#: Energy of a frame by that of the loudest frame of its touch. A stream reports a touch by a frame that holds most.
+LEAST_ENERGY = 0.9
 FAMILIES = ("array-2x6", "large-area-64", "glove")
 KINDS = {"taps": "taps", "presses": "presses", "multi-sines": "sines"}
 #: Rules on sound; the others are of sizes, which decoding says nothing of.
@@ -142,8 +144,8 @@ def judged(design: ArrayDesign) -> dict[str, float]:
 
 
 def _touched(sensor: ArrayResponse, seed: int, tool: Tool) -> finger_touches.Frames:
-    finger_touches.EACH = EACH
-    return finger_touches.touched(sensor, seed, tool, linear=True)
+    finger_touches.EACH, kinds = EACH, ("taps", "presses")
+    return finger_touches.touched(sensor, seed, tool, linear=True, least=LEAST_ENERGY, kinds=kinds)
 
 
 def heard(design: ArrayDesign) -> float:
@@ -242,12 +244,18 @@ def computed(
 ) -> Iterator[dict[str, Any]]:
     """Rows of a range of numbers that are not known yet, each written as soon as it is there."""
     there = {row["number"] for row in known if row["what"] == what}
+    failed = list[BaseException]()
     with ProcessPoolExecutor(asked.workers) as pool:
         for row in as_completed([pool.submit(make, number) for number in range(*span) if number not in there]):
+            if error := row.exception():  # once the others are written
+                failed.append(error)
+                continue
             if asked.out is not None:
                 with asked.out.open("a", encoding="utf-8") as file:
                     file.write(json.dumps(row.result()) + "\n")
             yield row.result()
+    if failed:
+        raise failed[0]
 
 
 def show_designs(rows: list[dict[str, Any]]) -> None:

@@ -24,6 +24,8 @@ CONTACT = 0.25
 _LARGEST_PRESTRESS = 20.0
 _LARGEST_STRETCH = 1.9
 
+THICKNESS_BY_RADIUS = (0.01, 2.0)
+"""Thinnest and thickest disc that is solved, as a fraction of the radius of its opening."""
 #: Limits stated in millimetres are kept after conversion.
 _LESS, _MORE = 1 - 1e-9, 1 + 1e-9
 
@@ -242,10 +244,11 @@ def shape_of_disc(
     positive_numbers("youngs_modulus", youngs_modulus, "Pa")
     check_range("stretch", stretch, 1, _LARGEST_STRETCH)
     if stretch != 1:
-        check_range("thickness", thickness, 0.01 * radius * _LESS, np.inf, "m")
+        check_range("thickness", thickness, THICKNESS_BY_RADIUS[0] * radius * _LESS, np.inf, "m")
         tension = thickness * youngs_modulus * (1 - stretch**-6) / 3
         thickness, youngs_modulus = thickness / stretch**2, youngs_modulus / stretch**4
-    check_range("thickness", thickness, 0.01 * radius * _LESS, 2 * radius * _MORE, "m")
+    low, high = (limit * radius for limit in THICKNESS_BY_RADIUS)
+    check_range("thickness", thickness, low * _LESS, high * _MORE, "m")
     check_range("poisson_ratio", poisson_ratio, 0.01, 0.49999)
     check_range("tension", tension, 0, _LARGEST_PRESTRESS * thickness * youngs_modulus, "N/m")
     check_range("rim_height", options.rim_height, 0, 2 * radius, "m")

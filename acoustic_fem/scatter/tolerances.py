@@ -19,7 +19,7 @@ import numpy as np
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.membrane.design_discs import design_bulge_ratio, design_mounting_ratio, design_rubber
-from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, solve_disc
+from acoustic_fem.membrane.disc import THICKNESS_BY_RADIUS, DiscOptions, DiscSolution, KnownDiscs, solve_disc
 from acoustic_fem.quantities.units import metres, pascals
 from acoustic_fem.scatter.mounted_membranes import MountedMembranes
 from geometry.design.array_design import ArrayDesign
@@ -366,7 +366,7 @@ class _Discs:
     def __init__(self, design: ArrayDesign, tolerances: Sequence[Tolerance], known: KnownDiscs | None) -> None:
         material = design.material(design.membrane.material)
         self.opening = metres(design.resonator.cavity_diameter) / 2
-        self.thickness = metres(design.membrane.thickness)
+        self.thickness, self._stretch = metres(design.membrane.thickness), design.membrane.stretch
         rim = 0.0 if design.membrane.mounting == "clamped" else metres(design.membrane.rim_width) / self.opening
         low, high = self._range(tolerances)
         place = np.cos(np.pi * (np.arange(self.nodes) + 0.5) / self.nodes)
@@ -374,7 +374,7 @@ class _Discs:
         solutions: list[DiscSolution] = [
             solve_disc(
                 self.opening, ratio * self.opening, pascals(material.youngs_modulus), material.poisson_ratio,
-                rim * self.opening, material.density, DiscOptions(stretch=design.membrane.stretch), known,
+                rim * self.opening, material.density, DiscOptions(stretch=self._stretch), known,
             )
             for ratio in ratios
         ]  # fmt: skip
@@ -390,7 +390,7 @@ class _Discs:
         self._mounted = 1 / design_mounting_ratio(design)
 
     def _range(self, tolerances: Sequence[Tolerance]) -> tuple[float, float]:
-        """Smallest and largest ratio of thickness and opening that may be drawn."""
+        """Smallest and largest ratio of thickness and opening that may be drawn, as far as discs can be solved."""
         low_thickness = high_thickness = self.thickness
         low_opening = high_opening = self.opening
         for tolerance in tolerances:
@@ -405,11 +405,13 @@ class _Discs:
             elif tolerance.quantity == "glue_overrun":
                 low_opening -= CUT * tolerance.deviation * (2 * self.opening if tolerance.kind == "relative" else unit)
         low_opening = max(low_opening, LEAST * self.opening)
-        return 0.999 * low_thickness / high_opening, 1.001 * high_thickness / low_opening
+        low, high = 0.999 * low_thickness / high_opening, 1.001 * high_thickness / low_opening
+        thinnest, thickest = (self._stretch**2 * limit for limit in THICKNESS_BY_RADIUS)
+        return max(low, thinnest), min(high, thickest)
 
     def at(self, opening: Array, thickness: Array, modulus: Array) -> tuple[Array, Array, Array]:
         """Compliance, m^3/Pa, shares and frequencies, Hz, of the modes, for moduli in units of the nominal one."""
-        ratio = thickness / opening
+        ratio = np.clip(thickness / opening, *self._span)
         opening, ratio, modulus = np.broadcast_arrays(opening, ratio, modulus)
         low, high = self._span
         place = (2 * np.log(ratio) - np.log(low) - np.log(high)) / (np.log(high) - np.log(low))

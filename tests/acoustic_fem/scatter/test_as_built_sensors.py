@@ -31,3 +31,11 @@ def test_a_share_of_the_deviations_does_that_share(scattered: ScatteredDesign) -
 
 def test_a_sensor_is_the_same_whatever_is_drawn_with_it(scattered: ScatteredDesign) -> None:
     assert factors(scattered, 3)[2:] == pytest.approx(factors(scattered, 1, first=2), rel=1e-12)
+
+
+def test_discs_as_thick_as_can_be_solved_are_drawn() -> None:
+    diameter = DESIGN.resonator.cavity_diameter
+    thick = DESIGN.with_values({"membrane.thickness": diameter})
+    found = scatter_factors(ScatteredDesign(thick), design_air(thick), GRID, 8, 3)
+    assert np.isfinite(found).all()
+    assert 0.001 < np.abs(np.log(np.abs(found))).mean() < 0.3
