@@ -121,7 +121,7 @@ def cost_of(tables: EmbeddedTables) -> Cost:
 def _memory(tables: EmbeddedTables) -> int:
     """Size of touch_decoder, field by field; bytes."""
     microphones = len(tables.microphones)
-    decision = 4 * (5 + named_points(tables) + tables.point_count)
+    decision = 4 * (6 + named_points(tables) + tables.point_count)
     single = 4 * 13
     # whole, tail, state, frame, coming, decimated.
     of_each = 4 * microphones * (2 * 2 * HOPS + 2 + FRAME + HOP + SAMPLES)

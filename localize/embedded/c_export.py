@@ -6,11 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from acoustic_fem import Library
+from geometry.ground.argument_checks import check_choice
+from localize.embedded.boards import BOARDS, BoardName
 from localize.embedded.budget import Budget, Cost, cost_of
+from localize.embedded.converter import AT_OVERLOAD, Converter, SampleScale, sample_scale
 from localize.embedded.decoder_tables import EmbeddedTables, Precision, embedded_tables
 from localize.embedded.readme import readme
 from localize.embedded.source import PREFIX, check_prefix, source_files, table_bytes, with_prefix
-from localize.signals.array_response import ArrayResponse
+from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.noise_model import NoiseChoice
 
 
@@ -24,6 +27,8 @@ class EmbeddedDecoder:
     """Costs of the decoder."""
     files: Mapping[str, str]
     """Text of each file by name."""
+    scale: SampleScale
+    """Pressures of the samples of its firmware."""
 
     @property
     def table_bytes(self) -> int:
@@ -38,6 +43,8 @@ def embed(
     budget: Budget | None = None,
     *,
     prefix: str = PREFIX,
+    converter: Converter = AT_OVERLOAD,
+    board: BoardName = "cortex-m",
 ) -> EmbeddedDecoder:
     """The decoder that needs no training as C99: no heap, constant tables, nothing but ``math.h``.
 
@@ -50,15 +57,20 @@ def embed(
         microphone_noise: as of :class:`localize.BayesDecoder`.
         budget: what the microcontroller has for it; by default all it takes.
         prefix: first part of all global names and of the names of the files. Two arrays in one program need two.
+        converter: that samples the microphones, for the pressures of the firmware's samples.
+        board: whose sources are added: ``cortex-m``, ``zephyr`` or ``arduino``.
 
     Raises:
-        Refusal: over the budget, with the numbers; an unknown precision; a prefix that C does not allow; or as
-            :class:`localize.BayesDecoder`.
+        Refusal: over the budget, with the numbers; an unknown precision or board; a prefix that C does not allow; a
+            converter in volts where the library has no design; or as :class:`localize.BayesDecoder`.
     """
     check_prefix(prefix)
+    check_choice("board", board, tuple(BOARDS))
+    scale = sample_scale(response_of(library), converter)
     tables = embedded_tables(library, precision, microphone_noise)
     cost = cost_of(tables)
     if budget is not None:
         budget.check(cost, f"{tables.name} in {precision}")
-    texts = {**source_files(tables), "README.md": readme(tables, cost)}
-    return EmbeddedDecoder(tables, cost, with_prefix(texts, prefix))
+    chosen = BOARDS[board]
+    texts = {**source_files(tables, scale, chosen), "README.md": readme(tables, cost, scale, chosen)}
+    return EmbeddedDecoder(tables, cost, with_prefix(texts, prefix), scale)

@@ -11,7 +11,9 @@ from localize.signals.stimulus import SAMPLE_RATE
 FACTOR = 16
 """Samples of the converter for one of 1 kHz."""
 FIR_TAPS = 256
-"""Number of taps; the delay is half of them, 8 ms."""
+"""Number of taps."""
+FIR_DELAY = (FIR_TAPS - 1) / 2 / (FACTOR * SAMPLE_RATE)
+"""Delay, s."""
 _CUTOFF, _BETA = 455.0, 8.0
 
 

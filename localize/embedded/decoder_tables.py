@@ -81,6 +81,10 @@ class EmbeddedTables:
     """Directions that sound does not reach, (n_direction, n) float32; None where the library knows no sound."""
     usual: float
     """Energy beside sound that noise may leave."""
+    line: NDArray[np.int64]
+    """Line of each point, (n_point,) int64."""
+    place: NDArray[np.int64]
+    """Place of each point along its line, (n_point,) int64."""
 
     @property
     def size(self) -> int:
@@ -169,6 +173,8 @@ def embedded_tables(
         sound_whitening=None if sound is None else whitening(noise)[triangle].astype(np.float32),
         beside=None if sound is None else sound.directions.T.astype(np.float32),
         usual=0.0 if sound is None else sound.usual(),
+        line=response.line,
+        place=response.place,
     )
 
 

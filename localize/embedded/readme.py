@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from localize.embedded.boards import Board
 from localize.embedded.budget import Cost, in_units
+from localize.embedded.converter import SampleScale
 from localize.embedded.decoder_tables import EmbeddedTables
 from localize.embedded.source import named_points, table_bytes
 from localize.live.events import HOP
@@ -75,36 +77,23 @@ static uint8_t frame[TOUCH_SERIAL_LARGEST];
 send(frame, touch_serial_samples(&line, frame, first, 1000, TOUCH_MICROPHONES, TOUCH_HOP, samples, 10.0f));
 ```
 
-## A firmware that sends samples
+## The whole firmware
 
-`touch_firmware.c`, `touch_ring.c`, `touch_decimator.c` and `touch_serial.c` are a whole firmware for a sensor whose
-samples are decoded on a computer. Write the five functions of `touch_hal.h` for your board. `touch_board_mps2.c` shows
-them, with a start-up and the linker file `touch_board_mps2.ld`, for a Cortex-M4 that emulators know. No silicon was
-tried. The low-pass from 16 kHz to 1 kHz is flat within 0.01 dB up to 300 Hz and attenuates by 70 dB from 612 Hz on.
+`touch_firmware.c` sends samples, for a computer that locates touches, or with `TOUCH_EVENT_MODE` 1 the touches that
+`touch_tracker.c` finds: down, moved, beat and up. Write the five functions of `touch_hal.h` for your board. The
+low-pass from 16 kHz to 1 kHz is flat within 0.01 dB up to 300 Hz and attenuates by 70 dB from 612 Hz on.
 
-```sh
-arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -ffp-contract=fast \\
-    touch_firmware.c touch_ring.c touch_decimator.c touch_serial.c touch_board_mps2.c \\
-    -nostartfiles -T touch_board_mps2.ld -o firmware.elf
-qemu-system-arm -M mps2-an386 -nographic -monitor none -serial pty \\
-    -semihosting-config enable=on,target=native -kernel firmware.elf     # reads samples.i16
-```
+{building}
+On the computer, `acoustic-fem live library.nc --serial PORT` shows touches in both modes, and `acoustic-fem record`
+records samples.
 
-On the computer, `acoustic-fem live library.nc --serial PORT` locates touches, and `acoustic-fem record` records.
+The largest sample, {largest}, is {full_scale:.4g} Pa, so a step is {step:.3g} Pa. This is
+{scale_source}.
 
-## On the host
+For another converter, export again with `--converter-volts`, `--full-scale` or `--converter-bits`, or compile with
+`-DTOUCH_FULL_SCALE=...f`. Samples count as clipped from {limit:.4g} Pa on.
 
-The test bench reads 32-bit floats and writes a line for every decision. A line holds the number of samples so far, the
-state (0 to 4, in the order of `touch_state`), the level, the point and the probabilities.
-
-```sh
-cc -std=c99 -O2 touch_bench.c touch_decoder.c touch_tables.c -lm -o touch_bench
-./touch_bench 16 10 < samples.f32    # 16 samples at a time; the input clips at 10 Pa
-```
-
-In Python, `signals.T.astype("<f4").tofile("samples.f32")` writes (microphone, sample) in Pa at 1 kHz.
-
-## Microphones
+{bench}## Microphones
 
 The array transmits 1 to 100 Hz, so use microphones whose response is known from a few hertz up. Do not change them
 after the calibration. All must be sampled at the same instants, at 1000 Hz:
@@ -118,19 +107,29 @@ after the calibration. All must be sampled at the same instants, at 1000 Hz:
   manner.
 - **Analogue microphones** need one converter with simultaneous or scanned channels at 8 kHz or more, behind an RC
   filter of a few kHz. A scan that lasts less than 20 us is as good as simultaneous sampling.
-- To convert samples to pascals, use p = 1.41 s 10^(-S / 20). Here s is the sample relative to full scale, and S is the
-  sensitivity in dBFS at 94 dB SPL (1 Pa rms), such as -26. This holds for data sheets that define full scale by a sine.
-  The sensitivity and the relative gains of the microphones must be the same as in the calibration.
 - The order of the channels is that of the design: {order}.
 
 Fill a buffer by DMA, one half at a time. 16 samples of each microphone are {buffer} bytes, and a decision then has
 16 ms. At F MHz and one instruction per cycle it takes at most {instructions_millions:.2f} / F seconds.
 """
+_BENCH = """## On the host
+
+The test bench reads 32-bit floats and writes a line for every decision. A line holds the number of samples so far, the
+state (0 to 4, in the order of `touch_state`), the level, the point and the probabilities.
+
+```sh
+cc -std=c99 -O2 touch_bench.c touch_decoder.c touch_tables.c -lm -o touch_bench
+./touch_bench 16 10 < samples.f32    # 16 samples at a time; the input clips at 10 Pa
+```
+
+In Python, `signals.T.astype("<f4").tofile("samples.f32")` writes (microphone, sample) in Pa at 1 kHz.
+
+"""
 _SOUND = " Room sound of up to 80 dB SPL, which acts on all points equally, is detected and not reported as a touch."
 
 
-def readme(tables: EmbeddedTables, cost: Cost) -> str:
-    """Text of the README of a decoder."""
+def readme(tables: EmbeddedTables, cost: Cost, scale: SampleScale, board: Board) -> str:
+    """Text of the README of a decoder and its firmware."""
     count = len(tables.microphones)
     return _TEXT.format(
         name=tables.name,
@@ -153,4 +152,11 @@ def readme(tables: EmbeddedTables, cost: Cost) -> str:
         first=in_units("instructions", cost.first),
         top=named_points(tables),
         buffer=4 * HOP * count,
+        building=board.building,
+        bench=_BENCH if board.has_bench else "",
+        largest=scale.largest,
+        full_scale=scale.full_scale,
+        step=scale.pascals_per_step,
+        scale_source=scale.source,
+        limit=min(scale.full_scale, scale.overload),
     )

@@ -12,19 +12,23 @@ from numpy.typing import NDArray
 from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.decoder_options import DecoderOptions, SoundOptions
 from localize.decoders.frame_covariance import DECIMATION, SAMPLES, TAPS
-from localize.embedded.decimator import FACTOR, FIR_TAPS, decimator_taps
+from localize.embedded.boards import Board
+from localize.embedded.converter import SampleScale
+from localize.embedded.decimator import FACTOR, FIR_DELAY, FIR_TAPS, decimator_taps
 from localize.embedded.decoder_tables import (
     EmbeddedTables,
     high_pass_coefficients,
     low_pass_taps,
 )
+from localize.embedded.tracker_tables import point_steps, stream_delay, tracker_options
 from localize.live.stream_options import StreamOptions
 
 #: Sources that are the same for every array.
 SOURCES = (
     "touch_decoder.h",
     "touch_decoder.c",
-    "touch_bench.c",
+    "touch_tracker.h",
+    "touch_tracker.c",
     "touch_serial.h",
     "touch_serial.c",
     "touch_ring.h",
@@ -34,9 +38,9 @@ SOURCES = (
     "touch_hal.h",
     "touch_firmware.h",
     "touch_firmware.c",
-    "touch_board_mps2.c",
-    "touch_board_mps2.ld",
 )
+#: Test bench for the host.
+BENCH = "touch_bench.c"
 #: Points that a decision names.
 TOP = 3
 #: Powers that are tried at once.
@@ -52,11 +56,13 @@ _WIDTH = 8
 _FINER_BITS = 16
 
 
-def source_files(tables: EmbeddedTables) -> dict[str, str]:
-    """Texts of the C files by name, the tables among them."""
+def source_files(tables: EmbeddedTables, scale: SampleScale, board: Board) -> dict[str, str]:
+    """Texts of the files of a board by name, the tables among them."""
     folder = files(__package__) / "sources"
-    texts = {name: (folder / name).read_text(encoding="utf-8") for name in SOURCES}
-    made = {"touch_tables.h": _header(tables), "touch_tables.c": _constants(tables)}
+    names = (*SOURCES, *([BENCH] if board.has_bench else []), *board.sources)
+    texts = {name: (folder / name).read_text(encoding="utf-8") for name in names}
+    made = {"touch_tables.h": _header(tables, scale), "touch_tables.c": _constants(tables)}
+    made |= {"touch_tracker_options.h": _tracker_options(tables), "touch_tracker_tables.h": _tracker_tables(tables)}
     return {**texts, **made, "touch_decimator_taps.h": _decimator()}
 
 
@@ -112,7 +118,7 @@ def _arrays(tables: EmbeddedTables) -> Iterable[tuple[str, str, NDArray[np.float
         yield "float", "touch_beside", tables.beside.ravel()
 
 
-def _header(tables: EmbeddedTables) -> str:
+def _header(tables: EmbeddedTables, scale: SampleScale) -> str:
     numbers = {
         "MICROPHONES": len(tables.microphones),
         "POINTS": tables.point_count,
@@ -131,6 +137,10 @@ def _header(tables: EmbeddedTables) -> str:
     lines += ["#ifndef TOUCH_TABLES_H", "#define TOUCH_TABLES_H", "", "#include <stdint.h>", ""]
     lines += [f"#define TOUCH_{name} {value}" for name, value in numbers.items()]
     lines += [f'#define TOUCH_NAME "{_sent(tables.name)}"']
+    lines += ["", f"/* Pressure of the largest sample, Pa: {_words(scale.source)}. */", "#ifndef TOUCH_FULL_SCALE"]
+    lines += [f"#define TOUCH_FULL_SCALE {_number(scale.full_scale)}", "#endif"]
+    lines += [f"#define TOUCH_LARGEST {scale.largest} /* the largest sample */"]
+    lines += [f"#define TOUCH_OVERLOAD {_number(scale.overload)} /* Pa, at which a microphone is clipped */"]
     number, coordinate = ("int16_t", "int32_t") if tables.precision == "int16" else ("float", "float")
     lines += ["", f"typedef {number} touch_number;", f"typedef {coordinate} touch_coordinate;", ""]
     lines += [*(f"extern const {_declared(*each)};" for each in _arrays(tables))]
@@ -143,21 +153,46 @@ def _decimator() -> str:
     half = decimator_taps()[: FIR_TAPS // 2].astype(np.float32)
     lines = ["/* Taps of touch_decimator.c: the first half, of which the second is the mirror. */"]
     lines += ["#ifndef TOUCH_DECIMATOR_TAPS_H", "#define TOUCH_DECIMATOR_TAPS_H", ""]
-    lines += [f"#define TOUCH_FIR_TAPS {FIR_TAPS}", f"#define TOUCH_FIR_FACTOR {FACTOR}", ""]
+    lines += [f"#define TOUCH_FIR_TAPS {FIR_TAPS}", f"#define TOUCH_FIR_FACTOR {FACTOR}"]
+    lines += [f"#define TOUCH_FIR_DELAY {_number(FIR_DELAY)} /* s */", ""]
     return "\n".join(
         [*lines, "static const float touch_fir[TOUCH_FIR_TAPS / 2] = {", *_rows(half), "};", "", "#endif", ""]
     )
+
+
+def _tracker_options(tables: EmbeddedTables) -> str:
+    """Options of touch_tracker.c, and the delay of the decoder."""
+    lines = ["/* Options of touch_tracker.c: whole numbers are samples of 1 kHz or decisions. */"]
+    lines += ["#ifndef TOUCH_TRACKER_OPTIONS_H", "#define TOUCH_TRACKER_OPTIONS_H", ""]
+    for name, value in tracker_options().items():
+        lines.append(f"#define TOUCH_TRACKER_{name} {value if isinstance(value, int) else _number(value)}")
+    lines.append(f"#define TOUCH_NEIGHBOURS {point_steps(tables)[0].shape[1]}")
+    lines += [f"#define TOUCH_DELAY {_number(stream_delay())} /* s, of the high-pass at 20 Hz */", "", "#endif", ""]
+    return "\n".join(lines)
+
+
+def _tracker_tables(tables: EmbeddedTables) -> str:
+    """Steps from point to point for touch_tracker.c."""
+    neighbours, staying, going_on = point_steps(tables)
+    lines = [
+        "/* Steps of a touch from point to point, for touch_tracker.c: neighbours from 0, -1 where there is none. */"
+    ]
+    lines += ["#ifndef TOUCH_TRACKER_TABLES_H", "#define TOUCH_TRACKER_TABLES_H", ""]
+    lines += ['#include "touch_tracker.h"', ""]
+    for kind, name, values in (
+        ("int16_t", "touch_neighbours", neighbours),
+        ("float", "touch_stays", staying.astype(np.float32)),
+        ("float", "touch_steps_on", going_on.astype(np.float32)),
+    ):
+        lines += [f"static const {_declared(kind, name, values)} = {{", *_body(values), "};"]
+    return "\n".join([*lines, "", "#endif", ""])
 
 
 def _constants(tables: EmbeddedTables) -> str:
     lines = ['#include "touch_tables.h"', ""]
     lines += [f"const float {name} = {_number(value)};" for name, value in _scalars(tables).items()]
     for each in _arrays(tables):
-        lines += ["", f"const {_declared(*each)} = {{"]
-        values = each[2]
-        for row in values.reshape(-1, values.shape[-1]):
-            lines += _rows(row) if values.ndim == 1 else ["{", *_rows(row), "},"]
-        lines.append("};")
+        lines += ["", f"const {_declared(*each)} = {{", *_body(each[2]), "};"]
     return "\n".join([*lines, ""])
 
 
@@ -174,6 +209,13 @@ def _scalars(tables: EmbeddedTables) -> dict[str, float]:
 
 def _declared(kind: str, name: str, values: NDArray[np.float32] | NDArray[np.int16]) -> str:
     return f"{kind} {name}{''.join(f'[{count}]' for count in values.shape)}"
+
+
+def _body(values: NDArray[np.float32] | NDArray[np.int16]) -> list[str]:
+    """Lines between the braces of an array of one or two dimensions."""
+    if values.ndim == 1:
+        return _rows(values)
+    return [line for row in values for line in ("{", *_rows(row), "},")]
 
 
 def _rows(values: NDArray[np.float32] | NDArray[np.int16]) -> list[str]:
@@ -196,4 +238,4 @@ def _sent(text: str) -> str:
 
 def _words(text: str) -> str:
     """Words of a design in a comment of C, which they cannot end."""
-    return "".join(each if each.isalnum() or each in " ,-_.+" else "?" for each in text)
+    return "".join(each if each.isalnum() or each in " ,-_.+:" else "?" for each in text)

@@ -17,11 +17,13 @@ import numpy as np
 
 from geometry.ground.typed import Array
 from localize.live.contacts import ContactCutter
-from localize.live.events import Decision
-from localize.live.pressure_course import HOP_SECONDS, PressureCourse, Wave, first_stroke, is_round_wave
+from localize.live.events import HOP, Decision
+from localize.live.pressure_course import PressureCourse, Wave, first_stroke, is_round_wave
 from localize.live.stream_options import TouchOptions
+from localize.signals.stimulus import SAMPLE_RATE
 
-_LEAST_PROBABILITY = 1e-12
+LEAST_PROBABILITY = 1e-12
+"""Least probability of a point that a frame is taken to give."""
 
 
 @dataclass
@@ -145,7 +147,8 @@ class TouchJoiner:
     def _stays(self) -> bool:
         """True if the touch goes on without a contact: the pressure is still there, or the next beat may come."""
         touch = self._touch
-        if touch is None or not touch.goes_up or self._time - touch.begin > self._options.longest_hold:
+        longest = self._options.longest_hold * SAMPLE_RATE
+        if touch is None or not touch.goes_up or _samples(touch.begin, self._time) > longest:
             return False
         if not touch.wave.fallen:
             touch.last = self._time
@@ -154,9 +157,9 @@ class TouchJoiner:
 
     def _may_beat(self, touch: _OpenTouch, time: float) -> bool:
         """True if the next beat of a pulse may begin at a time."""
-        since, options = time - touch.beat, self._options
-        rests = touch.wave.rests * HOP_SECONDS
-        return touch.is_round is not False and since <= options.longest_beat and rests <= options.rest * since
+        since, options = _samples(touch.beat, time), self._options
+        is_soon = since <= options.longest_beat * SAMPLE_RATE
+        return touch.is_round is not False and is_soon and touch.wave.rests * HOP <= options.rest * since
 
     def _settle(self, at_end: bool = False) -> list[Step]:
         """Steps once it is known what the contact that has begun is."""
@@ -177,7 +180,8 @@ class TouchJoiner:
     def _kind_of(self, frames: list[Decision], at_end: bool) -> Literal["begins", "goes on", "beat"] | None:
         """Kind of the contact that has begun; None where it is not known yet."""
         options, touch, first = self._options, self._touch, frames[0].time
-        if touch is None or not touch.goes_up or first - touch.begin > options.longest_hold:
+        longest = options.longest_hold * SAMPLE_RATE
+        if touch is None or not touch.goes_up or _samples(touch.begin, first) > longest:
             return "begins"
         if len(frames) < options.agree and not at_end:
             return None
@@ -199,7 +203,8 @@ class TouchJoiner:
             return None
         if is_round is False or not options.beat_level < level / touch.level < 1 / options.beat_level:
             return "begins"
-        return "beat" if first - touch.beat >= options.shortest_beat else "goes on"
+        is_apart = _samples(touch.beat, first) >= options.shortest_beat * SAMPLE_RATE
+        return "beat" if is_apart else "goes on"
 
     def _seen(self) -> Array:
         """Pressure from before the contact until now, Pa; empty where it is not known."""
@@ -236,4 +241,9 @@ class TouchJoiner:
 def log_probability_of(event: Decision) -> Array:
     """Log-probability of every point of a frame with a touch, (n_point,) nats."""
     assert event.distribution is not None
-    return np.asarray(np.log(event.distribution.clip(_LEAST_PROBABILITY)))
+    return np.asarray(np.log(event.distribution.clip(LEAST_PROBABILITY)))
+
+
+def _samples(begin: float, end: float) -> int:
+    """Samples between two times, s: whole ones, so that no decision depends on how times are rounded."""
+    return round((end - begin) * SAMPLE_RATE)

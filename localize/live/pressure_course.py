@@ -17,7 +17,7 @@ from localize.signals.stimulus import SAMPLE_RATE
 
 HOP_SECONDS = HOP / SAMPLE_RATE
 """Time from one decision to the next, s."""
-_RESTS = 0.1
+RESTS = 0.1
 """Fraction of the peak of a wave below which the pressure rests."""
 
 
@@ -84,7 +84,7 @@ class Wave:
             self._peak, self.fallen = height, 0
         elif self.fallen or not height >= self._held_fraction * self._peak:
             self.fallen += 1
-        self.rests += not height >= _RESTS * self._peak
+        self.rests += not height >= RESTS * self._peak
 
 
 def first_stroke(course: Array) -> float:

@@ -28,7 +28,8 @@ _SAMPLES = struct.Struct("<IHBBff")
 _TOUCH = struct.Struct("<IIHBBfff")
 _LARGEST_PAYLOAD = _SAMPLES.size + 2 * 256
 _LOST = -32768
-_KINDS: dict[int, Literal["down", "moved", "up"]] = {1: "down", 2: "moved", 4: "up"}
+KINDS: dict[int, Literal["down", "moved", "beat", "up"]] = {1: "down", 2: "moved", 3: "beat", 4: "up"}
+"""Kinds of touches by their numbers in a frame."""
 _MODES: tuple[Literal["raw", "events"], ...] = ("raw", "events")
 _CRC_START = 0xFFFF
 
@@ -75,7 +76,7 @@ class SampleFrame:
 
 @dataclass(frozen=True)
 class TouchFrame:
-    """Touch that came down, moved or ended, as the board decided."""
+    """Touch that came down, moved, beat or ended, as the board decided."""
 
     counter: int
     """Number of the frame, from 0 at the start of the board."""
@@ -83,7 +84,7 @@ class TouchFrame:
     """Samples at 1 kHz up to the end of the frame that decided it, modulo 2^32."""
     touch: int
     """Number of the touch, from 1."""
-    kind: Literal["down", "moved", "up"]
+    kind: Literal["down", "moved", "beat", "up"]
     """What happened."""
     point: int
     """Point that is touched from now on, or was until now, from 1."""
@@ -193,6 +194,6 @@ def _frame_of(kind: int, counter: int, payload: bytes) -> BoardFrame | None:
             return SampleFrame(counter, first, rate, limit, samples.reshape(count, microphones).T)
     if kind == 3 and len(payload) == _TOUCH.size:
         sample, touch, point, happened, _, probability, level, latency = _TOUCH.unpack(payload)
-        if happened in _KINDS:
-            return TouchFrame(counter, sample, touch, _KINDS[happened], point, probability, level, latency)
+        if happened in KINDS:
+            return TouchFrame(counter, sample, touch, KINDS[happened], point, probability, level, latency)
     return None

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, cast
 import typer
 
 import acoustic_fem
+import localize
 import studies
 from geometry.ground.refusal import counted
 from localize.live.stream_options import MOVING
@@ -26,9 +27,10 @@ from studies.cli.options import (
     noise_choice,
 )
 from studies.cli.terminal_tables import show, table_of, tell
-from studies.output.call_defaults import EMBEDDED_PREFIX, PRECISION
+from studies.output.call_defaults import BOARD, CONVERTER_BITS, EMBEDDED_PREFIX, PRECISION
 
 if TYPE_CHECKING:
+    from localize.embedded.boards import BoardName
     from localize.embedded.decoder_tables import Precision
     from localize.live.events import State
     from studies.inference.pulse_reading import RecordedPulse
@@ -136,18 +138,42 @@ def embed(
         str,
         typer.Option(help="First part of all global names and of the files' names, for two arrays in one program."),
     ] = EMBEDDED_PREFIX,
+    board: Annotated[
+        str, typer.Option(metavar="cortex-m|zephyr|arduino", help="Board or system whose sources are added.")
+    ] = BOARD,
+    converter_volts: Annotated[
+        float | None,
+        typer.Option(
+            metavar="V",
+            help="Voltage of the microphone, before any amplifier, that gives the converter's largest sample. With the "
+            "design's sensitivity it gives the pressure of a sample. Default: that at the microphone's overload.",
+        ),
+    ] = None,
+    full_scale: Annotated[
+        float | None,
+        typer.Option(metavar="PA", help="Pressure of the largest sample, for digital microphones, not with volts."),
+    ] = None,
+    converter_bits: Annotated[int, typer.Option(help="Bits of a sample, 8 to 16.")] = CONVERTER_BITS,
 ) -> None:
-    """Export the decoder of a library as C99 source for a microcontroller.
+    """Export the decoder of a library as C99 source for a microcontroller, with a firmware around it.
 
     Writes C files, a test and README.md. The code reads samples and returns the touched point. It needs no training, no
-    heap and no library but math.h. It decodes the sensor that the library describes, so calibrate first. docs/embed.md
-    lists the decoders that fit on common chips.
+    heap and no library but math.h. It decodes the sensor that the library describes, so calibrate first. The firmware
+    reads the converter and sends touches or samples over a serial line, which live --serial reads. docs/embed.md lists
+    the decoders that fit on common chips.
 
     Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
     """
     chosen = cast("Precision", precision)
     written = studies.embed_decoder(
-        library, out, precision=chosen, budget=budget, microphone_noise=noise_choice(noise), prefix=prefix
+        library,
+        out,
+        precision=chosen,
+        budget=budget,
+        microphone_noise=noise_choice(noise),
+        prefix=prefix,
+        converter=localize.embedded.Converter(converter_volts, full_scale, converter_bits),
+        board=cast("BoardName", board),
     )
     cost, table = written.decoder.cost, table_of("", "at most", numbers=(1,))
     for name, value in (("flash", cost.flash), ("ram", cost.ram), ("stack", cost.stack)):
@@ -159,6 +185,11 @@ def embed(
     tell(
         f"{out}: {counted(tables.point_count, 'point')}, {counted(len(tables.microphones), 'microphone')}, "
         f"{tables.precision}; how to build, call and wire it: {out / 'README.md'}"
+    )
+    scale = written.decoder.scale
+    tell(
+        f"largest sample of the firmware: {scale.largest}, {scale.full_scale:.4g} Pa, "
+        f"{scale.pascals_per_step:.3g} Pa a step; {scale.source}"
     )
     tell(f"the decoder assumes {written.assumptions}")
 

@@ -7,13 +7,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from geometry.ground.whole_files import write_text
+from localize.embedded.boards import BoardName
 from localize.embedded.budget import Budget
 from localize.embedded.c_export import EmbeddedDecoder, embed
+from localize.embedded.converter import AT_OVERLOAD, Converter
 from localize.embedded.decoder_tables import Precision
 from localize.model.opened_model import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice
-from studies.output.call_defaults import EMBEDDED_PREFIX, PRECISION
+from studies.output.call_defaults import BOARD, EMBEDDED_PREFIX, PRECISION
 from studies.output.folders import check_folder, claimed_folder, replaced_files
 
 #: List of the files of an earlier call, and a file by which a folder of one without it is known.
@@ -40,6 +42,8 @@ def embed_decoder(
     budget: str | None = None,
     microphone_noise: NoiseChoice = "design",
     prefix: str = EMBEDDED_PREFIX,
+    converter: Converter = AT_OVERLOAD,
+    board: BoardName = BOARD,
 ) -> EmbeddedFiles:
     """Write the decoder of a library, which needs no training, as C99 for the microcontroller on the sensor.
 
@@ -51,6 +55,9 @@ def embed_decoder(
         microphone_noise: white noise of the microphones, Pa rms over 0 to 500 Hz, or "design" for that of the design's
             microphone.
         prefix: first part of all global names in the C files and of the files' names, for two arrays in one program.
+        converter: converter that samples the microphones; by default one whose full scale is the pressure at which the
+            design's microphone overloads.
+        board: board whose sources are added: ``cortex-m``, ``zephyr`` or ``arduino``.
 
     Raises:
         Refusal: over the budget, with the numbers; a file that cannot be read, a folder of others, or as
@@ -60,7 +67,7 @@ def embed_decoder(
     check_folder(folder, "embed", _LIST, _MARK, reads=files_of(library))
     left = None if budget is None else Budget.stated(budget)
     response = response_of(open_library(library))
-    decoder = embed(response, precision, microphone_noise, left, prefix=prefix)
+    decoder = embed(response, precision, microphone_noise, left, prefix=prefix, converter=converter, board=board)
     with (
         claimed_folder(folder, "embed", _LIST, _MARK, reads=files_of(library)),
         replaced_files(folder, _LIST) as fresh,

@@ -20,6 +20,10 @@ PRECISION: Literal["float32"] = "float32"
 """Numbers of the tables of an exported decoder."""
 EMBEDDED_PREFIX = "touch"
 """First part of the names in an exported decoder."""
+BOARD: Literal["cortex-m"] = "cortex-m"
+"""Board that a decoder is exported for."""
+CONVERTER_BITS = 16
+"""Bits of a sample of the converter of a board."""
 MANIFEST = "calibration.toml"
 """Manifest that a folder of calibration recordings must contain."""
 TOUCHES, SAMPLES_PER_SHARD = 4096, 4096

@@ -15,7 +15,7 @@ import localize.embedded
 
 SOURCES = Path(localize.embedded.__file__).parent / "sources"
 LARGEST = 4096
-KINDS = {"down": 1, "moved": 2, "up": 4}
+KINDS = {"down": 1, "moved": 2, "beat": 3, "up": 4}
 
 
 class _Line(ctypes.Structure):

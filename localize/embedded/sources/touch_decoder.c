@@ -507,13 +507,16 @@ static touch_state judge(touch_decoder *decoder)
 
 static void decide(touch_decoder *decoder)
 {
+    touch_decision *decision = &decoder->decision;
     decoder->due = TOUCH_HOP;
     decoder->is_new = 1;
-    decoder->decision.sample = decoder->number;
-    decoder->decision.point = 0;
-    decoder->decision.probability = 0.0f;
-    decoder->decision.level = 0.0f;
-    decoder->decision.state = decoder->held < TOUCH_FRAME ? TOUCH_UNREADABLE : judge(decoder);
+    decision->sample = decoder->number;
+    decision->point = 0;
+    decision->probability = decision->level = decision->mean = 0.0f;
+    decision->state = decoder->held < TOUCH_FRAME ? TOUCH_UNREADABLE : judge(decoder);
+    if (decision->state == TOUCH_UNREADABLE) return;
+    for (int m = 0; m < TOUCH_MICROPHONES; m++) decision->mean += part_of(decoder, m, 0)->mean;
+    decision->mean /= (float)TOUCH_MICROPHONES;
 }
 
 /* Whether a sample is a pressure: neither NaN nor too large. By its bits, because options of compilers may assume that
@@ -569,4 +572,11 @@ size_t touch_push(touch_decoder *decoder, const float *samples, size_t count)
         return taken + 1;
     }
     return count;
+}
+
+void touch_skip(touch_decoder *decoder, uint32_t count)
+{
+    decoder->is_new = 0;
+    decoder->number += count;
+    forget(decoder, 0);
 }

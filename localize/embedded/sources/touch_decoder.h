@@ -40,6 +40,7 @@ typedef struct {
     uint32_t sample;                 /* samples up to the end of the frame, from the start; 0 again after 49 days */
     touch_state state;
     float level;                     /* of the loudest microphone about its mean, Pa rms */
+    float mean;                      /* of all microphones over the last hop as they came, Pa; 0 if unreadable */
     int point;                       /* the most probable one, from 1; 0 unless a point is touched */
     float probability;               /* of that point; 0 unless a point is touched */
     int top[TOUCH_TOP];              /* the most probable points, from 1; 0 where there is none */
@@ -79,6 +80,9 @@ void touch_init(touch_decoder *decoder, float limit);
 /* Take samples, interleaved by microphone, in Pa, up to the next decision. Returns how many of each microphone were
  * taken, at most count. */
 size_t touch_push(touch_decoder *decoder, const float *samples, size_t count);
+
+/* So many samples of each microphone are lost. Decisions go on with the first whole frame behind them. */
+void touch_skip(touch_decoder *decoder, uint32_t count);
 
 #ifdef __cplusplus
 }

@@ -1,9 +1,14 @@
-/* The firmware of a sensor in raw mode: samples of 16 kHz in, samples of 1 kHz out as frames of touch_serial.h. */
+/* The firmware of a sensor: samples of 16 kHz in, frames of touch_serial.h out. They hold samples of 1 kHz, or touches. */
 #ifndef TOUCH_FIRMWARE_H
 #define TOUCH_FIRMWARE_H
 
 #include <stddef.h>
 #include <stdint.h>
+
+/* 0: it sends samples, for a computer that locates touches. 1: it locates them and sends touches. */
+#ifndef TOUCH_EVENT_MODE
+#define TOUCH_EVENT_MODE 0
+#endif
 
 #ifdef __cplusplus
 extern "C" {

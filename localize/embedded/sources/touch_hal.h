@@ -1,15 +1,9 @@
-/* What a board must do: five functions, and one pressure. touch_board_mps2.c is an example. */
+/* What a board must do: five functions. Those of the exported board are in the file whose name begins with touch_board. */
 #ifndef TOUCH_HAL_H
 #define TOUCH_HAL_H
 
 #include <stddef.h>
 #include <stdint.h>
-
-/* Pressure of the largest sample, 32767, in Pa: 1.41 * 10^(-S / 20) for microphones of S dBFS at 94 dB SPL. The default is
- * that of S = -26. */
-#ifndef TOUCH_FULL_SCALE
-#define TOUCH_FULL_SCALE 28.2f
-#endif
 
 #ifdef __cplusplus
 extern "C" {

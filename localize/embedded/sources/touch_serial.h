@@ -26,7 +26,7 @@
 extern "C" {
 #endif
 
-typedef enum { TOUCH_DOWN = 1, TOUCH_MOVED = 2, TOUCH_UP = 4 } touch_kind;
+typedef enum { TOUCH_DOWN = 1, TOUCH_MOVED = 2, TOUCH_BEAT = 3, TOUCH_UP = 4 } touch_kind;
 
 typedef struct {
     uint32_t sample;   /* samples of 1 kHz up to the end of the frame that decided it */

@@ -1,4 +1,4 @@
-"""The firmware in raw mode: its frames hold what its low-pass gives of the samples, and every gap is where it was."""
+"""The firmware: its frames hold what its low-pass gives of the samples, or the touches of Python; gaps are counted."""
 
 import contextlib
 import socket
@@ -16,15 +16,26 @@ import acoustic_fem
 import studies
 from acoustic_fem.sound.sound_file import read_wav
 from benchmarks.boards import missing_tools
-from benchmarks.firmware import firmware_bytes, linked_firmware, started
+from benchmarks.embedded_touches import array_of
+from benchmarks.firmware import (
+    ARRAYS,
+    FULL_SCALE,
+    differing,
+    firmware_bytes,
+    linked_firmware,
+    run_firmware,
+    started,
+    write_project,
+)
+from benchmarks.firmware_touches import decimated, events_in_python, of_converter, recordings
 from localize.embedded import embed
-from localize.embedded.decimator import FACTOR, FIR_TAPS, decimator_response, decimator_taps
+from localize.embedded.decimator import FACTOR, FIR_TAPS, decimator_response
 from localize.live import serial_port
 from localize.live.events import Decision, TouchEvent
-from localize.live.serial_frames import FrameReader, SampleFrame, StatusFrame
+from localize.live.serial_frames import FrameReader, SampleFrame, StatusFrame, TouchFrame
 from localize.live.sources import SourceError
+from localize.signals.array_response import response_of
 
-FULL_SCALE = float(np.float32(28.2))
 SOURCES = ("firmware", "ring", "decimator", "serial")
 needs_board = pytest.mark.skipif(missing_tools() is not None, reason=f"{missing_tools()} is not installed")
 RECORDINGS = Path(__file__).parents[3] / "docs" / "examples" / "recordings"
@@ -32,10 +43,14 @@ HOST = Path(__file__).parents[2] / "support" / "firmware_host.c"
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
+def library():
+    return acoustic_fem.solve(small_design(), np.linspace(1.0, 500.0, 20), "lumped")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, library):
     """The project of a small array with two microphones."""
     path = tmp_path_factory.mktemp("firmware")
-    library = acoustic_fem.solve(small_design(), np.linspace(1.0, 500.0, 20), "lumped")
     for name, text in embed(library, prefix="hand").files.items():
         (path / name).write_text(text, encoding="utf-8")
     host = HOST.read_text(encoding="utf-8").replace("touch_", "hand_").replace("TOUCH_", "HAND_")
@@ -43,13 +58,17 @@ def folder(tmp_path_factory):
     return path
 
 
-@pytest.fixture(scope="module")
-def host(folder):
-    sources = ["host.c", *(f"hand_{each}.c" for each in SOURCES)]
-    command = [str(COMPILER), *STRICT, *SANITIZED, *sources, "-o", "host"]
+def built(folder, name, parts, *options):
+    sources = ["host.c", *(f"hand_{each}.c" for each in parts)]
+    command = [str(COMPILER), *STRICT, *SANITIZED, *options, *sources, "-lm", "-o", name]
     made = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert made.returncode == 0, made.stderr
-    return folder / "host"
+    return folder / name
+
+
+@pytest.fixture(scope="module")
+def host(folder):
+    return built(folder, "host", SOURCES)
 
 
 def samples_of(instants):
@@ -60,11 +79,13 @@ def samples_of(instants):
     return np.clip(np.stack([tones, -0.3 * tones], axis=1) + noise, -32768, 32767).astype("<i2")
 
 
-def decimated(samples):
-    """(n_microphone, n) Pa: the sample n of 1 kHz from the converter's up to 16 n + 15; NaN before there are enough."""
-    taps, first = decimator_taps(), FIR_TAPS // FACTOR - 1
-    rows = [np.convolve(row.astype(float), taps, "valid")[::FACTOR] for row in samples.T]
-    return np.concatenate([np.full((2, first), np.nan), rows], axis=1) * FULL_SCALE / 32767
+def without(pressures, gaps):
+    """Pressures at 1 kHz, NaN where the low-pass spans an instant of the gaps (begin, count) of the converter."""
+    newest = FACTOR * np.arange(pressures.shape[1]) + FACTOR - 1
+    lost = np.zeros(pressures.shape[1], bool)
+    for begin, count in gaps:
+        lost |= (newest >= begin) & (newest - FIR_TAPS < begin + count - 1)
+    return np.where(lost, np.nan, pressures)
 
 
 def assert_frames_hold(frames, expected):
@@ -86,9 +107,9 @@ def patient(monkeypatch):
 
 
 @contextlib.contextmanager
-def emulated(folder, prefix, samples):
+def emulated(folder, prefix, samples, mode="raw"):
     """Address of the line of an emulated board, whose samples begin when somebody is there."""
-    program = linked_firmware(folder, prefix)
+    program = linked_firmware(folder, prefix, mode)
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     board = started(program, samples, f"tcp:127.0.0.1:{port},server=on,wait=on")
@@ -119,11 +140,7 @@ def test_gaps_of_the_board_are_where_they_were_and_counted(host):
     found = reader.push(done.stdout)
     frames = [each for each in found if isinstance(each, SampleFrame)]
     assert (reader.counts.lost, reader.counts.damaged) == (0, 0)
-    expected = decimated(samples)
-    for begin, count in gaps:
-        numbers = np.arange(expected.shape[1])
-        newest = FACTOR * numbers + FACTOR - 1
-        expected[:, (newest >= begin) & (newest - FIR_TAPS < begin + count - 1)] = np.nan
+    expected = without(decimated(samples, FULL_SCALE), gaps)
     assert_frames_hold(frames, expected)
     got = np.concatenate([each.first + np.arange(each.samples.shape[1]) for each in frames])
     known = np.flatnonzero(np.isfinite(expected).all(0))
@@ -143,6 +160,54 @@ def test_frames_that_find_no_room_are_lost_and_told(host):
     assert last.unsent == reader.counts.lost > 5
 
 
+@needs_compiler
+def test_touches_that_the_firmware_sends_are_those_of_python_across_gaps_too(folder, library):
+    response = response_of(library)
+    program = built(folder, "events", (*SOURCES, "decoder", "tables", "tracker"), "-DHAND_EVENT_MODE=1")
+    samples = of_converter(recordings(response, 3, FULL_SCALE, 5)["taps"], FULL_SCALE)
+    gaps = [(16_003, 7), (38_000, 900)]
+    words = [str(word) for gap in gaps for word in gap]
+    done = subprocess.run([program, *words], input=samples.tobytes(), capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr.decode()
+    reader = FrameReader()
+    frames = reader.push(done.stdout)
+    touches = [each for each in frames if isinstance(each, TouchFrame)]
+    expected = events_in_python(response, without(decimated(samples, FULL_SCALE), gaps), FULL_SCALE)
+    assert [(each.kind, each.touch, each.point, each.sample) for each in touches] == [
+        (each.kind, each.touch, each.point, round(1000 * each.time)) for each in expected.events
+    ]
+    numbers = [(each.probability, each.level, each.latency) for each in touches]
+    same = [(each.probability, each.level, each.latency) for each in expected.events]
+    np.testing.assert_allclose(numbers, same, rtol=1e-4, atol=1e-4)
+    assert len(touches) >= 10
+    states = [each for each in frames if isinstance(each, StatusFrame)]
+    assert {each.mode for each in states} == {"events"}
+    assert states[-1].lost == sum(np.isnan(without(np.zeros((1, 5000)), gaps))[0])
+    assert (reader.counts.lost, reader.counts.damaged) == (0, 0)
+
+
+@pytest.mark.slow
+@needs_board
+@pytest.mark.parametrize("name", ARRAYS)
+def test_touches_of_the_whole_firmware_on_an_emulated_board_are_those_of_python(tmp_path, name):
+    """Low-pass, decoder, tracker and line on a Cortex-M4F: five recordings of an as-built sensor, calibrated."""
+    response, kinds = array_of(name, True), set()
+    write_project(tmp_path, name)
+    for kind, signals in recordings(response, 46, FULL_SCALE, 5).items():
+        samples = of_converter(signals, FULL_SCALE)
+        found = run_firmware(tmp_path, samples, "events")
+        expected = events_in_python(response, decimated(samples, FULL_SCALE), FULL_SCALE)
+        assert differing(found.touches, expected.events) == 0, kind
+        numbers = [(each.probability, each.level, each.latency) for each in found.touches]
+        same = [(each.probability, each.level, each.latency) for each in expected.events]
+        np.testing.assert_allclose(numbers, same, rtol=2e-4, atol=1e-3, err_msg=kind)
+        assert found.lost == found.states[-1].lost == found.states[-1].unsent == 0
+        assert 0 < found.longest < found.instructions
+        kinds |= {each.kind for each in found.touches}
+        assert found.touches
+    assert kinds >= {"down", "moved", "up"}
+
+
 @pytest.mark.slow
 @needs_board
 def test_an_emulated_board_is_recorded_over_its_line(folder, tmp_path, patient):
@@ -153,16 +218,17 @@ def test_an_emulated_board_is_recorded_over_its_line(folder, tmp_path, patient):
     sound = read_wav(tmp_path / "r.wav")
     found = np.stack([sound.channels["1"], sound.channels["2"]])
     first = FIR_TAPS // FACTOR - 1
-    expected = decimated(samples)[:, first : first + 4000]
+    expected = decimated(samples, FULL_SCALE)[:, first : first + 4000]
     np.testing.assert_allclose(found, expected, atol=np.abs(expected).max() / 60_000)
-    flash, ram = firmware_bytes(folder / "firmware.elf")
+    flash, ram = firmware_bytes(folder / "raw.elf")
     assert flash < 12_000
     assert ram < 8_000
 
 
 @pytest.mark.slow
 @needs_board
-def test_touches_that_an_emulated_board_sends_are_those_of_the_recording(tmp_path, patient):
+@pytest.mark.parametrize("mode", ["raw", "events"])
+def test_touches_that_an_emulated_board_sends_are_those_of_the_recording(tmp_path, patient, mode):
     library, recording = RECORDINGS / "library.nc", RECORDINGS / "touches.wav"
     for name, text in embed(acoustic_fem.load(library)).files.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
@@ -174,9 +240,11 @@ def test_touches_that_an_emulated_board_sends_are_those_of_the_recording(tmp_pat
     def hear(session, heard, line):
         if isinstance(heard.event, TouchEvent) and heard.event.kind == "down":
             downs.append(heard.event.point)
-        return not (isinstance(heard.event, Decision) and heard.event.time > 6.4)
+        if isinstance(heard.event, Decision):
+            return heard.event.time <= 6.4
+        return not (isinstance(heard.event, TouchEvent) and (heard.event.kind, heard.event.touch) == ("up", 12))
 
-    with emulated(tmp_path, "touch", samples) as port:
+    with emulated(tmp_path, "touch", samples, mode) as port:
         source = studies.LiveInput(serial=port)
         summary = as_soon_as_it_is_there(lambda: studies.listen(library, source, hear=hear))
     expected = [touch.point for touch in studies.locate_recording(library, recording, full_scale=20.0).touches]

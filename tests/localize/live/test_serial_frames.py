@@ -19,7 +19,7 @@ TOUCH = st.tuples(
     st.just("touch"),
     WORD,
     WORD,
-    st.sampled_from(["down", "moved", "up"]),
+    st.sampled_from(["down", "moved", "beat", "up"]),
     st.integers(0, 65535),
     SINGLE,
     SINGLE,

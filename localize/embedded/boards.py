@@ -1,0 +1,63 @@
+"""Boards that an export has sources for: what each adds to the folder, and how it is built."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+#: Names of the boards.
+BoardName = Literal["cortex-m", "zephyr", "arduino"]
+
+
+@dataclass(frozen=True)
+class Board:
+    """Sources of a board, and the section of the README about them."""
+
+    title: str
+    """Name in words."""
+    sources: tuple[str, ...]
+    """Names of the files that it adds to those of every board."""
+    building: str
+    """How the firmware is built, in Markdown."""
+    has_bench: bool = True
+    """True if the test bench for the host may lie in the folder; if not, the board's tools would compile it too."""
+
+
+_CORTEX_M = """`touch_board_mps2.c` shows the five functions, with a start-up and the linker file `touch_board_mps2.ld`,
+for a Cortex-M4 that emulators know. For a chip of your own, keep the start-up, enter the sizes of its memories in the
+linker file, and replace what reads samples and writes bytes. No silicon was tried.
+
+```sh
+arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -ffp-contract=fast \\
+    -ffunction-sections -fdata-sections -Wl,--gc-sections -DTOUCH_EVENT_MODE=1 \\
+    touch_firmware.c touch_ring.c touch_decimator.c touch_serial.c touch_board_mps2.c \\
+    touch_decoder.c touch_tables.c touch_tracker.c \\
+    -nostartfiles -T touch_board_mps2.ld -lm -o firmware.elf
+qemu-system-arm -M mps2-an386 -nographic -monitor none -serial pty \\
+    -semihosting-config enable=on,target=native -kernel firmware.elf     # reads samples.i16
+```
+"""
+_ZEPHYR = """`touch_board_zephyr.c` has the five functions for Zephyr, with PDM microphones on its DMIC driver. The
+device tree of your board must have a DMIC with the label `dmic_dev`, and choose a UART as `zephyr,console`. Choose the
+mode in `CMakeLists.txt`. No silicon was tried; the tests compile and run the file with stubs in place of Zephyr.
+
+```sh
+west build -b BOARD .
+west flash
+```
+"""
+_ARDUINO = """`touch_board_arduino.cpp` has the five functions for Arduino boards with the library PDM, which reads at
+most two microphones. Call the folder `touch_arduino` and open it in the Arduino IDE. Choose the mode in
+`touch_firmware.h`. The buffer of `Serial` must hold a whole frame, up to 100 bytes in raw mode with two microphones;
+otherwise the frames are counted as unsent. No silicon was tried; the tests compile and run the file with stubs in place
+of Arduino. The test bench for the host comes with the other boards.
+"""
+
+BOARDS: dict[BoardName, Board] = {
+    "cortex-m": Board(
+        "a Cortex-M without an operating system", ("touch_board_mps2.c", "touch_board_mps2.ld"), _CORTEX_M
+    ),
+    "zephyr": Board("Zephyr", ("touch_board_zephyr.c", "CMakeLists.txt", "prj.conf"), _ZEPHYR),
+    "arduino": Board("Arduino", ("touch_board_arduino.cpp", "touch_arduino.ino"), _ARDUINO, has_bench=False),
+}
+"""Boards by name."""
