@@ -31,6 +31,8 @@ PARTS = ("firmware", "ring", "decimator", "serial", "board_mps2")
 MORE = ("decoder", "tables", "tracker")
 FULL_SCALE = float(np.float32(28.3))
 """Pressure of the largest sample, Pa: the overload of the microphone of the prototypes."""
+NEAREST = 188
+"""Least stack that is told apart, bytes: what lies nearer to the main loop is in use while it is counted."""
 ARRAYS = ("array-2x6", "glove")
 SEED = 45
 
@@ -145,7 +147,8 @@ def main(arguments: list[str] | None = None) -> None:
                 runs = {key: run_firmware(folder, each, mode) for key, each in played.items()}
                 each_second = max(run.instructions for run in runs.values()) / seconds
                 longest, stack = max(run.longest for run in runs.values()), max(run.stack for run in runs.values())
-                costs.append(f"| {name} | {mode} | {flash} | {ram} | {stack} | {each_second:.3g} | {longest:.3g} |")
+                used = f"{'at most ' if stack <= NEAREST else ''}{stack}"
+                costs.append(f"| {name} | {mode} | {flash} | {ram} | {used} | {each_second:.3g} | {longest:.3g} |")
                 if mode == "events":
                     for key, run in runs.items():
                         expected = events_in_python(response, decimated(played[key], FULL_SCALE), FULL_SCALE).events
