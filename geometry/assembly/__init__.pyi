@@ -1,3 +1,4 @@
+from .base_plan import plan_base as plan_base
 from .bill import (
     Bill as Bill,
     BillItem as BillItem,

@@ -29,6 +29,7 @@ LOOKS: dict[PartKind, tuple[str, float]] = {
     "housing": ("#4f7f6b", 1.0),
     "board": ("#2f2f2f", 1.0),
     "package": ("#b8b8b8", 1.0),
+    "base": ("#c8c4b7", 1.0),
 }
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 import numpy as np
 
 import geometry
+from geometry.assembly.base_plan import plan_base
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 _T = TypeVar("_T")
 
 #: Kind of a part of an array.
-PartKind = Literal["shell", "carrier", "membrane", "housing", "board", "package", "spring", "sheath"] | MoldKind
+PartKind = Literal["shell", "carrier", "membrane", "housing", "board", "package", "spring", "sheath", "base"] | MoldKind
 #: Where a part comes from.
 Origin = Literal["printed", "cast", "bought"]
 #: Kinds that are not printed.
@@ -136,7 +137,8 @@ def build_parts(design: DesignLike, layout: ArrayLayout | None = None) -> PartSe
         of their ports' tubes; where kinds of points differ, those of shells in ``h`` and the height of the cavity
         and ``t`` and the thickness of the membrane that the ledge is for, those of membranes and molds in the
         thickness. With ``printing.carrier`` also ``carrier``, the shells of all points in one piece:
-        the single shells are then spares, needed 0 times.
+        the single shells are then spares, needed 0 times. With ``base.kind = "plate"`` also ``base``, or ``base-1``,
+        ``base-2``, ... where the plate is larger than the printer.
 
     Raises:
         Refusal: a part is not one valid solid.
@@ -179,11 +181,24 @@ def draw_parts(design: ArrayDesign, layout: ArrayLayout) -> PartSet:
         parts.parameters["carrier"] = {**_shell_parameters(design.resonator), **about["joints"], **joined}
     parts.counts, parts.kinds = _counts(design, plan), _kinds(design, plan)
     parts.placed = _placed(design, layout, plan, parts.kinds)
+    if design.base.kind != "none":
+        _add_base(parts, design, layout)
     parts.design_toml = write_design(design.completed())
     for name in parts:
         head: dict[str, float | int | str] = {"design": design.name, "count": parts.counts[name]}
         parts.parameters[name] = {**head, **parts.parameters[name]}
     return parts
+
+
+def _add_base(parts: PartSet, design: ArrayDesign, layout: ArrayLayout) -> None:
+    """Draw the base plate, whose pieces lie where they are drawn."""
+    base = plan_base(design, layout)
+    pieces = geometry.solids.draw_base(base)
+    for number, piece in enumerate(pieces, 1):
+        name = "base" if len(pieces) == 1 else f"base-{number}"
+        parts[name], parts.counts[name], parts.kinds[name] = piece, 1, "base"
+        parts.parameters[name] = {"seats": len(base.seats), "saddles": len(base.saddles), "pieces": len(pieces)}
+        parts.placed += (PlacedPart(name, "base", name, (0.0, 0.0, 0.0), 0.0, FLAT, "base"),)
 
 
 def _common_parameters(design: ArrayDesign) -> dict[str, dict[str, float | int | str]]:

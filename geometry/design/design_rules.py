@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import partial
 
 from geometry.design import shell_rules
+from geometry.design.base_rules import base_rules
 from geometry.design.frozen_rules import length_rules, surface_rules
 from geometry.design.kind_rules import kind_rules, pattern_rules
 from geometry.design.layout_rules import area_rules, cylinder_rules, hand_rules, plane_rules
@@ -56,6 +57,7 @@ def check_consistency(design: StatedArray) -> None:
         side_rules,
         microphone_socket_rules,
         _print_rules,
+        base_rules,
     ):
         for problem in rule(design):
             try:

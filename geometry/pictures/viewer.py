@@ -28,6 +28,7 @@ _FIELD_OF_VIEW = (60.0, 45.0)
 #: Room at the sides of that view, as a factor.
 _ROOM = 1.1
 _NAMES: dict[PartKind, str] = {
+    "base": "base plate",
     "shell": "shells",
     "membrane": "membranes",
     "sheath": "tube sheaths",

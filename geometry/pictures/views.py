@@ -34,6 +34,7 @@ from geometry.solids.membrane import membranes_of
 _MOLD, _SCHEMATIC = "#d9c27a", "#b08fc7"
 #: Layers of the exploded view, from below.
 _LEVELS: dict[PartKind, int] = {
+    "base": -1,
     "shell": 0,
     "housing": 0,
     "spring": 1,
@@ -43,6 +44,7 @@ _LEVELS: dict[PartKind, int] = {
     "package": 4,
 }
 _PLURALS: dict[PartKind, str] = {
+    "base": "base plate",
     "shell": "shells",
     "housing": "housings",
     "spring": "springs",
@@ -158,7 +160,8 @@ def exploded_view(
     tall = bool(high[1] - low[1] > high[0] - low[0])
     width, depth = sorted((high - low)[:2].tolist(), reverse=True)
     thick = max(float(high[2] - low[2]) for low, high in boxes.values())
-    slope, step = _exploded(width, depth, thick, max(_LEVELS.values()) + 1, size)
+    levels = sorted({_LEVELS[kind] for kind in boxes})
+    slope, step = _exploded(width, depth, thick, len(levels), size)
     plotter = open_plotter(size)
     _add_parts(plotter, model, {kind: step * level for kind, level in _LEVELS.items()})
     aside = 0.03 * width
@@ -166,7 +169,7 @@ def exploded_view(
         aside += step * max(_LEVELS.values())  # its layers spread sideways too
     start = (float(high[0]), float(low[1]) - aside) if tall else (float(low[0]) - aside, float(low[1]))
     names, anchors = [], []
-    for level in sorted(set(_LEVELS.values())):
+    for level in levels:
         kinds = [kind for kind, own in _LEVELS.items() if own == level and counts[kind]]
         names.append(", ".join(f"{counts[kind]} {_PLURALS[kind]}" for kind in kinds))
         anchors.append((*start, step * level))

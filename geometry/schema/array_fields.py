@@ -9,6 +9,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field
 
+from geometry.schema.base_fields import Base
 from geometry.schema.field_errors import Count, Degree, Millimetre, Number, Section
 from geometry.schema.frozen_fields import FrozenPlaces
 from geometry.schema.kinds import PLAIN, Pattern, PointKind
@@ -149,6 +150,7 @@ class StatedArray(Section):
     surface: SurfaceFit | None = Field(default=None, description="body on which `acoustic-fem fit` lays the array")
     air: Air = Field(default=Air(), description="temperature, humidity and pressure of the air")
     printing: Printing = Field(default=Printing(), description="printing of the parts")
+    base: Base = Field(default=Base(), description="plate that holds the array")
     mold: Molding = Field(default=Molding(), description="mold in which the membranes are cast")
     target: Target = Field(default=Target(), description="use against which the verdict on the design is given")
     materials: dict[str, Material] = Field(

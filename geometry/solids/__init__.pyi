@@ -1,3 +1,4 @@
+from .base_plate import draw_base as draw_base
 from .carrier import array_carrier as array_carrier
 from .housing import build_board as build_board, build_housing as build_housing
 from .measure import (
