@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 #: Islands are printed only where a support carries them.
 ISLANDS = Rule(math.inf, 0.0, "a layer that begins in the air needs a support", "at most")
 #: Rule for the fraction of a lying bore that overcure leaves open.
-OPEN_BORE = Rule(0.1, 0.6, "assumed: half of the section is a flow resistance of four; ream such bores with a wire")
+OPEN_BORE = Rule(0.1, 0.6, "assumed: half of the section is a flow resistance of four; pass a wire through such bores")
 #: Rule for the fraction of the height that is exposed as first layers.
 FIRST_LAYERS = Rule(
     math.inf,
