@@ -15,6 +15,7 @@ from . import (
     recordings as recordings,
     signals as signals,
     tracking as tracking,
+    two_touches as two_touches,
 )
 from .contacts.contact import Contact as Contact
 from .datasets.touch_dataset import TouchDataset as TouchDataset
@@ -27,7 +28,6 @@ from .decoders.decoder_options import (
     ResidualOptions as ResidualOptions,
     SoundOptions as SoundOptions,
     TolerantOptions as TolerantOptions,
-    TwoTouchOptions as TwoTouchOptions,
 )
 from .decoders.drift import DriftDecoder as DriftDecoder
 from .decoders.family import FamilyDecoder as FamilyDecoder
@@ -39,7 +39,6 @@ from .decoders.reconstruct import (
 )
 from .decoders.sound_test import SoundTest as SoundTest
 from .decoders.tolerant import TolerantDecoder as TolerantDecoder
-from .decoders.two_touches import TwoTouchDecoder as TwoTouchDecoder, TwoTouches as TwoTouches
 from .diagnosis.diagnosis import Diagnosis as Diagnosis, diagnose as diagnose
 from .evaluation.accuracy import Evaluation as Evaluation, evaluate as evaluate
 from .evaluation.goodness_of_fit import SensorFit as SensorFit, sensor_fit as sensor_fit
@@ -86,3 +85,9 @@ from .tracking.path import PathTracker as PathTracker, Track as Track
 from .tracking.path_gestures import Gesture as Gesture, gesture_of as gesture_of
 from .tracking.position import PositionDecoder as PositionDecoder, Positions as Positions
 from .tracking.signal_track import track as track
+from .two_touches.two_touch_decoder import (
+    FoundTouch as FoundTouch,
+    TouchesAtOnce as TouchesAtOnce,
+    TwoTouchDecoder as TwoTouchDecoder,
+)
+from .two_touches.two_touch_options import TwoTouchOptions as TwoTouchOptions

@@ -16,7 +16,7 @@ WORDS = {
     "assemble": ("assembly", "glue", "leak test"),
     "bending": ("bend radius", "bending", "curved surface"),
     "calibration": ("calibration", "recalibrate"),
-    "decoder": ("decoder without training", "two fingers"),
+    "decoder": ("decoder without training",),
     "embed": ("Arduino", "C code", "ESP32", "firmware", "microcontroller", "STM32"),
     "evidence/speed": ("processor time",),
     "formats": ("CSV files", "MATLAB", "Octave", "SOFA"),
@@ -31,6 +31,7 @@ WORDS = {
     "stock": ("bill of materials", "shopping list", "silicone supplier", "spring supplier", "where to buy"),
     "suits-you": ("altitude", "humidity", "lifetime", "temperature", "water", "waterproof"),
     "tolerances": ("manufacturing tolerance",),
+    "two-touches": ("multi-touch", "two fingers"),
     "verdict": ("does my design work",),
 }
 

@@ -182,22 +182,6 @@ class DriftOptions(DecoderOptions):
 
 
 @dataclass(frozen=True)
-class TwoTouchOptions(DecoderOptions):
-    """Numbers that tune the decoder of two touches at once."""
-
-    noise_fraction: float = 1.0
-    """Fraction of the given noise that likelihoods assume: all of it, because pairs are compared with points."""
-    weakest_direction: float = 1e-4
-    """Fraction of the noise below which an eigenvector of a touch of 0 dB is left out."""
-    level_differences: tuple[float, ...] = (-20.0, -10.0, 0.0, 10.0, 20.0)
-    """Powers of the second touch over that of the first that are tried, dB."""
-    threshold: float = 5.0
-    """Gain of the best pair over the best point, nats, from which there are two touches."""
-    tolerant_threshold: float = 35.0
-    """The same with manufacturing tolerances."""
-
-
-@dataclass(frozen=True)
 class ResidualOptions:
     """Numbers that tune the test of whether a touch of a point can have made a signal."""
 

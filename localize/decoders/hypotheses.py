@@ -22,7 +22,7 @@ import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 from scipy.cluster.vq import kmeans2
-from scipy.interpolate import CubicSpline, make_interp_spline
+from scipy.interpolate import CubicSpline
 
 from acoustic_fem import Library
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
@@ -30,12 +30,10 @@ from acoustic_fem.scatter.tolerances import ScatteredDesign, Tolerance
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import HypothesisOptions
-from localize.decoders.frame_covariance import DEVIATING, SourceDensity, source_density, touch_covariances
-from localize.signals.array_response import ArrayResponse, response_of
+from localize.decoders.frame_covariance import DEVIATING
+from localize.signals.array_response import ArrayResponse
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
-ROUNDING = 1e-12
-"""Fraction of the power of a touch that is added to what each microphone hears alone, for the sake of rounding."""
 NOTHING = 1e-12
 """Fraction of the power of the first shape below which another is one of rounding."""
 _BLOCK = 300
@@ -96,48 +94,6 @@ def as_built_hypotheses(
     # A group without draws is never believed.
     deviations = CubicSpline(np.log(nodes), shapes, axis=-1)(np.log(DEVIATING)).astype(np.complex64)
     return Hypotheses((*made, response), deviations, np.log(np.maximum(prior, 1e-30)))
-
-
-def as_built_covariances(
-    library: Library | ArrayResponse,
-    tolerances: Sequence[Tolerance],
-    whiten: Array,
-    density: SourceDensity = source_density,
-    options: HypothesisOptions = HypothesisOptions(),
-) -> Array:
-    """Covariances of a touch of each point, averaged over the sensors that a design may come out as.
-
-    Args:
-        library: of a design.
-        tolerances: of manufacturing.
-        whiten: as of :func:`localize.decoders.frame_covariance.touch_covariances`.
-        density: as there.
-        options: numbers of the hypotheses.
-
-    Returns:
-        (n_point, n, n) float64.
-
-    Raises:
-        Refusal: bare transfer functions, or a design whose scatter is not known.
-    """
-    if isinstance(library, ArrayResponse):
-        raise bare_library()
-    response = response_of(library)
-    hypotheses = as_built_hypotheses(library, response, tolerances, options)
-    nearest = np.clip(response.frequency, DEVIATING[0], DEVIATING[-1])
-    spectra = np.zeros((*response.transfer_function.shape, len(response.microphones)), np.complex128)
-    for number, one in enumerate(hypotheses.responses):
-        shapes = make_interp_spline(DEVIATING, hypotheses.deviations[number], k=1, axis=-1)(nearest)
-        each = one.transfer_function * np.concatenate([np.ones_like(shapes[:1]), shapes])
-        prior = np.exp(hypotheses.log_prior[:, number])[:, None, None, None]
-        spectra += prior * np.einsum("spmf,spnf->pmfn", each, each.conj())
-    # What the microphones hear is a sum of as many sources as there are microphones, at every frequency anew.
-    spectra = spectra.transpose(0, 2, 1, 3)
-    size = np.trace(spectra, axis1=2, axis2=3).real[..., None, None]
-    factor = np.linalg.cholesky(spectra + ROUNDING * size * np.eye(spectra.shape[-1]))
-    parts = (factor[..., k].transpose(0, 2, 1) for k in range(factor.shape[-1]))
-    covariances = [touch_covariances(replace(response, transfer_function=part), whiten, density) for part in parts]
-    return np.asarray(sum(covariances))
 
 
 def bare_library() -> Refusal:

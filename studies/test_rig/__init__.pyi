@@ -10,4 +10,5 @@ from .recalibrating import Recalibration as Recalibration, recalibrate as recali
 from .rig_contacts import record_contact as record_contact
 from .rig_session import RigSession as RigSession, record_rig as record_rig
 from .rig_touches import TouchSession as TouchSession, record_touches as record_touches
+from .touches_at_once import FrameRig as FrameRig, TouchFrame as TouchFrame
 from .virtual_rig import HiddenScatter as HiddenScatter, Recorder as Recorder, Rig as Rig

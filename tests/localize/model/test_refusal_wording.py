@@ -27,7 +27,7 @@ def test_the_messages_of_decoders_streams_and_models(tmp_path: Path) -> None:
         "no design": lambda: localize.BayesDecoder(array, 1e-3, 60.0),
         "tolerances": lambda: localize.TolerantDecoder(array),  # type: ignore[arg-type]
         "drift": lambda: localize.DriftDecoder(library),
-        "two touches": lambda: localize.TwoTouchDecoder(rc_line(65), 1e-3),
+        "two touches": lambda: localize.TwoTouchDecoder(array, 1e-3),
         "top": lambda: localize.judge(decoder, test, frames, top=9),
         "point": lambda: test.p_value(frames, [0]),
         "too loud": lambda: localize.ResidualTest(array, 1e-9, 1e3),

@@ -1,0 +1,232 @@
+"""Decoder of one, two or three touches at once, each the stroke of a membrane.
+
+Two microphones give two equations for two unknown waveforms at every frequency, so any two points of a line explain any
+frame if their waveforms are free. A touch of a finger is not free: it rises, is held, and falls. With such strokes the
+points, the times and the heights of two touches are determined.
+
+All pairs of strokes on a grid are screened first (:mod:`localize.two_touches.stroke_atoms`), the best ones are fitted
+(:mod:`localize.two_touches.stroke_fit`), together with the deviations of the sensor from its library
+(:mod:`localize.two_touches.path_deviations`). There are two touches if the evidence of the best pair exceeds that of
+the best point by a threshold.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import softmax
+
+from acoustic_fem import Library
+from acoustic_fem.scatter.tolerances import Tolerance
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.typed import Array
+from localize.decoders.frame_covariance import check_noise
+from localize.decoders.hypotheses import bare_library
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import FRAME
+from localize.signals.noise_model import NoiseChoice
+from localize.signals.threads import one_thread
+from localize.two_touches.path_deviations import PathDeviations
+from localize.two_touches.stroke_atoms import Starts, StrokeAtoms
+from localize.two_touches.stroke_fit import SIZE, StrokeFits, fit_strokes
+from localize.two_touches.stroke_model import StrokeModel
+from localize.two_touches.two_touch_options import TwoTouchOptions
+
+
+@dataclass(frozen=True)
+class FoundTouch:
+    """One of the touches of a frame."""
+
+    best: int
+    """Most probable point, from 1."""
+    probability: float
+    """Probability that this point was touched, 0 to 1."""
+    time: float
+    """Time at which its stroke had risen by half, s after the beginning of the frame."""
+    height: float
+    """Height of its stroke, Pa in the cavity at 30 Hz."""
+    held: float
+    """Time for which the stroke is held, s; beyond the end of the frame it is a guess."""
+    least_probability: float = 0.5
+    """Probability below which the point counts as unknown."""
+
+    @property
+    def point(self) -> int | None:
+        """Most probable point, from 1; None if it is not probable enough."""
+        return self.best if self.probability >= self.least_probability else None
+
+
+@dataclass(frozen=True)
+class TouchesAtOnce:
+    """Touches of one frame."""
+
+    touches: tuple[FoundTouch, ...]
+    """Touches in the order of time."""
+    gain: float
+    """Evidence of two touches over that of one, nats; 0 if one touch leaves so little that two were not tried."""
+    misfit: float
+    """Mean square of the residual over what is expected, a ratio; far above 1 if no strokes explain the frame."""
+
+    @property
+    def points(self) -> tuple[int | None, ...]:
+        """Points of the touches, in the order of time."""
+        return tuple(touch.point for touch in self.touches)
+
+
+class TwoTouchDecoder:
+    """Decoder of several touches at once, for frames behind the high-pass of a stream.
+
+    Args:
+        library: transfer functions of a design that cover 1 to 100 Hz.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        tolerances: of manufacturing, of a sensor that nobody calibrated, such as
+            :data:`acoustic_fem.scatter.UNCALIBRATED`; None if the library was measured on the sensor.
+        options: numbers that tune it.
+
+    Raises:
+        Refusal: bare transfer functions, tolerances of a design whose scatter is not known, or as
+            :class:`localize.BayesDecoder`.
+    """
+
+    @one_thread()
+    def __init__(
+        self,
+        library: Library | ArrayResponse,
+        microphone_noise: NoiseChoice = "design",
+        tolerances: Sequence[Tolerance] | None = None,
+        options: TwoTouchOptions = TwoTouchOptions(),
+    ) -> None:
+        check_noise(microphone_noise)
+        response = response_of(library)
+        self.array, self.options = response.array, options
+        self._model = StrokeModel(response, microphone_noise)
+        if tolerances is None:
+            self._deviations = PathDeviations.of_calibration(response, self._model.frequency, options)
+        elif isinstance(library, ArrayResponse):
+            raise bare_library()
+        else:
+            self._deviations = PathDeviations.of_tolerances(
+                library, response, tolerances, self._model.frequency, options
+            )
+            self._model.paths = self._model.paths * np.exp(self._deviations.means)
+        self._coarse = self._model.coarse()
+        self._atoms = StrokeAtoms(self._model, response, options)
+        self._line, self._place = response.line, response.place
+
+    @one_thread()
+    def locate(self, frame: ArrayLike) -> TouchesAtOnce:
+        """Touches of one frame.
+
+        Args:
+            frame: (n_microphone, 250) float64, Pa, at 1 kHz, behind the high-pass of a stream. The touches begin in its
+                first half.
+
+        Raises:
+            Refusal: another shape, or a value that is not finite.
+        """
+        samples = np.asarray(frame, np.float64)
+        expected = len(self.array.microphones), FRAME
+        if samples.shape != expected or not np.isfinite(samples).all():
+            problem = f"has shape {samples.shape}; it must hold finite values of shape {expected}"
+            raise Refusal(problem, kind=Kind.WRONG_TYPE, field="frame")
+        white = self._model.white(samples)
+        found = self._fitted(white, self._atoms.singles(white))
+        gain = 0.0
+        for count in range(2, self.options.most + 1):
+            # More strokes gain at most what the residual costs.
+            if found.misfit[0] / 2 <= self.options.threshold:
+                break
+            starts = self._atoms.pairs(white) if count == 2 else self._with_another(white, found)
+            if not len(starts.points):
+                break
+            more = self._fitted(white, starts)
+            better = float(more.evidence[0] - found.evidence[0])
+            gain = better if count == 2 else gain
+            if better <= self.options.threshold:
+                break
+            found = more
+        return self._answer(found, gain, len(white))
+
+    def _fitted(self, white: Array, starts: Starts) -> StrokeFits:
+        """Fits of the hypotheses that explain a frame best, the best first."""
+        stages = self.options.stages
+        first, others = stages[0], stages[1:]
+        reach = self._atoms.stride - 1
+        fits = self._stage(self._coarse, white, starts.points, starts.strokes, None, first)
+        if reach:
+            points, strokes = self._widened(fits, reach)
+            fits = self._stage(self._coarse, white, points, strokes, None, first)
+        for stage in others[:-1]:
+            fits = self._stage(self._model, white, fits.points, fits.strokes, fits.deviations, stage)
+            points, strokes = self._widened(fits, 1)
+            beside = self._stage(self._model, white, points, strokes, None, stage)
+            fits = fits.joined(beside).best(stage[0], stage[1])
+        return self._stage(self._model, white, fits.points, fits.strokes, fits.deviations, others[-1])
+
+    def _stage(
+        self, model: StrokeModel, white: Array, points: NDArray[np.int64], strokes: Array, deviations: Array | None,
+        stage: tuple[int, int, float, int, int],
+    ) -> StrokeFits:  # fmt: skip
+        """Fits of one stage; without deviations (None) they begin at none."""
+        keep, of_points, error, steps, count = stage
+        variance = 1 + max(error, self.options.relative_error) ** 2 * float((white**2).mean())
+        every = self._model.paths.shape[-1] // model.paths.shape[-1]
+        components = np.stack([self._deviations.of_points(tuple(each), count) for each in points.tolist()])
+        components = components[..., every - 1 :: every]
+        begin = np.zeros((len(points), components.shape[1]))
+        if deviations is not None:
+            shared = min(deviations.shape[1], begin.shape[1])
+            begin[:, :shared] = deviations[:, :shared]
+        fits = fit_strokes(model, white, points, strokes, begin, components, variance, steps)
+        return fits.best(keep, of_points)
+
+    def _widened(self, fits: StrokeFits, reach: int) -> tuple[NDArray[np.int64], Array]:
+        """Hypotheses about points beside those of the best ones, up to some places away."""
+        points, strokes = list[tuple[int, ...]](), list[Array]()
+        for each, own in zip(fits.points[: self.options.widened].tolist(), fits.strokes, strict=False):
+            for moved in product(*(self._near(point, reach) for point in each)):
+                if len(set(moved)) == len(moved):
+                    points.append(moved)
+                    strokes.append(own)
+        return np.array(points), np.array(strokes)
+
+    def _near(self, point: int, reach: int) -> list[int]:
+        """Points of the line of a point, up to some places away."""
+        beside = np.abs(self._place - self._place[point]) <= reach
+        return np.flatnonzero((self._line == self._line[point]) & beside).tolist()
+
+    def _with_another(self, white: Array, fits: StrokeFits) -> Starts:
+        """The best hypotheses with one more stroke, from what they leave of the frame."""
+        points, strokes = [], []
+        for each, own, residual in zip(fits.points[:2], fits.strokes[:2], fits.residual[:2], strict=True):
+            singles = self._atoms.singles(residual)
+            for point, stroke in zip(singles.points[:, 0], singles.strokes[:, 0], strict=True):
+                if point not in each:
+                    points.append([*each, point])
+                    strokes.append([*own, stroke])
+        return Starts(np.array(points, np.int64).reshape(len(points), -1), np.array(strokes))
+
+    def _answer(self, fits: StrokeFits, gain: float, size: int) -> TouchesAtOnce:
+        misfit = float(fits.misfit[0]) / size
+        # What nothing explains does not tell points apart.
+        probability = softmax(fits.evidence / max(1.0, misfit))
+        if fits.points.shape[1] > 1:
+            probability *= 1 - self.options.missed
+        touches = []
+        for point, stroke in zip(fits.points[0].tolist(), fits.strokes[0], strict=True):
+            share = float(probability[(fits.points == point).any(1)].sum())
+            touches.append(
+                FoundTouch(
+                    best=point + 1,
+                    probability=share,
+                    time=float(stroke[0]),
+                    height=float(np.exp(stroke[SIZE - 1])),
+                    held=float(np.exp(stroke[2])),
+                    least_probability=self.options.likely,
+                )
+            )
+        return TouchesAtOnce(tuple(sorted(touches, key=lambda touch: touch.time)), gain, misfit)

@@ -1,0 +1,101 @@
+"""One, two and three strokes are found with their points, times and heights; noise is no certain touch."""
+
+import numpy as np
+import pytest
+from rc_line import rc_line
+from refusals import refused
+from shared import solved
+
+import localize
+from acoustic_fem.scatter import UNCALIBRATED
+from geometry import Kind
+from localize.live.front_end import HighPass
+from localize.signals.array_response import response_of
+from localize.signals.touch_generator import SCALED_AT
+
+FREQUENCY = np.arange(1.0, 501.0)
+BEFORE = 1000
+
+
+@pytest.fixture(scope="module")
+def library():
+    return solved("array-2x6", FREQUENCY)
+
+
+@pytest.fixture(scope="module")
+def decoder(library):
+    return localize.TwoTouchDecoder(library)
+
+
+def frame_of(library, touches, noise=1e-4, seed=0):
+    """Frame of strokes, each a point, its beginning and its width, s, and its height, Pa; from samples at 4 kHz."""
+    response = response_of(library)
+    rate, count = 4000, 16000
+    frequency = np.fft.rfftfreq(count, 1 / rate)
+    inside = (frequency > 0) & (frequency <= 160)
+    paths, cavity = response.between(frequency[inside])
+    scale = np.abs(response.between(np.array([SCALED_AT]))[1])
+    spectra = np.zeros((len(response.microphones), len(frequency)), complex)
+    time = np.arange(count) / rate - BEFORE / 1000
+    for point, begin, width, height in touches:
+        samples = np.where((time > begin) & (time < begin + width), np.sin(np.pi * (time - begin) / width) ** 2, 0.0)
+        driven = height * np.fft.rfft(samples)[inside] * cavity[point - 1] / scale[point - 1]
+        spectra[:, inside] += paths[point - 1] * driven
+    heard = np.fft.irfft(spectra, count)[:, ::4]
+    heard = heard + noise * np.random.default_rng(seed).standard_normal(heard.shape)
+    return HighPass(len(heard), 3.0).begin(heard)[:, BEFORE : BEFORE + 250]
+
+
+@pytest.mark.parametrize("point", [1, 6, 9])
+def test_a_single_touch_is_one_with_its_time_and_height(library, decoder, point):
+    found = decoder.locate(frame_of(library, [(point, 0.03, 0.04, 0.7)]))
+    assert found.points == (point,)
+    assert found.touches[0].time == pytest.approx(0.03 + 0.01, abs=2e-3)
+    assert found.touches[0].height == pytest.approx(0.7, rel=0.1)
+    assert found.gain <= 50
+    assert found.misfit < 1
+
+
+@pytest.mark.parametrize(("one", "other", "apart"), [(2, 9, 0.0), (4, 5, 0.03), (1, 12, 0.05)])
+def test_two_touches_are_found_in_the_order_of_time(library, decoder, one, other, apart):
+    found = decoder.locate(frame_of(library, [(one, 0.03, 0.05, 1.0), (other, 0.03 + apart, 0.03, 0.5)]))
+    assert set(found.points) == {one, other}
+    if apart:
+        assert found.points == (one, other)
+        assert found.touches[1].time == pytest.approx(0.03 + apart + 0.0075, abs=3e-3)
+    assert found.gain > 100
+
+
+def test_three_touches_are_found_where_three_are_looked_for(library):
+    three = localize.TwoTouchDecoder(library, options=localize.TwoTouchOptions(most=3))
+    frame = frame_of(library, [(2, 0.02, 0.04, 1.0), (6, 0.05, 0.03, 0.8), (11, 0.09, 0.04, 1.0)])
+    assert three.locate(frame).points == (2, 6, 11)
+    assert three.locate(frame_of(library, [(3, 0.03, 0.05, 1.0)])).points == (3,)
+
+
+def test_what_no_strokes_make_has_a_misfit_and_no_certain_points(library, decoder):
+    noise = np.random.default_rng(3).standard_normal((2, 250))
+    found = decoder.locate(noise)
+    assert found.misfit > 20
+    assert all(touch.probability < 0.95 for touch in found.touches)
+
+
+def test_a_point_that_is_not_probable_enough_is_unknown():
+    touch = localize.FoundTouch(best=4, probability=0.4, time=0.0, height=1.0, held=0.1)
+    assert touch.point is None
+    assert localize.TouchesAtOnce((touch,), 0.0, 1.0).points == (None,)
+
+
+def test_bad_arguments_are_refused(library, decoder):
+    with refused(Kind.UNSUITABLE, "library"):
+        localize.TwoTouchDecoder(rc_line(3), 1e-3)
+    with refused(Kind.OUT_OF_RANGE, "microphone_noise", 0.0):
+        localize.TwoTouchDecoder(library, 0.0)
+    with refused(Kind.OUT_OF_RANGE, "most", 4):
+        localize.TwoTouchOptions(most=4)
+    with refused(Kind.WRONG_TYPE, "frame"):
+        decoder.locate(np.zeros((3, 250)))
+    with refused(Kind.WRONG_TYPE, "frame"):
+        decoder.locate(np.full((2, 250), np.nan))
+    with refused(Kind.UNSUITABLE, "library"):
+        localize.TwoTouchDecoder(response_of(library), tolerances=UNCALIBRATED)
