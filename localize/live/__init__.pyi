@@ -1,7 +1,9 @@
 from .events import (
     HOP as HOP,
     Decision as Decision,
+    DownTouch as DownTouch,
     Fault as Fault,
+    SeveralTouches as SeveralTouches,
     State as State,
     TrackedPlace as TrackedPlace,
 )

@@ -113,6 +113,41 @@ class TouchEvent:
 
 
 @dataclass(frozen=True)
+class DownTouch:
+    """One of several touches at once."""
+
+    time: float
+    """Time at which its stroke had risen by half, s."""
+    point: int | None
+    """Point, from 1; None if it is not known."""
+    probability: float
+    """Probability of the most probable point, 0 to 1."""
+
+
+@dataclass(frozen=True)
+class SeveralTouches:
+    """Two or three touches within one contact, reported once the contact is long enough to be known."""
+
+    time: float
+    """Time at which it is reported, s."""
+    contact: float
+    """Time of the first decision of the contact, s."""
+    touches: tuple[DownTouch, ...]
+    """Touches, in the order of time."""
+    latency: float
+    """Longest time from the beginning of the contact to the report, s."""
+
+    def json_line(self) -> str:
+        """Touches as one line of JSON; a point that is not known is null."""
+        touches = [
+            {"down": round(each.time, 4), "point": each.point, "probability": round(each.probability, 4)}
+            for each in self.touches
+        ]
+        line = {"time": round(self.time, 6), "event": "several", "touches": touches}
+        return json.dumps(line | {"latency": round(self.latency, 5)})
+
+
+@dataclass(frozen=True)
 class TrackedPlace:
     """Place of a contact while it moves, reported as soon as it is known."""
 

@@ -17,7 +17,7 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.live.events import Decision, Fault, TouchEvent, TrackedGesture, TrackedPlace
+from localize.live.events import Decision, Fault, SeveralTouches, TouchEvent, TrackedGesture, TrackedPlace
 from localize.live.recorder import LiveRecorder
 from localize.live.sources import Block, BlockQueue, Source, SourceError
 from localize.live.stream import TouchStream
@@ -46,7 +46,7 @@ class Notice:
 class Heard:
     """Event of a stream, with the time at which its samples were there."""
 
-    event: Decision | Fault | TouchEvent | TrackedPlace | TrackedGesture | Notice
+    event: Decision | Fault | TouchEvent | SeveralTouches | TrackedPlace | TrackedGesture | Notice
     """Decision or fault of the stream, touch, place, gesture, or notice of the listener."""
     available: float | None = None
     """Time at which what the frame of a decision shows last was there, s on the clock of ``time.perf_counter``: its
@@ -54,7 +54,7 @@ class Heard:
 
     def json_line(self, latency: float | None) -> str:
         """Event as one line of JSON, of a decision with ``latency`` in s, which adds to that of a touch or a place."""
-        if isinstance(self.event, (TouchEvent, TrackedPlace)):
+        if isinstance(self.event, (TouchEvent, SeveralTouches, TrackedPlace)):
             return replace(self.event, latency=self.event.latency + (latency or 0.0)).json_line()
         line = self.event.json_line()
         if latency is None or isinstance(self.event, TrackedGesture):
@@ -65,10 +65,10 @@ class Heard:
 class Tracker(Protocol):
     """Tracker that combines frames into touches, places or gestures."""
 
-    def take(self, event: object) -> Sequence[TouchEvent | TrackedPlace | TrackedGesture | Notice]:
+    def take(self, event: object) -> Sequence[TouchEvent | SeveralTouches | TrackedPlace | TrackedGesture | Notice]:
         """Take the next event of a stream and say what it means."""
 
-    def finish(self) -> Sequence[TouchEvent | TrackedPlace | TrackedGesture | Notice]:
+    def finish(self) -> Sequence[TouchEvent | SeveralTouches | TrackedPlace | TrackedGesture | Notice]:
         """Say what is left to say when the stream ends."""
 
 

@@ -1,6 +1,6 @@
 """One door to a model: a network, a graph or the decoder of a library, opened once with all that it needs.
 
-Stands on: decoders, evaluation, graphs, learned, live, recordings, signals, tracking.
+Stands on: decoders, evaluation, graphs, learned, live, recordings, signals, tracking, two_touches.
 """
 
 import lazy_loader

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from localize.evaluation.connection_faults import ConnectionFault
-from localize.live.events import HOP, Decision, Fault, State, TouchEvent
+from localize.live.events import HOP, Decision, Fault, SeveralTouches, State, TouchEvent
 from localize.live.touches import Touch
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.stimulus import SAMPLE_RATE
@@ -37,7 +37,7 @@ class LocatedTouches(RecordingResult):
 
     touches: tuple[Touch, ...]
     """Touches in the order of time."""
-    events: tuple[Decision | Fault | TouchEvent, ...]
+    events: tuple[Decision | Fault | TouchEvent | SeveralTouches, ...]
     """Decisions, 16 ms apart, faults, and touches as they would have been reported while they happened."""
     warning: str | None = None
     """Reason to distrust the touches, in words: the sensor does not fit the library. None if it fits, or if there is no
@@ -57,6 +57,11 @@ class LocatedTouches(RecordingResult):
         """Time of the decisions in each state that occurred, s."""
         states = Counter(event.state for event in self.events if isinstance(event, Decision))
         return {state: count * HOP / SAMPLE_RATE for state, count in states.items()}
+
+    @property
+    def several(self) -> tuple[SeveralTouches, ...]:
+        """Contacts of several touches at once, in the order of time; empty if these are not looked for."""
+        return tuple(event for event in self.events if isinstance(event, SeveralTouches))
 
     @property
     def first_faults(self) -> tuple[Fault, ...]:
@@ -80,9 +85,31 @@ def distrusted_touch(touch: Touch, trust: float, array: ArrayFacts) -> Touch:
     return touch if trust == 1.0 else replace(touch, probability=trust * touch.probability + chance)
 
 
+def with_several(touches: Sequence[Touch], several: Sequence[SeveralTouches]) -> list[Touch]:
+    """Touches in which those of a contact of several are replaced by its own, as far as their points are known.
+
+    Args:
+        touches: one at a time, as the decisions of a stream join.
+        several: contacts of several touches.
+    """
+    found = list(touches)
+    for each in several:
+        of_contact = [touch for touch in found if each.contact <= touch.start <= each.time]
+        if not of_contact:
+            continue
+        longest = max(of_contact, key=lambda touch: touch.end)
+        level = max(touch.level for touch in of_contact)
+        found = [touch for touch in found if touch not in of_contact]
+        for down in each.touches:
+            if down.point is not None:
+                start = each.contact + down.time - each.touches[0].time
+                found.append(Touch(start, max(longest.end, start), down.point, down.probability, level))
+    return sorted(found, key=lambda touch: touch.start)
+
+
 def distrusted_event(
-    event: Decision | Fault | TouchEvent, trust: float, array: ArrayFacts
-) -> Decision | Fault | TouchEvent:
+    event: Decision | Fault | TouchEvent | SeveralTouches, trust: float, array: ArrayFacts
+) -> Decision | Fault | TouchEvent | SeveralTouches:
     """Event whose probabilities are mixed with those of chance; one without a probability stays as it is.
 
     Args:
@@ -90,7 +117,13 @@ def distrusted_event(
         trust: weight of its probabilities, 0 to 1.
         array: array whose points are equally likely by chance.
     """
-    if trust == 1.0 or isinstance(event, Fault) or event.probability is None:
+    if trust == 1.0 or isinstance(event, Fault):
+        return event
+    if isinstance(event, SeveralTouches):
+        each = 1.0 / len(array.line)
+        lowered = (replace(one, probability=trust * one.probability + (1 - trust) * each) for one in event.touches)
+        return replace(event, touches=tuple(lowered))
+    if event.probability is None:
         return event
     chance = (1.0 - trust) / len(array.line)
     probability = trust * event.probability + chance

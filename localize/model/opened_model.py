@@ -13,10 +13,11 @@ from numpy.typing import ArrayLike
 
 import acoustic_fem
 import localize
-from acoustic_fem.library.transfer_functions import Library
+from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.network.microphone_output import Equaliser
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from acoustic_fem.quantities.microphone_signals import LOWEST, LOWEST_RANGE, OUTPUTS, Output
+from acoustic_fem.scatter.tolerances import UNCALIBRATED
 from geometry.ground.argument_checks import check_choice, check_range, check_type
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.shown import Shown
@@ -33,7 +34,7 @@ from localize.decoders.tolerant import decoder_of, unknown_tolerances
 from localize.evaluation.fit_watch import FitWatch
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
 from localize.graphs.onnx_localizer import OnnxLocalizer
-from localize.live.events import HOP, Decision, Fault
+from localize.live.events import HOP, Decision, Fault, SeveralTouches
 from localize.live.listener import LiveListener
 from localize.live.recorder import LiveRecorder
 from localize.live.sources import Source
@@ -41,7 +42,7 @@ from localize.live.stream import TouchStream
 from localize.live.stream_options import StreamOptions, TouchOptions
 from localize.live.touches import TouchTracker, touches_of
 from localize.model.file_contents import FileContent, file_content
-from localize.model.located_touches import LocatedTouches, distrusted_event, distrusted_touch
+from localize.model.located_touches import LocatedTouches, distrusted_event, distrusted_touch, with_several
 from localize.recordings.recording import Recording, read_recording
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.array_response import ArrayResponse, response_of
@@ -52,6 +53,8 @@ from localize.signals.noise_model import NoiseChoice
 from localize.signals.same_array import check_same_design
 from localize.tracking.path import PathTracker
 from localize.tracking.path_gestures import GestureTracker
+from localize.two_touches.touch_watch import TwoTouchWatch
+from localize.two_touches.two_touch_decoder import TwoTouchDecoder
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -95,6 +98,8 @@ class Decoding:
     outputs of microphones that nobody has equalised."""
     lowest: float | None = None
     """Frequency down to which outputs are equalised to pressures, Hz; None for 1 Hz, and 0.2 Hz for a pulse."""
+    two_touches: bool = False
+    """True if each contact is searched for two touches at once."""
 
     def __post_init__(self) -> None:
         checked_air(self.air)
@@ -246,7 +251,8 @@ class Model(Shown):
             correct: whether a reversed, exchanged or late microphone is corrected too, if the check finds one.
         """
         stream = self.stream(recording.limit, frames=True)
-        decided, fit = _decided(stream, recording.signals)
+        watch = self.two_touch_watch()
+        decided, fit = _decided(stream, recording.signals, watch)
         fault = None if fit is None or fit.fault is None or not (correct or fit.fault.kind == "level") else fit.fault
         if fault is not None:
             signals = fault.corrected(recording.signals, self.locator.microphones)
@@ -255,17 +261,22 @@ class Model(Shown):
                 if fault.kind != "level":
                     clipped = fault.corrected(clipped, self.locator.microphones)
                 signals = np.where(np.abs(clipped) > 0.1, np.copysign(recording.limit, signals), signals)
-            decided = self.stream(recording.limit).push(signals)
+            watch = self.two_touch_watch()
+            decided, _ = _decided(self.stream(recording.limit, frames=True), signals, watch)
         array, touches = self.locator.array, TouchOptions()
         tracker = TouchTracker(array, stream.delay, touches)
+        single = [event for event in decided if not isinstance(event, SeveralTouches)]
         events = [each for event in decided for each in (event, *tracker.take(event))]
         events += tracker.finish()
         trust = 1.0 if fit is None else fit.trust_of(fault)
+        found = with_several(
+            touches_of(single, array, touches), [each for each in decided if isinstance(each, SeveralTouches)]
+        )
         return LocatedTouches(
             array=array,
             seconds=recording.seconds,
             assumptions=self.assumptions,
-            touches=tuple(distrusted_touch(each, trust, array) for each in touches_of(decided, array, touches)),
+            touches=tuple(distrusted_touch(each, trust, array) for each in found),
             events=tuple(distrusted_event(each, trust, array) for each in events),
             warning=None if fit is None else fit.warning,
             fault=None if fit is None else fit.fault,
@@ -321,6 +332,28 @@ class Model(Shown):
             raise Refusal(problem, kind=Kind.UNSUITABLE, field="model")
         return PathTracker(self.library, contact_radius_mm, self.decoding.microphone_noise, self.decoding.ambient)
 
+    def two_touch_watch(self, beside: bool = False) -> TwoTouchWatch | None:
+        """New watch for touches at once, for the decisions of a stream that carry their frames.
+
+        Args:
+            beside: as of :class:`localize.two_touches.TwoTouchWatch`.
+
+        Returns:
+            None if the model was opened without ``two_touches``.
+
+        Raises:
+            Refusal: a model without a library.
+        """
+        if not self.decoding.two_touches:
+            return None
+        if self.library is None:
+            problem = "is not a library; two touches at once need one, because it predicts the signals of strokes"
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="model")
+        is_known = self.library.fidelity == MEASURED or unknown_tolerances(self.library) is not None
+        tolerances = None if is_known or not self.decoding.tolerances else UNCALIBRATED
+        decoder = TwoTouchDecoder(self.library, self.decoding.microphone_noise, tolerances)
+        return TwoTouchWatch(decoder, beside)
+
     def listen(
         self, source: Source, recorder: LiveRecorder | None = None, contact_radius_mm: float | None = None
     ) -> LiveListener:
@@ -338,7 +371,8 @@ class Model(Shown):
         """
         places = () if contact_radius_mm is None else (GestureTracker(self.tracker(contact_radius_mm)),)
         stream = self.stream(source.limit, frames=True)
-        trackers = (FitWatch(stream), TouchTracker(self.locator.array), *places)
+        watch = self.two_touch_watch(beside=True)
+        trackers = (FitWatch(stream), TouchTracker(self.locator.array), *places, *(() if watch is None else (watch,)))
         return LiveListener(source, stream, recorder, trackers=trackers)
 
 
@@ -359,6 +393,7 @@ def open_model(
     tolerances: bool = True,
     microphone_output: Output = "pressure",
     lowest: float | None = None,
+    two_touches: bool = False,
 ) -> Model:
     """Model from a file, a folder, a library or a localizer in memory; a file is recognised by its content.
 
@@ -382,6 +417,7 @@ def open_model(
         microphone_output: content of the signals that are read or listened to: ``pressure`` in front of the
             microphones, or ``voltage``, outputs of the microphones that nobody has equalised.
         lowest: frequency down to which outputs are equalised to pressures, Hz; by default 1 Hz.
+        two_touches: whether each contact is searched for two touches at once, which needs a library.
 
     Returns:
         The model; a :class:`Model` is handed back as it is.
@@ -402,6 +438,7 @@ def open_model(
         tolerances,
         microphone_output,
         lowest,
+        two_touches,
     )
     return opened(source, decoding, "source")
 
@@ -539,12 +576,17 @@ def _name(source: object) -> str:
     return str(source) if isinstance(source, (str, os.PathLike)) else f"a {type(source).__name__} in memory"
 
 
-def _decided(stream: TouchStream, signals: Array) -> tuple[list[Decision | Fault], SensorFit | None]:
+def _decided(
+    stream: TouchStream, signals: Array, watch: TwoTouchWatch | None
+) -> tuple[list[Decision | Fault | SeveralTouches], SensorFit | None]:
     """Decisions of a stream on signals, (n_microphone, n) Pa, and whether they are of the localizer's sensor."""
-    loud, decided = LoudFrames(), []
+    loud, decided = LoudFrames(), list[Decision | Fault | SeveralTouches]()
     for first in range(0, signals.shape[1], PART):
         events = stream.push(signals[:, first : first + PART])
         loud.take(events)
         # The samples of all frames take sixteen times the memory of the recording.
-        decided += [replace(event, frame=None) if isinstance(event, Decision) else event for event in events]
+        for event in events:
+            decided.append(replace(event, frame=None) if isinstance(event, Decision) else event)
+            decided += [] if watch is None else watch.take(event)
+    decided += [] if watch is None else watch.finish()
     return decided, sensor_fit(stream.locator, loud.frames(), stream.noise)

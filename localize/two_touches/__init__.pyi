@@ -1,3 +1,4 @@
+from .touch_watch import TwoTouchWatch as TwoTouchWatch
 from .two_touch_decoder import (
     FoundTouch as FoundTouch,
     TouchesAtOnce as TouchesAtOnce,

@@ -11,7 +11,7 @@ from rich.console import Console, ConsoleOptions, RenderResult
 from rich.live import Live
 from rich.text import Text
 
-from localize.live.events import Decision, Fault, TouchEvent, TrackedGesture, TrackedPlace
+from localize.live.events import Decision, Fault, SeveralTouches, TouchEvent, TrackedGesture, TrackedPlace
 from localize.live.listener import Heard, Latencies, Notice
 from localize.signals.array_facts import ArrayFacts
 from studies.output.display import number
@@ -70,6 +70,7 @@ class LivePicture:
         self._last: Heard | None = None
         self._place: TrackedPlace | None = None
         self._gesture: TrackedGesture | None = None
+        self._several: SeveralTouches | None = None
         self._wrong: deque[str] = deque(maxlen=LINES)
         self._faults: Counter[str] = Counter()
         self._waveform: deque[float] | None = deque(maxlen=500) if waveform else None
@@ -88,6 +89,8 @@ class LivePicture:
             self._place = event
         elif isinstance(event, TrackedGesture):
             self._gesture = event
+        elif isinstance(event, SeveralTouches):
+            self._several = event
         elif not isinstance(event, TouchEvent):
             self._last = heard
             if self._waveform is not None:
@@ -112,6 +115,9 @@ class LivePicture:
             for name, values in zip(self._microphones, self._recent(), strict=True):
                 marks, peak = sparkline(values - values.mean(), width, glyphs[4])
                 yield Text(f"{name[:7]:<7} {marks} {number(peak)} Pa", no_wrap=True)
+        if self._several is not None:
+            points = ", ".join("unknown" if each.point is None else str(each.point) for each in self._several.touches)
+            yield Text(f"touches at once, at {self._several.time:.2f} s: points {points}")
         p50, p99 = (1e3 * self._latencies.percentile(share) for share in (50, 99))
         faults = ", ".join(f"{kind} {count}" for kind, count in self._faults.items()) or "none"
         yield Text(f"latency p50 {p50:.1f} ms, p99 {p99:.1f} ms   faults: {faults}")

@@ -17,7 +17,7 @@ import localize
 import studies
 from geometry.ground.argument_checks import whole_number
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
-from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
+from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction, TwoTouches
 from studies.cli.options import (
     Altitude,
     Lowest,
@@ -108,6 +108,7 @@ def live(
     ambient: DecoderAmbient = None,
     reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
+    two_touches: TwoTouches = False,
     radius: Annotated[
         float | None,
         typer.Option(
@@ -150,6 +151,7 @@ def live(
         follow_drift,
         microphone_output=microphone_output,
         lowest=lowest,
+        two_touches=two_touches,
     )
     with _Output(waveform) as output:
         summary = listen(

@@ -69,6 +69,13 @@ RejectedFraction = Annotated[
         "that may be rejected, such as 1e-6. For a calibrated sensor. Default: the likeliest point is reported.",
     ),
 ]
+TwoTouches = Annotated[
+    bool,
+    typer.Option(
+        "--two-touches",
+        help="Search each contact for two taps or presses at once, such as of two fingers; needs a library.",
+    ),
+]
 FollowDrift = Annotated[
     bool,
     typer.Option(
@@ -214,6 +221,7 @@ def locate(
     ambient: DecoderAmbient = None,
     reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
+    two_touches: TwoTouches = False,
     channels: Channels = None,
     correct: Annotated[
         bool,
@@ -247,6 +255,7 @@ def locate(
         follow_drift,
         microphone_output=microphone_output,
         lowest=lowest,
+        two_touches=two_touches,
     )
     found = studies.locate_recording(
         model,
@@ -263,6 +272,11 @@ def locate(
     seconds = found.seconds_by_state
     others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in names.items() if state in seconds)
     tell(f"{recording}: {counted(len(found.touches), 'touch')} in {found.seconds:.1f} s{others}")
+    for each in found.several:
+        unknown = sum(touch.point is None for touch in each.touches)
+        if unknown:
+            what = counted(len(each.touches), "touch")
+            tell(f"{what} at once at {each.touches[0].time:.3f} s, place of {unknown} unknown")
     for fault in found.first_faults:
         of = "" if fault.channel is None else f" of microphone {fault.channel}"
         tell(f"warning: {fault.kind}{of}, from {fault.time:.1f} s on")

@@ -255,7 +255,15 @@ def _check_needs_no_samples(
     options, usual = decoding or Decoding(), Decoding()
     given = {"record": record is not None, "contact_radius_mm": radius is not None}
     given["air"] = options.air not in (None, LocalAir())
-    for name in ("microphone_noise", "waveform", "ambient", "rejected_fraction", "follow_drift", "microphone_output"):
+    for name in (
+        "microphone_noise",
+        "waveform",
+        "ambient",
+        "rejected_fraction",
+        "follow_drift",
+        "two_touches",
+        "microphone_output",
+    ):
         given[name] = getattr(options, name) != getattr(usual, name)
     for name, is_given in given.items():
         if is_given:
