@@ -14,7 +14,7 @@ from localize.two_touches.two_touch_decoder import TouchesAtOnce, TwoTouchDecode
 WAIT = 11
 """Number of decisions after the first one of a contact, whose frame holds the beginning and most of the contact."""
 LARGEST_MISFIT = 5.0
-"""Largest misfit at which several touches are reported: a slide is no stroke and leaves more."""
+"""Largest misfit at which several touches are reported: slides leave more."""
 
 
 class TwoTouchWatch:

@@ -33,7 +33,7 @@ class TwoTouchOptions:
     press_rises: tuple[float, ...] = (0.03, 0.06, 0.1, 0.17)
     """Rises of the presses of the grid, s."""
     few_rises: int = 2
-    """Of these rises, every so many-th is on the grid of an array with more points than :attr:`few_points`."""
+    """Step through these rises for an array with more points than :attr:`few_points`: 2 leaves out every second one."""
     few_points: int = 16
     """Number of points up to which the grid holds all rises."""
     last_onset: float = 0.13
