@@ -61,9 +61,7 @@ def plate_picture(plate: Plate, shapes: Sequence[SharedShape], process: PrintPro
 def part_marks(model: ArrayModel) -> dict[str, str]:
     """Letters by which the picture of the parts and the table beside it call the printed parts of the array."""
     parts = model.parts
-    names = [
-        name for name in parts if parts.kinds[name] in ("shell", "carrier", "housing", "base") and parts.counts[name]
-    ]
+    names = [name for name in parts if parts.kinds[name] in ("shell", "carrier", "housing") and parts.counts[name]]
     return {name: chr(ord("A") + number % 26) * (number // 26 + 1) for number, name in enumerate(names)}
 
 
