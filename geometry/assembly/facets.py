@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,13 +33,17 @@ class Facets:
         common = self._placed(first) ^ self._placed(second)
         return float(common.volume())
 
+    def in_walls(self, part: PlacedPart, walls: Sequence[manifold3d.Manifold]) -> float:
+        """Volume that a placed part shares with solids, mm^3."""
+        return math.fsum(float((self._placed(part) ^ wall).volume()) for wall in walls)
+
     def _placed(self, part: PlacedPart) -> manifold3d.Manifold:
         import manifold3d
 
         from geometry.solids.measure import tessellate
 
         if part.part not in self._solids:
-            found = tessellate(self._shapes[part.part], _TOLERANCE, _FACET_ANGLE)
+            found = tessellate(self._shapes[part.part], _TOLERANCE, _FACET_ANGLE, measured=False)
             corners = np.array(found.vertices, np.float64, order="C")
             triangles = np.array(found.triangles, np.uint64, order="C")
             self._solids[part.part] = manifold3d.Manifold(manifold3d.Mesh64(corners, triangles))

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.assembly.facets import Facets
 from geometry.assembly.model import ArrayModel, plane_of
 from geometry.assembly.part_list import PlacedPart
 from geometry.ground.refusal import Kind, Refusal
@@ -82,7 +81,7 @@ def interferences(model: ArrayModel) -> tuple[Interference, ...]:
     found = []
     shared: dict[object, float] = {}
     joined, wedge = _joined(model), _wedge(model)
-    facets = Facets(model.shapes) if model.design.layout.frozen is not None else None
+    facets = model.facets if model.design.layout.frozen is not None else None
     for i, j in _near(model, 0.0):
         first, second = model.placed[i], model.placed[j]
         if first.group == second.group and {first.kind, second.kind} <= set(_OF_TUBES):

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from geometry.assembly.facets import Facets
 from geometry.assembly.part_list import PartKind, PartSet, PlacedPart, draw_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
@@ -49,6 +51,11 @@ class ArrayModel:
     """Every copy of every part."""
     schematic: tuple[TubePlacement, ...]
     """Tubes that are not among the parts, since their way is drawn for the eye only."""
+
+    @cached_property
+    def facets(self) -> Facets:
+        """Facets of the parts, which comparisons share."""
+        return Facets(self.shapes)
 
 
 def array_model(

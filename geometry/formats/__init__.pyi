@@ -1,3 +1,4 @@
+from .facet_files import FACET_FORMATS as FACET_FORMATS, export_facets as export_facets
 from .part_files import (
     FORMATS as FORMATS,
     ExportedFile as ExportedFile,

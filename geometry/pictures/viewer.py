@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from geometry.assembly.order_table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
 from geometry.ground.whole_files import made_folder, whole_file
+from geometry.solids.measure import Tessellation
 
 #: Facets for the eye: within this part of a shape's size and this angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.002, 0.35
@@ -27,6 +29,8 @@ _SEEN_FROM = (0.7, 0.0, 0.0)
 _FIELD_OF_VIEW = (60.0, 45.0)
 #: Room at the sides of that view, as a factor.
 _ROOM = 1.1
+#: Colour and opacity of the body that an array lies on.
+_BODY_LOOK = ("#c9c4ba", 0.35)
 _NAMES: dict[PartKind, str] = {
     "base": "base plate",
     "shell": "shells",
@@ -39,19 +43,24 @@ _NAMES: dict[PartKind, str] = {
 }
 
 
-def write_gltf(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) -> Path:
+def write_gltf(
+    array: ArrayDesign | ArrayModel, path: str | os.PathLike[str], bodies: Mapping[str, Tessellation] | None = None
+) -> Path:
     """Write the array as binary glTF: metres, y up, one node per part by its label, each shape stored once.
 
     Args:
         array: the design, or what :func:`geometry.assembly.model.array_model` put together of it already.
         path: of the ``.glb`` file; an existing one is replaced only by a complete one.
+        bodies: facets of the body that it lies on and of its skin, by the name of their node.
     """
     # glTF is in metres with y up; ours is in millimetres with z up.
     to_gltf = np.array([[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1000]]) / 1000
-    return _whole(path, _scene(array_model(array), to_gltf).export(file_type="glb"))
+    return _whole(path, _scene(array_model(array), to_gltf, bodies or {}).export(file_type="glb"))
 
 
-def write_viewer(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) -> Path:
+def write_viewer(
+    array: ArrayDesign | ArrayModel, path: str | os.PathLike[str], bodies: Mapping[str, Tessellation] | None = None
+) -> Path:
     """Write one HTML page that shows the array in any browser, without a network: turn, zoom, hide kinds of parts.
 
     The page holds the model as glTF and trimesh's viewer, which is made with three.js (both MIT licence).
@@ -59,10 +68,12 @@ def write_viewer(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) 
     Args:
         array: the design, or what :func:`geometry.assembly.model.array_model` put together of it already.
         path: of the page; an existing one is replaced only by a complete one.
+        bodies: facets of the body that it lies on and of its skin, by the name of their node.
     """
     model = array_model(array)
     design = model.design
-    scene = _scene(model, np.eye(4))
+    bodies = bodies or {}
+    scene = _scene(model, np.eye(4), bodies)
     scene.camera = trimesh.scene.cameras.Camera(name="camera", fov=_FIELD_OF_VIEW)  # else its name is a random one
     scene.set_camera(angles=_SEEN_FROM, fov=_FIELD_OF_VIEW)
     page = scene_to_html(scene)
@@ -73,14 +84,18 @@ def write_viewer(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) 
         f'<label><input type="checkbox" checked data-kind="{kind}"> '
         f'<b style="color:{LOOKS[kind][0]}">&#9632;</b> {_NAMES[kind]} ({len(labels[kind])})</label><br>'
         for kind in kinds
+    ) + "".join(
+        f'<label><input type="checkbox" checked data-kind="{name}"> '
+        f'<b style="color:{_BODY_LOOK[0]}">&#9632;</b> {name}</label><br>'
+        for name in bodies
     )
     panel = _PANEL.format(
         name=html.escape(design.name),
         facts=html.escape(f"{counted(design.point_count, 'point')}, {counted(len(design.microphones), 'microphone')}"),
         switches=switches,
         table=html.escape(assembly_text(design, assembly_steps(model))),
-        labels=json.dumps(labels),
-        names=json.dumps({_node(part.label): part.label for part in model.placed}),
+        labels=json.dumps(labels | {name: [name] for name in bodies}),
+        names=json.dumps({_node(part.label): part.label for part in model.placed} | {name: name for name in bodies}),
         aspect=f"{_ROOM * _aspect(scene):.4f}",
     )
     title = f"<title>{html.escape(design.name)}</title>"
@@ -147,22 +162,30 @@ def _aspect(scene: trimesh.Scene) -> float:
     return float(across / up)
 
 
-def _scene(model: ArrayModel, outer: np.ndarray) -> trimesh.Scene:
-    """Every shape once as triangles, every placed part as a node."""
+def _scene(model: ArrayModel, outer: np.ndarray, bodies: Mapping[str, Tessellation]) -> trimesh.Scene:
+    """Every shape once as triangles, every placed part and every body as a node."""
     scene = trimesh.Scene(base_frame="array")
+    for name, own in bodies.items():
+        scene.geometry[name] = _shaded(own, _material(name, *_BODY_LOOK))
+        scene.graph.update(frame_to=name, frame_from="array", matrix=outer, geometry=name)
     for part in model.placed:
         if part.part not in scene.geometry:
             shape = model.shapes[part.part]
-            facets = geometry.solids.tessellate(shape, _DEVIATION * shape.BoundingBox().DiagonalLength, _FACET_ANGLE)
-            mesh = trimesh.Trimesh(facets.vertices, facets.triangles, process=False)
-            # Corners where faces meet at an edge are not shared, so that edges stay sharp.
-            mesh = trimesh.graph.smooth_shade(mesh, angle=np.radians(30))
-            mesh.visual = trimesh.visual.TextureVisuals(material=_material(part.kind))
-            scene.geometry[part.part] = mesh
+            fine = _DEVIATION * shape.BoundingBox().DiagonalLength
+            facets = geometry.solids.tessellate(shape, fine, _FACET_ANGLE, measured=False)
+            scene.geometry[part.part] = _shaded(facets, _material(part.kind, *LOOKS[part.kind]))
         scene.graph.update(
             frame_to=_node(part.label), frame_from="array", matrix=outer @ part.matrix, geometry=part.part
         )
     return scene
+
+
+def _shaded(facets: Tessellation, material: PBRMaterial) -> trimesh.Trimesh:
+    """Facets whose corners are not shared where faces meet at an edge, so that edges stay sharp."""
+    mesh = trimesh.Trimesh(facets.vertices, facets.triangles, process=False)
+    mesh = trimesh.graph.smooth_shade(mesh, angle=np.radians(30))
+    mesh.visual = trimesh.visual.TextureVisuals(material=material)
+    return mesh
 
 
 def _node(label: str) -> str:
@@ -170,12 +193,11 @@ def _node(label: str) -> str:
     return label.replace(" ", "_")
 
 
-def _material(kind: PartKind) -> trimesh.visual.material.PBRMaterial:
-    colour, opacity = LOOKS[kind]
+def _material(name: str, colour: str, opacity: float) -> PBRMaterial:
     # glTF's factors are linear in light, colours as written on pages are not (sRGB, IEC 61966-2-1).
     red, green, blue = (round(255 * (int(colour[k : k + 2], 16) / 255) ** 2.2) for k in (1, 3, 5))
     return PBRMaterial(
-        name=kind,
+        name=name,
         baseColorFactor=[red, green, blue, round(255 * opacity)],
         alphaMode="OPAQUE" if opacity == 1 else "BLEND",
         metallicFactor=0.0,

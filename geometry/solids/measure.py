@@ -39,7 +39,7 @@ class Tessellation:
     faces: NDArray[np.int64]
     """Number of the solid's face that each facet belongs to, (m,) int64."""
     deviation: float
-    """Largest distance from the solid's surface of the middles of facets and of their edges, mm."""
+    """Largest distance from the solid's surface of the middles of facets and of their edges, mm; NaN if unmeasured."""
 
     @property
     def volume(self) -> float:
@@ -48,7 +48,9 @@ class Tessellation:
         return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
 
 
-def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANGLE) -> Tessellation:
+def tessellate(
+    solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANGLE, *, measured: bool = True
+) -> Tessellation:
     """Facets of a solid within an absolute tolerance.
 
     A copy is meshed: the kernel keeps facets with the shape and would hand out earlier, coarser or finer ones.
@@ -57,6 +59,7 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
         solid: of any kind.
         tolerance: largest distance between facets and surface, mm.
         facet_angle: largest angle between neighbouring facets, rad.
+        measured: measure the deviation; of tubes along curves that takes longer than making the facets.
 
     Raises:
         Refusal: a face cannot be tessellated.
@@ -64,7 +67,7 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
     copy = solid.copy()
     BRepMesh_IncrementalMesh(copy.wrapped, tolerance, False, facet_angle, False)
     vertices, triangles, faces = [], [], []
-    count, deviation = 0, 0.0
+    count, deviation = 0, 0.0 if measured else math.nan
     for index, face in enumerate(copy.Faces()):
         location = TopLoc_Location()
         mesh = BRep_Tool.Triangulation_s(face.wrapped, location)
@@ -76,7 +79,8 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
             move = location.Transformation()
             matrix = np.array([[move.Value(row, column) for column in range(1, 5)] for row in range(1, 4)])
             points = points @ matrix[:, :3].T + matrix[:, 3]
-        deviation = max(deviation, _deviation(face, mesh, points, corners))
+        if measured:
+            deviation = max(deviation, _deviation(face, mesh, points, corners))
         if face.wrapped.Orientation() == TopAbs_REVERSED:
             corners = corners[:, ::-1]
         vertices.append(points)

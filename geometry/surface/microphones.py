@@ -41,6 +41,8 @@ class Seats:
     """Inner and outer radius of a shell."""
     chamber: float
     """Radius of a chamber."""
+    trunk: float
+    """Radius of the floor of a housing."""
     corner: float
     """Distance from the axis of a housing to the corner of its seat."""
     tube: float
@@ -57,6 +59,7 @@ class Seats:
         return cls(
             (resonator.cavity_diameter / 2, resonator.outer_diameter / 2),
             microphone.chamber_diameter / 2,
+            microphone.chamber_diameter / 2 + microphone.wall_thickness,
             math.hypot(*sides),
             max(tube.outer_diameter for tube in tubes),
             max(max(tube.smallest_bend_radius, tube.outer_diameter / 2) for tube in tubes),

@@ -30,6 +30,7 @@ from geometry.surface.microphones import Seats, placed_microphone, room_for_micr
 from geometry.surface.order import Order, crossings, steps_of
 from geometry.surface.regions import Mask, region_of
 from geometry.surface.spread import arc_lengths, nearest_spacing, relaxed, spread
+from geometry.surface.tubes import directions, turned
 from geometry.surface.unrolled import unrolled
 
 #: Facets of the body by the pitch.
@@ -42,6 +43,8 @@ _APART = 0.3
 _MARGIN = 0.45
 #: Seeds that are tried, and searches with dearer steps for each.
 _SEEDS, _REPAIRS = 3, 6
+#: Places around the rim of a shell, and the height below which it is not raised, mm.
+_RIM_PLACES, _LEAST_LIFT = 24, 0.01
 #: As how many overlaps counts a try that is not a design.
 _NOT_A_DESIGN = 5
 _NAMED, _SHELL = re.compile(r"tube (\d+) of line (\d+)"), re.compile(r"^ports of shell (\d+)")
@@ -149,7 +152,7 @@ class _Fit:
         below = membrane_top(design)
         self.floor = stated.base + resonator.floor_thickness if stated.seat == "on" else -below
         under = microphone.wall_thickness + microphone.chamber_height / 2 - axis
-        self.microphone_floor = max(self.floor, under) if stated.seat == "on" else self.floor
+        self.microphone_floor = max(self.floor, stated.base + under) if stated.seat == "on" else self.floor
         self.least = max(2 * self.outer + _APART, 2 * self.cavity + self.least_length)
         self.pitch = stated.pitch or self._guessed_pitch()
         if self.pitch < self.least and stated.pitch is None:
@@ -243,6 +246,7 @@ class _Fit:
         if self.stated.pitch is not None:
             counts = [len(places) // lines + (k < len(places) % lines) for k in range(lines)]
         at, normals = self.samples.projected(places)
+        at = self._raised(at, normals, self.outer, self.floor)
         apart = arc_lengths(at, normals)
         spacing = float(np.median(nearest_spacing(at, normals)))
         targets = self.for_microphones.places[self.wanted]
@@ -265,6 +269,22 @@ class _Fit:
             self._avoid(order, found[0], tour, counts)
         assert best is not None
         return best
+
+    def _raised(self, at: Array, normals: Array, radius: float, floor: float) -> Array:
+        """Axes at the height of the ports, raised where the rim of the floor would come closer to a hollow body.
+
+        Shells that stand on a body keep the stated base under their rims too; both places are (n, 3) float64, mm.
+        """
+        if self.stated.seat == "in":
+            return at
+        across = directions(at, normals, at + np.roll(normals, 1, axis=1))
+        under = at - (floor - self.stated.base + self.design.resonator.port_axis_height) * normals
+        lift = np.zeros(len(at))
+        for angle in np.linspace(0, 2 * math.pi, _RIM_PLACES, endpoint=False):
+            rim = under + radius * turned(across, normals, np.full(len(at), angle))
+            foot, own = self.ground.projected(rim)
+            lift = np.maximum(lift, self.stated.base - np.einsum("nc,nc->n", rim - foot, own))
+        return np.asarray(at + np.where(lift > _LEAST_LIFT, lift, 0.0)[:, None] * normals)
 
     def _spread(self, seed: int) -> Array:
         count = self.points
@@ -315,7 +335,8 @@ class _Fit:
                 self.reach,
                 self.stated.port_step,
             )
-            found.append(placed)
+            raised = self._raised(placed.place[None], placed.normal[None], self.seats.trunk, self.microphone_floor)[0]
+            found.append(replace(placed, place=raised))
             tubes = np.vstack([tubes, own])
         laid = Laid(
             seed,

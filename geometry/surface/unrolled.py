@@ -35,7 +35,6 @@ def unrolled(places: Array, normals: Array, spacing: float) -> Plan:
         normals: outwards, (n, 3) float64.
         spacing: usual distance of neighbours, mm.
     """
-    count = len(places)
     arcs = arc_lengths(places, normals)
     reach = 2.2 * spacing
     while True:
@@ -60,12 +59,27 @@ def unrolled(places: Array, normals: Array, spacing: float) -> Plan:
         plan = new
         if still:
             break
-    near = (arcs < _NEIGHBOURS * spacing) & ~np.eye(count, dtype=bool)
-    apart = np.linalg.norm(plan[:, None] - plan[None], axis=-1)
-    stretch = float(np.sqrt(np.mean((apart[near] / arcs[near] - 1) ** 2))) if near.any() else 0.0
     if _handedness(plan, places, normals) < 0:
         plan = plan * np.array([1.0, -1.0])
-    return Plan(plan - plan.mean(axis=0), stretch)
+    return Plan(plan - plan.mean(axis=0), stretch_of(plan, places, normals, spacing)[0])
+
+
+def stretch_of(plan: Array, places: Array, normals: Array, spacing: float) -> tuple[float, float]:
+    """Root mean square and largest of what distances between neighbours are off in a plan, as fractions.
+
+    Args:
+        plan: (n, 2) float64, mm.
+        places: of the same parts in space, (n, 3) float64, mm.
+        normals: outwards, (n, 3) float64.
+        spacing: usual distance of neighbours, mm.
+    """
+    arcs = arc_lengths(places, normals)
+    near = (arcs < _NEIGHBOURS * spacing) & ~np.eye(len(arcs), dtype=bool)
+    if not near.any():
+        return 0.0, 0.0
+    apart = np.linalg.norm(plan[:, None] - plan[None], axis=-1)
+    off = np.abs(apart[near] / arcs[near] - 1)
+    return float(np.sqrt(np.mean(off**2))), float(off.max())
 
 
 def _handedness(plan: Array, places: Array, normals: Array) -> float:

@@ -12,6 +12,7 @@ from geometry.assembly.bill import bill_of_materials, write_bill
 from geometry.assembly.model import ArrayModel
 from geometry.assembly.order_table import write_assembly_table
 from geometry.assembly.part_list import Origin
+from geometry.body.reading import Body as SolidBody
 from geometry.formats.part_files import ExportedFile, SharedShape, tessellate_distinct
 from geometry.ground.whole_files import write_text
 from geometry.printing.plates import Plates, export_plates
@@ -19,6 +20,7 @@ from geometry.printing.printability import PrintReport
 from geometry.printing.report_files import write_report
 from geometry.schema.print_processes import PrintProcess
 from geometry.stock import Silicone, catalogue
+from studies.kit.body_files import BodyFiles, write_body
 from studies.kit.casting_sheet import write_casting
 from studies.kit.cutting_template import write_cutting
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
@@ -56,10 +58,17 @@ class KitFiles:
     """Order list with the bill and the hours of work."""
     too_large: tuple[str, ...]
     """Names of the parts that fit on no plate."""
+    body: tuple[str, ...]
+    """Sentences on the body that the array lies on; empty for other arrays."""
 
 
 def write_kit(
-    model: ArrayModel, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
+    model: ArrayModel,
+    folder: Path,
+    formats: Sequence[str],
+    process: PrintProcess,
+    report: Report,
+    body: SolidBody | None = None,
 ) -> KitFiles:
     """Write the kit of an array.
 
@@ -69,8 +78,14 @@ def write_kit(
         formats: formats of the files of each part.
         process: printing process.
         report: shows progress.
+        body: that the array was fitted to; files of the body are written if it is given.
     """
     design, parts = model.design, model.parts
+    report("body", 0.0)
+    on_body = None
+    if body is not None:
+        on_body = write_body(model, body, folder, formats, process, lambda what, done: report(what, 0.0))
+    shown = {} if on_body is None else on_body.shown
     shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.25 * done))
     files = _export_parts(model, folder, formats, shapes, report)
     report("plates", 0.3)
@@ -88,9 +103,9 @@ def write_kit(
     write_assembly_table(model, build)
     geometry.formats.write_step(model, build / "assembly.step")
     report("array.glb", 0.62)
-    geometry.pictures.write_gltf(model, build / "array.glb")
+    geometry.pictures.write_gltf(model, build / "array.glb", shown)
     report("array.html", 0.64)
-    geometry.pictures.write_viewer(model, build / "array.html")
+    geometry.pictures.write_viewer(model, build / "array.html", shown)
     write_record(design, order.bill, build)
     report("pictures", 0.68)
     geometry.pictures.top_view(model, build / "top-view.png")
@@ -101,9 +116,19 @@ def write_kit(
     manual = write_manual(
         model, folder, plates, shapes, printing, order, process, lambda what, done: report(what, 0.75 + 0.25 * done)
     )
-    write_text(folder / FIRST, _first_words(design.name))
+    write_text(folder / FIRST, _first_words(design.name, on_body is not None))
     report("done", 1.0)
-    return KitFiles(manual, page, files, printing, order, plates.too_large)
+    return KitFiles(manual, page, files, printing, order, plates.too_large, _on_body(model, on_body))
+
+
+def _on_body(model: ArrayModel, made: BodyFiles | None) -> tuple[str, ...]:
+    """Sentences on the body of an array, and on files that are not made for want of it."""
+    stated = model.design.surface
+    if stated is None or model.design.layout.frozen is None:
+        return ()
+    if made is None:
+        return (f"the host, the skin and the template are not made, because {stated.body} is not beside the design",)
+    return made.findings
 
 
 def _export_parts(
@@ -139,7 +164,7 @@ def _write_orders(model: ArrayModel, plates: Plates, process: PrintProcess, fold
     return order
 
 
-def _first_words(name: str) -> str:
+def _first_words(name: str, has_body: bool) -> str:
     """Text of the file that a maker opens first."""
     jobs = {
         BUY: "order parts, consumables and tools: order-list.csv",
@@ -154,7 +179,10 @@ def _first_words(name: str) -> str:
         f"Open {BUILD}/manual.html in a browser: it leads through all steps. Jobs in order:",
         "",
     ]
-    return "\n".join([*lines, *(f"{job}  {words}" for job, words in jobs.items())]) + "\n"
+    lines += [f"{job}  {words}" for job, words in jobs.items()]
+    if has_body:
+        lines += ["", f"{BUILD}/body.txt says how the array goes onto the body, whose files are in {PRINT}/body."]
+    return "\n".join(lines) + "\n"
 
 
 def _made(folder: Path) -> Path:

@@ -23,6 +23,7 @@ from geometry.layout.remedies import refuse_unbuildable
 from geometry.printing.printability import PrintReport
 from geometry.schema.field_errors import DesignError
 from geometry.schema.print_processes import PrintProcess, find_process, process_of
+from studies.kit.body_files import body_beside
 from studies.kit.kit_files import write_kit
 from studies.kit.ordering import OrderList
 from studies.output.display import Display
@@ -55,7 +56,7 @@ class MadeParts(Shown):
     too_large: tuple[str, ...]
     """Names of the parts that fit on no plate."""
     notes: tuple[str, ...]
-    """Notes on what is drawn but could not be built as drawn."""
+    """Notes on what is drawn but could not be built as drawn, and on the body that the array lies on."""
     misfits: tuple[str, ...]
     """Lines on what keeps the parts, as drawn, from being put together."""
 
@@ -103,10 +104,11 @@ def export_parts(
     """
     stopped_time()
     check_system_libraries()
-    folder, design = Path(out), resolve_design(design)
+    folder, source, design = Path(out), design, resolve_design(design)
     named = None if process is None or isinstance(process, PrintProcess) else process
     check_folder(folder, "parts", FILES, reads=(named,))
     rules = process_of(design.printing) if process is None else find_process(process)
+    body = body_beside(source, design)
     design = _for_printer(design, rules)
     layout = lay_out(design)
     if not allow_overlaps:
@@ -122,7 +124,7 @@ def export_parts(
         in_the_way = misfits(model)
         if in_the_way and not allow_overlaps:
             raise DesignError.of_notes(design.name, in_the_way, remedy=ALL_THE_SAME)
-        kit = write_kit(model, fresh, formats, rules, lambda what, done: report(what, 0.1 + 0.9 * done))
+        kit = write_kit(model, fresh, formats, rules, lambda what, done: report(what, 0.1 + 0.9 * done), body)
     return MadeParts(
         design=design,
         folder=folder,
@@ -133,7 +135,7 @@ def export_parts(
         bill=kit.order.bill,
         order=kit.order,
         too_large=kit.too_large,
-        notes=buildability_notes(design, layout),
+        notes=(*buildability_notes(design, layout), *kit.body),
         misfits=in_the_way,
     )
 

@@ -19,6 +19,7 @@ from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.assembly.model import ArrayModel, put_together
 from geometry.assembly.part_list import draw_parts
+from geometry.body.reading import Body
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.formats.part_files import FORMATS, ExportedFile
@@ -38,6 +39,7 @@ from localize.decoders.tolerant import tolerant_decoder
 from localize.signals.array_response import response_of
 from localize.signals.locator import Locator
 from localize.signals.stimulus import BAND
+from studies.kit.body_files import body_beside
 from studies.kit.kit_files import write_kit
 from studies.kit.making import ALL_THE_SAME
 from studies.metrics.pairs import disagreement, worst_heard
@@ -98,7 +100,8 @@ def run_design(
         Refusal: parts overlap, the folder holds other files, or the design cannot be built, solved or decoded.
         OSError: the folder cannot be written.
     """
-    show, design = display or Display(), _with_points(design)
+    show, source, design = display or Display(), design, _with_points(design)
+    body = body_beside(source, design)
     stopped_time()
     check_system_libraries()
     layout = lay_out(design)
@@ -107,7 +110,7 @@ def run_design(
     notes = buildability_notes(design, layout)
     grid = frequency_grid(frequency)
     with claimed_folder(Path(out), "run", MARK):
-        return _run(design, layout, Path(out), show, fidelity, grid, plan or TrainingPlan(), notes)
+        return _run(design, layout, Path(out), show, fidelity, grid, plan or TrainingPlan(), notes, body)
 
 
 def _run(
@@ -119,12 +122,13 @@ def _run(
     grid: Array,
     plan: TrainingPlan,
     notes: tuple[str, ...],
+    body: Body | None,
 ) -> RunResult:
     """The chain for a design that can be built, into a folder that is nobody else's."""
     folder = claim_folder(out, write_design(design.completed()))
 
     with show.stage("Parts", of=_STAGES) as report:
-        model, files, printing, figures = _make_parts(design, layout, folder, report)
+        model, files, printing, figures = _make_parts(design, layout, folder, report, body)
     library, lumped, limits = _solved(design, grid, fidelity, folder, show)
     distances = separability(library.transfer_function)
     localizer, network, bayes, tolerant = _trained_localizer(library, plan, folder, show)
@@ -190,12 +194,13 @@ def _warnings_of_models(caught: list[warnings.WarningMessage], show: Display) ->
 
 # -- stages ------------------------------------------------------------------------------------------------
 def _make_parts(
-    design: ArrayDesign, layout: ArrayLayout, folder: Path, report: Report
+    design: ArrayDesign, layout: ArrayLayout, folder: Path, report: Report, body: Body | None
 ) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
     report("CAD", 0.0)
     model = put_together(design, layout, draw_parts(design, layout))
     with replaced_folder(folder / "parts") as fresh:
-        kit = write_kit(model, fresh, FORMATS, process_of(design.printing), lambda what, done: report(what, 0.9 * done))
+        rules = process_of(design.printing)
+        kit = write_kit(model, fresh, FORMATS, rules, lambda what, done: report(what, 0.9 * done), body)
         files = tuple(replace(file, path=folder / "parts" / file.path.relative_to(fresh)) for file in kit.files)
     report("pictures", 0.9)
     figures = {
