@@ -22,6 +22,8 @@ MADE = {
 }
 #: Designs of ours that a search found, or that were drawn by hand.
 FOUND = ("fingertip-12", "graded-line-36", "line-36", "ring-3x12")
+#: Designs of ours that ``acoustic-fem fit`` laid on bodies.
+FITTED = ("robot/fingertip", "robot/handle", "robot/palm")
 _HEAD = """# Gallery
 
 Pick a design that resembles yours and start from it. This page shows every prototype and some of our own designs, with
@@ -54,7 +56,7 @@ def main() -> None:
         if not path.is_file():
             studies.new_design(name, path, **answers)
     designs = {name: geometry.prototype(name) for name in geometry.prototype_names()}
-    ours = {name: geometry.load_design(EXAMPLES / f"{name}.toml") for name in (*MADE, *FOUND)}
+    ours = {name: geometry.load_design(EXAMPLES / f"{name}.toml") for name in (*MADE, *FOUND, *FITTED)}
     PAGE.write_text(gallery_page(designs, ours), encoding="utf-8")
 
 
@@ -62,7 +64,8 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
     """The page; pictures are written beside."""
     PICTURES.mkdir(parents=True, exist_ok=True)
     rows, blocks = [], []
-    for name, design in {**ours, **prototypes}.items():
+    for file_name, design in {**ours, **prototypes}.items():
+        name = file_name.replace("/", "-")
         quality = design_quality(design)
         assert quality is not None
         picture = draw_quality(design, quality, PICTURES / f"{name}.png")
@@ -74,7 +77,7 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
             f"| {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
             f"| {quality.cost:.2f} |"
         )
-        file = f"[{name}.toml](examples/{name}.toml)\n\n" if name in ours else ""
+        file = f"[{name}.toml](examples/{file_name}.toml)\n\n" if file_name in ours else ""
         link = picture.relative_to(DOCS).as_posix()
         blocks.append(f"### {name}\n\n{file}![In plan]({link})\n")
         print(rows[-1], flush=True)
