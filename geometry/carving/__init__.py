@@ -1,4 +1,4 @@
-"""What is made of a body to carry an array: the body with pockets, a skin, a drilling template, and their clash test.
+"""A body made to carry an array: pockets cut into it, a skin, a drilling template, and the clash test of all parts.
 
 Stands on: assembly, body, design, ground, layout, plan, schema,
 solids.

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from geometry.assembly.fit import FACET_VOLUME
 from geometry.assembly.model import ArrayModel
@@ -68,7 +69,7 @@ class CarvedBody:
 
 @dataclass(frozen=True)
 class CarvedBodies:
-    """What is printed or milled for an array on a body."""
+    """Solids that are printed or milled for an array on a body."""
 
     seat: str
     """``in``: pockets in the body; ``on``: a skin around the shells."""
@@ -148,7 +149,7 @@ def _patch(model: ArrayModel, ground: Samples, spacing: float) -> Patch:
     corner = math.hypot(
         *(side / 2 + microphone.board_gap + microphone.wall_thickness for side in microphone.board_size)
     )
-    groups = [
+    groups: list[tuple[Any, float]] = [
         ([layout.frame(point).origin for point in layout.points], design.resonator.outer_diameter / 2),
         ([layout.frame(each).origin for each in layout.microphones], corner),
         *((tube.course, tube.tube.outer_diameter / 2) for tube in layout.tubes),
@@ -159,7 +160,7 @@ def _patch(model: ArrayModel, ground: Samples, spacing: float) -> Patch:
     return patch_under(ground, foot, normals, reach, _HOLE * spacing**2)
 
 
-def solid_of(vertices: Array, triangles: Array) -> manifold3d.Manifold:
+def solid_of(vertices: Array, triangles: NDArray[np.int64]) -> manifold3d.Manifold:
     """Solid of a closed surface: corners (n, 3) float64, mm, and those of each facet, (m, 3) int64."""
     import manifold3d
 
@@ -213,10 +214,11 @@ def _template(model: ArrayModel, ground: Samples, patch: Patch) -> CarvedBody:
     import manifold3d
 
     radius = _DRILL / 2
-    parts = [*model.layout.points, *model.layout.microphones]
-    frames = [model.layout.frame(part) for part in parts]
+    layout = model.layout
+    frames = [*map(layout.frame, layout.points), *map(layout.frame, layout.microphones)]
     feet, _ = ground.projected(np.array([frame.origin for frame in frames]))
-    bushes, holes = [], []
+    bushes: list[manifold3d.Manifold] = []
+    holes: list[manifold3d.Manifold] = []
     for frame, foot in zip(frames, feet, strict=True):
         # Where the axis of the part meets the body.
         up = float((foot - np.asarray(frame.origin)) @ np.asarray(frame.axes[2]))

@@ -77,7 +77,7 @@ def _write(model: ArrayModel, path: Path, page: str, stretch: tuple[float, float
 def _extent(model: ArrayModel) -> tuple[Array, Array]:
     """Corners of what the pattern shows, (2,) float64 each, mm."""
     layout = model.layout
-    places = np.array([part.position for part in (*layout.points, *layout.microphones)])
+    places = np.array([p.position for p in layout.points] + [m.position for m in layout.microphones])
     beside = max(model.design.resonator.outer_diameter, *model.design.microphone.board_size)
     return places.min(axis=0) - beside, places.max(axis=0) + beside
 
@@ -115,7 +115,8 @@ def _parts(axes: Axes, model: ArrayModel) -> None:
         axes.text(*point.position, str(point.number), fontsize=size, ha="center", va="center", zorder=3)
     chamber = design.microphone.chamber_diameter / 2 + design.microphone.wall_thickness
     for microphone in layout.microphones:
-        style = {"facecolor": "white", "edgecolor": "#4f7f6b", "linewidth": 1.0, "zorder": 2}
-        axes.add_patch(Circle(microphone.position, chamber, **style))
-        words = {"fontsize": 7, "color": "#4f7f6b", "ha": "center", "va": "center", "zorder": 3}
-        axes.text(*microphone.position, microphone.name, **words)
+        circle = Circle(microphone.position, chamber, facecolor="white", edgecolor="#4f7f6b", linewidth=1.0, zorder=2)
+        axes.add_patch(circle)
+        axes.text(
+            *microphone.position, microphone.name, fontsize=7, color="#4f7f6b", ha="center", va="center", zorder=3
+        )
