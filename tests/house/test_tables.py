@@ -12,7 +12,8 @@ ROOT = Path(__file__).parents[2]
 PAGES = [page for page in sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]) if "build" not in page.parts]
 #: A program of ours, such as benchmarks/sweep.py, -m benchmarks.verification or tests/..., or a verb of figures.
 MADE = re.compile(
-    r"\b(?:benchmarks[/.][\w/.]*\w|docs/make_\w+\.py|tests/[\w/]+|acoustic-fem (?:bend|check|fit|optimize|parts|run|tolerance)\b)"
+    r"\b(?:benchmarks[/.][\w/.]*\w|docs/make_\w+\.py|tests/[\w/]+|"
+    r"acoustic-fem (?:bend|check|fit|optimize|parts|run|tolerance)\b)"
 )
 #: A number, but no range of them.
 NUMBER = re.compile(r"[-+±<>~ ]*\**\d(?!.*\d to \d)")
