@@ -139,7 +139,7 @@ def again(page: Any, design: str, changes: int = 3) -> None:
             worst[stage] = max(worst[stage], time.perf_counter() - begin)
     print(f"  confusion {worst['points']:.2f} s (at most 0.5), new 3-D {worst['model']:.2f} s (at most 3)")
     page.set_viewport_size({"width": 1440, "height": 900})
-    page.locator("#touch-title").scroll_into_view_if_needed()
+    page.click("#tab-touch")
     while page.locator("#touch-points button").count() == 0:
         time.sleep(0.05)
     with TemporaryDirectory() as folder:

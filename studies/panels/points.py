@@ -15,7 +15,8 @@ from geometry.layout.remedies import fix_for
 from localize.signals.stimulus import BAND
 from studies.comparison.own_figures import MOST_POINTS, metric_figures
 from studies.metrics.batch_responses import Responses
-from studies.metrics.predicted_accuracy import as_built_accuracy
+from studies.metrics.covered_area import point_coverage
+from studies.metrics.predicted_accuracy import SILENT, as_built_accuracy
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.frequencies import FREQUENCIES
@@ -35,8 +36,10 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
         ``figures``: the value of each of :data:`studies.comparison.FIGURES`;
         ``points``: for each point its ``number``, ``nearest`` (the point hardest to tell from it), the ``distance``,
         ``level`` (dB) and ``phase`` (degrees) between the two, ``named`` (share of its simulated touches that name
-        it) and ``force`` (smallest that stands out of the noise, N rms from 1 to 100 Hz); ``confusion``: touches of
-        the row's point that name the column's, counted; ``touches`` per point; ``hardest``: pairs of points, as
+        it), ``force`` (smallest that stands out of the noise, N rms from 1 to 100 Hz), ``loudest`` (level at the
+        microphone where it is loudest, dB at 100 Hz) and ``coverage`` (share of the area that is nearest to its
+        membrane in which a contact reaches it); ``confusion``: touches of the row's point that name the column's,
+        counted; ``touches`` per point; ``hardest``: pairs of points, as
         hard as the hardest; ``overlaps``: what of the layout cannot be built, and ``mend``; ``finger``: radius of the
         contact of ``coverage``, mm; ``fidelity`` of the library, in words.
 
@@ -51,6 +54,9 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
     predicted = shared.confusion(None)
     limits = detection_limits(library, BAND)["force"].values
     named = np.diagonal(predicted.confusion[0])
+    last = np.abs(library.transfer_function.isel(frequency=-1)).transpose("point", "microphone").values
+    loudest = 20 * np.log10(np.maximum(last.max(axis=1), SILENT))
+    covered = point_coverage(design)
     points = []
     for index, number in enumerate(apart.points):
         nearest = apart.nearest(number)
@@ -64,6 +70,8 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
                 "phase": phase,
                 "named": float(named[index]),
                 "force": float(limits[index]),
+                "loudest": float(loudest[index]),
+                "coverage": float(covered[index]),
             }
         )
     in_the_way = overlaps(design, lay_out(design))
@@ -85,7 +93,8 @@ def as_built_figures(design: ArrayDesign) -> dict[str, Any]:
 
     Returns:
         ``sensors``, how many; ``mean`` and ``worst`` (5th percentile) fraction of taps and presses that are assigned
-        to the correct point by a decoder that nobody calibrated, and the ``interval`` of the mean; ``multi_sines``.
+        to the correct point by a decoder that nobody calibrated, and the ``interval`` of the mean; ``multi_sines``;
+        ``per_point``, the fraction of the taps and presses of each point.
 
     Raises:
         Refusal: a design whose scatter is not known, or one of more than :data:`MOST_POINTS` points.
@@ -102,4 +111,5 @@ def as_built_figures(design: ArrayDesign) -> dict[str, Any]:
         "worst": worst,
         "interval": [low, high],
         "multi_sines": found.multi_sines.mean,
+        "per_point": (sum(each.per_point for each in both) / 2).tolist(),
     }

@@ -5,14 +5,15 @@ from __future__ import annotations
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
-from studies.verdict import Verdict, figure_rows, remedy_in_words
+from studies.verdict import Verdict, figure_rows, overload_lines, remedy_in_words
 
 
 def verdict_figures(design: ArrayDesign) -> dict[str, Any]:
     """Verdict on a design, without its drawn parts.
 
     Returns:
-        As :meth:`studies.Verdict.to_dict`, where each remedy also has its ``line``; and ``rows`` of the four figures.
+        As :meth:`studies.Verdict.to_dict`, where each remedy also has its ``line``; ``rows`` of the four figures; and
+        ``clipped``, lines on taps that the microphone clips.
 
     Raises:
         Refusal: a membrane outside what can be solved.
@@ -22,4 +23,5 @@ def verdict_figures(design: ArrayDesign) -> dict[str, Any]:
     for shown, reason in zip(found["reasons"], verdict.reasons, strict=True):
         if reason.remedy is not None:
             shown["remedy"]["line"] = remedy_in_words(reason.rule, reason.remedy)
-    return {**found, "rows": [list(row) for row in figure_rows(verdict)]}
+    clipped = [line.removeprefix("- ") for line in overload_lines(verdict)]
+    return {**found, "rows": [list(row) for row in figure_rows(verdict)], "clipped": clipped}

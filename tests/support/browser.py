@@ -127,8 +127,27 @@ def opened(context: Any, running: Studio) -> Any:
     return found
 
 
+def panel(page: Any, name: str) -> None:
+    """Open a panel, such as "touch"."""
+    if page.get_attribute(f"#tab-{name}", "aria-selected") != "true":  # a click would take the keyboard away
+        page.click(f"#tab-{name}")
+
+
+#: The panel in which a stage is in sight; the others are beside every panel.
+PANELS = {"as_built": "sound", "check": "make", "surface": "touch"}
+
+
+def shown(page: Any, *stages: str, seconds: float = 240.0) -> None:
+    """Open the panels of stages one after the other, and wait until each shows the design at hand."""
+    for stage in stages:
+        if stage in PANELS:
+            panel(page, PANELS[stage])
+        until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision", seconds)
+
+
 def field(page: Any, name: str) -> Any:
     """The control of a field of the design, in sight."""
+    panel(page, "design")
     page.evaluate(f"document.querySelector(`[data-name='{name}']`).closest('details').open = true")
     return page.locator(f"[data-name='{name}'] .value")
 

@@ -19,6 +19,9 @@ const KINDS: Record<string, string> = {
 /** How far kinds are lifted in an exploded view, per height of the array. */
 const LIFT: Record<string, number> = { membrane: 2.2, shell: 0, sheath: -1.2, spring: 1.1, housing: 0, board: 1.6, package: 3 };
 
+/** Width of the text of a dimension line, of the distance at which the eye sees its own height as 0.63. */
+const LABEL = 0.14;
+
 export class ArrayPanel {
   private renderer: WebGLRenderer | null = null;
   private scene = new Scene();
@@ -30,6 +33,9 @@ export class ArrayPanel {
   private hidden = new Set<string>();
   private marks: Mesh[] = [];
   private lines = new Group();
+  private texts = new Group();
+  /** The array as it is built, however its parts are lifted: to its corners, not to boxes of its turned parts. */
+  private extent = new Box3();
   private fittedTo = 0;
   private cut = new Plane(new Vector3(0, 0, -1), 0);
   private lit: (part: Part) => boolean = () => false;
@@ -37,12 +43,14 @@ export class ArrayPanel {
   /** What was drawn last, without what is touched: fetched from a renderer in software it takes a tenth of a second. */
   private still = make("canvas");
   private touched: number | null = null;
+  private pointed: number | null = null;
   private asked = false;
   private inSight = false;
   private owed = false;
   private size: number[] = [0, 0, 0];
 
-  constructor(private place: HTMLElement, private choose: (point: number | null) => void) {
+  constructor(private place: HTMLElement, private colourOf: (point: number) => string,
+    private choose: (point: number | null, second: boolean) => void, private hover: (point: number | null) => void) {
     try {
       this.renderer = new WebGLRenderer({ antialias: true });
     } catch {
@@ -50,14 +58,14 @@ export class ArrayPanel {
       return;
     }
     const canvas = this.sheet;
-    place.append(canvas);
+    place.prepend(canvas);
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.localClippingEnabled = true;
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.ask());
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(0.4, 1, 0.7);
-    this.scene.add(new HemisphereLight(0xffffff, 0x8a929c, 1.6), new AmbientLight(0xffffff, 0.35), sun, this.model, this.lines);
+    this.scene.add(new HemisphereLight(0xffffff, 0x8a929c, 1.6), new AmbientLight(0xffffff, 0.35), sun, this.model, this.lines, this.texts);
     new ResizeObserver(() => this.fit()).observe(place);
     // A picture that nobody sees costs what one costs that is seen: without a graphics card, a tenth of a second.
     new IntersectionObserver((entries) => {
@@ -67,8 +75,9 @@ export class ArrayPanel {
     let down = [0, 0];
     canvas.addEventListener("pointerdown", (event) => { down = [event.clientX, event.clientY]; });
     canvas.addEventListener("pointermove", (event) => { if (!event.buttons) this.name(event); });
+    canvas.addEventListener("pointerleave", () => this.hover(null));
     canvas.addEventListener("click", (event) => {
-      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) this.choose(this.pointOf(this.under(event)));
+      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) this.choose(this.pointOf(this.under(event)), event.shiftKey);
     });
     canvas.addEventListener("keydown", (event) => this.key(event));
     for (const id of ["exploded", "section"]) byId(id).addEventListener("input", () => this.arrange());
@@ -94,6 +103,7 @@ export class ArrayPanel {
       material.userData = { colour: material.color.clone(), opacity: material.opacity };
       each.material = material;
     });
+    this.extent.setFromObject(this.model, true);
     this.switches(model.parts);
     // The camera stays where the designer put it, unless the array has grown or shrunk.
     const extent = Math.hypot(...model.size);
@@ -125,6 +135,16 @@ export class ArrayPanel {
     else if (!this.asked && this.renderer) this.copy();
   }
 
+  /** The point that is pointed at anywhere. */
+  point(point: number | null): void {
+    if (point === this.pointed) return;
+    this.pointed = point;
+    if (this.inSight && !this.asked && this.renderer) this.copy();
+  }
+
+  /** The colours of the points have changed. */
+  recolour(): void { if (this.home.size) this.arrange(); }
+
   picture(name: string): void {
     this.draw();
     this.sheet.toBlob((blob) => blob && hand(blob, `${name}-array.png`));
@@ -146,34 +166,33 @@ export class ArrayPanel {
   private arrange(): void {
     const away = Number(byId<HTMLInputElement>("exploded").value) / 100, height = Math.max(this.size[2], 1) / 1000;
     const share = Number(byId<HTMLInputElement>("section").value) / 100;
-    const bounds = new Box3().setFromObject(this.model);
+    const bounds = this.extent;
     this.cut.constant = bounds.isEmpty() ? 1e3 : bounds.max.z - share * (bounds.max.z - bounds.min.z) + (share === 0 ? 1 : 0);
     const accent = new Color(colour("--accent"));
-    for (const [node, y] of this.home) node.position.y = y;
-    const together = new Box3().setFromObject(this.model); // of the array, however far its parts are lifted
     for (const [node, y] of this.home) {
       const part = this.parts.get(node.name)!;
       node.visible = !this.hidden.has(part.kind);
       node.position.y = y + away * (LIFT[part.kind] ?? 0) * height;
-      const lit = this.lit(part);
+      const lit = this.lit(part), point = part.kind === "membrane" ? this.pointOf(part) : null;
+      const own = point === null ? null : new Color(this.colourOf(point));
       node.traverse((each) => {
         if (!(each instanceof Mesh) || this.marks.includes(each)) return;
         const material = each.material as MeshStandardMaterial;
         material.clippingPlanes = share === 0 ? [] : [this.cut];
-        material.color.copy(lit ? accent : material.userData.colour);
+        material.color.copy(lit ? accent : own ?? material.userData.colour);
         material.emissive.copy(lit ? accent : new Color(0));
         material.emissiveIntensity = lit ? 0.5 : 0;
-        material.opacity = lit ? 1 : material.userData.opacity;
+        material.opacity = lit || own ? 1 : material.userData.opacity;
       });
     }
-    this.lines.traverse((each) => {
-      if (!(each instanceof LineSegments || each instanceof Sprite)) return;
+    for (const each of [...this.lines.children, ...this.texts.children] as (LineSegments | Sprite)[]) {
       if (each instanceof Sprite) each.material.map?.dispose();
       else each.geometry.dispose();
       (each.material as Material).dispose();
-    });
+    }
     this.lines.clear();
-    if (byId<HTMLInputElement>("dimensions").checked && !bounds.isEmpty()) this.measure(together);
+    this.texts.clear();
+    if (byId<HTMLInputElement>("dimensions").checked && !bounds.isEmpty()) this.measure(bounds);
     const [x, y, z] = this.size;
     byId("size").textContent = `${words(Math.max(x, y))} × ${words(Math.min(x, y))} × ${words(z)} mm`;
     this.ask();
@@ -188,9 +207,9 @@ export class ArrayPanel {
       const side = across.clone().setLength(tick), at = [from, to];
       for (const end of [from, to]) at.push(end.clone().sub(side), end.clone().add(side));
       this.lines.add(new LineSegments(new BufferGeometry().setFromPoints(at), new LineBasicMaterial({ color: ink })));
-      const label = sprite(`${words(from.distanceTo(to) * 1000, 3)} mm`, colour("--ink"), 2.2 * off);
+      const label = sprite(`${words(from.distanceTo(to) * 1000, 3)} mm`, colour("--ink"));
       label.position.copy(from).add(to).multiplyScalar(0.5).add(across.clone().setLength(off));
-      this.lines.add(label);
+      this.texts.add(label);
     };
     const x = new Vector3(1, 0, 0), z = new Vector3(0, 0, 1);
     draw(new Vector3(min.x, min.y, max.z + off), new Vector3(max.x, min.y, max.z + off), z);
@@ -213,8 +232,8 @@ export class ArrayPanel {
   }
 
   private fit(): void {
-    const width = this.place.clientWidth, height = Math.max(Math.min(Math.round(width * 0.5), 460), 240);
-    if (!this.renderer || width === 0) return;
+    const width = this.place.clientWidth, height = this.place.clientHeight;
+    if (!this.renderer || width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
     const { width: wide, height: tall } = this.renderer.domElement;
     for (const each of [this.sheet, this.still]) Object.assign(each, { width: wide, height: tall });
@@ -245,12 +264,14 @@ export class ArrayPanel {
     c.drawImage(this.still, 0, 0);
     for (const [node] of this.home) {
       const part = this.parts.get(node.name)!;
-      if (part.kind === "membrane" && node.visible && part.group === `point ${this.touched}`) this.fill(c, node);
+      if (part.kind !== "membrane" || !node.visible) continue;
+      if (part.group === `point ${this.touched}`) this.fill(c, node, 1);
+      else if (part.group === `point ${this.pointed}`) this.fill(c, node, 0.6);
     }
   }
 
   /** Colour a part as the eye sees it, without what hides it. */
-  private fill(c: CanvasRenderingContext2D, part: Object3D): void {
+  private fill(c: CanvasRenderingContext2D, part: Object3D, opacity: number): void {
     c.beginPath();
     part.traverse((each) => {
       if (!(each instanceof Mesh)) return;
@@ -267,7 +288,9 @@ export class ArrayPanel {
       }
     });
     c.fillStyle = colour("--accent");
+    c.globalAlpha = opacity;
     c.fill();
+    c.globalAlpha = 1;
   }
 
   private under(event: MouseEvent): Part | null {
@@ -291,6 +314,7 @@ export class ArrayPanel {
   private name(event: MouseEvent): void {
     const part = this.under(event);
     byId("pointed-part").textContent = part ? part.label.replaceAll("_", " ") : "\u00a0";
+    this.hover(this.pointOf(part));
   }
 
   private key(event: KeyboardEvent): void {
@@ -321,8 +345,8 @@ export class ArrayPanel {
 /** Drawn by the processor: see the curves. */
 function flat(canvas: HTMLCanvasElement): CanvasRenderingContext2D { return canvas.getContext("2d", { willReadFrequently: true })!; }
 
-/** A text that faces the eye, so wide, m. */
-function sprite(text: string, ink: string, wide: number): Sprite {
+/** A text that faces the eye. */
+function sprite(text: string, ink: string): Sprite {
   const canvas = document.createElement("canvas"), c = canvas.getContext("2d")!;
   [canvas.width, canvas.height] = [256, 64];
   c.font = "40px system-ui";
@@ -330,7 +354,7 @@ function sprite(text: string, ink: string, wide: number): Sprite {
   c.textBaseline = "middle";
   c.fillStyle = ink;
   c.fillText(text, 128, 32, 250);
-  const found = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false }));
-  found.scale.set(wide, wide / 4, 1);
+  const found = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false, sizeAttenuation: false }));
+  found.scale.set(LABEL, LABEL / 4, 1);
   return found;
 }

@@ -1,6 +1,7 @@
 // The Curves panel: one plot a microphone, or a pair of them; all its curves are one path a colour on its canvas.
 import uPlot from "uplot";
-import { byId, colour, csv, hand, make, ramp, words } from "./dom";
+import { endLabels } from "./endlabels";
+import { byId, colour, csv, hand, make, words } from "./dom";
 
 export interface Curves {
   stage: string; revision: number; quantity: string; unit: string; points: number[]; heard_by: string[];
@@ -15,7 +16,7 @@ export function unpack(message: ArrayBuffer): Curves {
 
 function named(title: string, heardBy: string): string { return `${title} ${heardBy.includes("/") ? "of" : "at"} ${heardBy}`; }
 
-const HEIGHT = 300, NEAR = 24;
+const NEAR = 24, LEAST_HEIGHT = 150, TITLE = 20, LABELS = 22;
 
 export class CurvesPanel {
   private now: Curves | null = null;
@@ -23,12 +24,16 @@ export class CurvesPanel {
   private plots: uPlot[] = [];
   private sheets: HTMLCanvasElement[] = [];
   private lit: number | null = null;
+  private pointed: number | null = null;
+  private other: number | null = null;
   private low = 0;
   private high = 1;
   private key = "";
   constructor(
-    private place: HTMLElement, private titles: () => Record<string, string>, private choose: (point: number | null) => void,
+    private place: HTMLElement, private titles: () => Record<string, string>, private colourOf: (point: number) => string,
+    private choose: (point: number | null, second: boolean) => void, private hover: (point: number | null) => void,
   ) {
+    byId("axis").addEventListener("change", () => this.restyle());
     new ResizeObserver(() => this.fit()).observe(place);
   }
 
@@ -44,7 +49,16 @@ export class CurvesPanel {
   outdate(): void { if (this.now) this.now.revision = -1; this.pinned = null; }
 
   unpin(): void { this.pinned = null; if (this.now) this.draw(); }
-  light(point: number | null): void { this.lit = point; this.repaint(); }
+  /** Light a point, and another one that it is compared with. */
+  light(point: number | null, other: number | null = null): void {
+    [this.lit, this.other] = [point, other];
+    this.repaint();
+  }
+  point(point: number | null): void {
+    if (point === this.pointed) return;
+    this.pointed = point;
+    this.repaint();
+  }
   repaint(): void { for (const plot of this.plots) plot.redraw(false); }
 
   restyle(): void { this.key = ""; if (this.now) this.draw(); }
@@ -87,34 +101,47 @@ export class CurvesPanel {
       this.place.append(holder);
       const axis = { stroke: colour("--ink-soft"), grid: { stroke: colour("--grid"), width: 1 }, ticks: { stroke: colour("--grid") }, font: "12px system-ui", labelFont: "12px system-ui", labelSize: 20 };
       const plot = new uPlot({
-        width: this.width(), height: HEIGHT,
+        width: this.width(), height: this.height(), padding: [null, LABELS, null, null],
         legend: { show: false }, cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
-        scales: { x: { time: false, distr: 3 }, y: { range: () => [this.low, this.high] } },
+        scales: { x: { time: false, distr: byId<HTMLSelectElement>("axis").value === "linear" ? 1 : 3 }, y: { range: () => [this.low, this.high] } },
         axes: [
-          { ...axis, label: "frequency (Hz)", size: 34, filter: (_, ticks) => ticks, values: (_, ticks) => ticks.map((t) => (/^[125]/.test(String(t)) ? String(t) : "")) },
+          { ...axis, label: "frequency (Hz)", size: 34, filter: (_, ticks) => ticks, values: (_, ticks) => ticks.map((t) => (byId<HTMLSelectElement>("axis").value === "linear" || /^[125]/.test(String(t)) ? String(t) : "")) },
           { ...axis, label: `${title.split(",")[0]} (${now.unit})`, size: 54 },
         ],
         series: [{}, { paths: () => null, points: { show: false } }],
         hooks: {
           draw: [(u: uPlot) => this.paint(u, m)],
-          setCursor: [(u: uPlot) => this.point(u, m)],
+          setCursor: [(u: uPlot) => this.read(u, m)],
         },
       }, [now.frequency, now.frequency.map(() => null)], holder);
-      plot.over.addEventListener("click", () => this.choose(this.near(plot, m)?.point ?? null));
-      plot.over.addEventListener("mouseleave", () => { byId("pointed-curve").textContent = "\u00a0"; });
+      plot.over.addEventListener("click", (event) => this.choose(this.near(plot, m)?.point ?? null, event.shiftKey));
+      plot.over.addEventListener("mouseleave", () => { byId("pointed-curve").textContent = "\u00a0"; this.hover(null); });
+      plot.ctx.canvas.setAttribute("role", "img");
+      plot.ctx.canvas.setAttribute("aria-label", `${named(title, name)} over frequency, a curve for each of ${now.points.length} points; CSV has the values`);
       return plot;
     });
   }
 
-  private width(): number {
+  private across(): number {
     const inside = this.place.clientWidth, count = this.now?.heard_by.length ?? 1;
-    const across = count === 1 ? 1 : inside > 1500 && count > 2 ? 3 : inside > 640 ? 2 : 1;
+    return count === 1 ? 1 : inside > 1100 && count > 2 ? 3 : inside > 560 ? 2 : 1;
+  }
+
+  private width(): number {
+    const inside = this.place.clientWidth, across = this.across();
     return Math.max(Math.floor((inside - 12 * (across - 1)) / across), 220);
+  }
+
+  /** Height of a plot: all rows of them fill the place, where that is high enough. */
+  private height(): number {
+    const rows = Math.ceil((this.now?.heard_by.length ?? 1) / this.across());
+    return Math.max(Math.floor(this.place.clientHeight / Math.min(rows, 2)) - TITLE - 4, LEAST_HEIGHT);
   }
 
   private fit(): void {
     const width = this.width();
-    for (const plot of this.plots) if (plot.width !== width) plot.setSize({ width, height: HEIGHT });
+    const height = this.height();
+    for (const plot of this.plots) if (plot.width !== width || plot.height !== height) plot.setSize({ width, height });
   }
 
   private paint(u: uPlot, m: number): void {
@@ -136,23 +163,25 @@ export class CurvesPanel {
         for (let k = 0; k < x.length; k++) c.lineTo(x[k], zero + one * curves.values[start + k]);
         c.stroke();
       };
-      const last = Math.max(curves.points.length - 1, 1);
       curves.points.forEach((number, p) => {
-        if (number === this.lit) return;
+        if (number === this.lit || number === this.pointed || number === this.other) return;
         c.globalAlpha = this.lit === null ? (curves === this.now ? 1 : 0.6) : 0.22;
         c.lineWidth = 1.4 * devicePixelRatio;
-        c.strokeStyle = ramp(p / last);
+        c.strokeStyle = this.colourOf(number);
         stroke(p);
       });
-      const lit = this.lit === null ? -1 : curves.points.indexOf(this.lit);
-      if (lit >= 0) {
+      for (const [number, ink] of [[this.other, "--ink"], [this.pointed, ""], [this.lit, "--accent"]] as const) {
+        const at = number === null ? -1 : curves.points.indexOf(number);
+        if (at < 0) continue;
         c.globalAlpha = 1;
         c.lineWidth = 3 * devicePixelRatio;
-        c.strokeStyle = colour("--accent");
-        stroke(lit);
+        c.strokeStyle = ink ? colour(ink) : this.colourOf(number!);
+        stroke(at);
       }
     }
     u.ctx.drawImage(sheet, left, top);
+    const now = this.now!, count = now.frequency.length;
+    endLabels(u, now.points, (p) => now.values[(p * now.heard_by.length + m) * count + count - 1], [this.lit, this.pointed, this.other]);
   }
 
   private near(u: uPlot, m: number): { point: number; at: number; value: number } | null {
@@ -170,11 +199,15 @@ export class CurvesPanel {
     return best;
   }
 
-  private point(u: uPlot, m: number): void {
+  /** Say what is under the pointer; of two points that are compared, also how far they are apart there. */
+  private read(u: uPlot, m: number): void {
     const found = this.near(u, m), now = this.now;
     if (!found || !now) return;
+    this.hover(found.point);
+    const at = (point: number) => now.values[(now.points.indexOf(point) * now.heard_by.length + m) * now.frequency.length + found.at];
+    const apart = this.lit && this.other ? `; point ${this.lit} less point ${this.other}: ${words(at(this.lit) - at(this.other))} ${now.unit}` : "";
     byId("pointed-curve").textContent =
-      `point ${found.point} at ${now.heard_by[m]}: ${words(found.value)} ${now.unit} at ${words(now.frequency[found.at], 3)} Hz`;
+      `point ${found.point} at ${now.heard_by[m]}: ${words(found.value)} ${now.unit} at ${words(now.frequency[found.at], 3)} Hz${apart}`;
   }
 
   table(name: string): void {

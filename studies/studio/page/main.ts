@@ -4,6 +4,8 @@ import "./studio.css";
 import { takeSecret } from "./access";
 import { ArrayPanel, type Part } from "./array";
 import { CheckPanel } from "./check";
+import { PointCard } from "./card";
+import { Colouring } from "./colouring";
 import { ComparePanel } from "./compare";
 import { CurvesPanel, unpack } from "./curves";
 import { tablePicture } from "./chart";
@@ -16,6 +18,7 @@ import { TouchPanel } from "./touch";
 import { VerdictBar } from "./verdict";
 import { Link, type State } from "./link";
 import { StudyPanel } from "./study";
+import { Tabs } from "./tabs";
 
 /** Characters of the longest change that the studio takes, of a message of 1 MB. */
 const LONGEST = 300000;
@@ -39,19 +42,22 @@ let underWay: any = null;
 let pinned: any = keptInTab()?.pinned ?? null;
 /** Tells this page from another one that was doubled from it and knows the same session. */
 const ownName = crypto.getRandomValues(new Uint32Array(4)).join("-");
-let selected: number | null = null;
+let selected: number | null = null, other: number | null = null, pointed: number | null = null;
 let fromAddress: any = null;
 
 const form = new Form(byId("fields"), (field, value, gesture, bought) => change({ do: "set", name: field, value, gesture, bought }));
-const curves = new CurvesPanel(byId("plots"), () => curveTitles, select);
-
-const array = new ArrayPanel(byId("space"), select);
+const colouring = new Colouring(recolour);
+const card = new PointCard(colouring);
+const colourOf = (point: number) => colouring.of(point);
+const curves = new CurvesPanel(byId("plots"), () => curveTitles, colourOf, choose, hover);
+const array = new ArrayPanel(byId("space"), colourOf, choose, hover);
 let figureWords: Record<string, Word> = {};
-const table = new PointsPanel(() => figureWords, select);
+const table = new PointsPanel(() => figureWords, colourOf, choose, hover);
 const check = new CheckPanel((part, place) => {
   array.light((each: Part) => each.part === part, [{ part, place }]);
-  byId("space").scrollIntoView({ block: "center", behavior: "smooth" });
+  byId("space").scrollIntoView({ block: "nearest" });
 });
+const tabs = new Tabs();
 const verdict = new VerdictBar(byId("verdict-shown"), (values) => change({ do: "remedy", values }));
 const compare = new ComparePanel();
 const touch = new TouchPanel(
@@ -84,10 +90,42 @@ function answered(): void {
   next();
 }
 
+/** A point was clicked: it is lit, or compared with the one that is lit. */
+function choose(point: number | null, second: boolean): void {
+  if (second && selected !== null && point !== selected) against(point);
+  else select(point);
+}
+
+function against(point: number | null): void {
+  other = point;
+  byId<HTMLSelectElement>("other").value = point === null ? "" : String(point);
+  curves.light(selected, other);
+}
+
+/** A point is pointed at, or none: it is shown everywhere. */
+function hover(point: number | null): void {
+  if (point === pointed) return;
+  pointed = point;
+  curves.point(point);
+  array.point(point);
+  table.point(point);
+  card.show(point ?? selected);
+}
+
+function recolour(): void {
+  curves.repaint();
+  array.recolour();
+  table.recolour();
+  card.redraw();
+  watch();
+}
+
 function select(point: number | null): void {
   selected = point;
+  if (point === null || point === other) against(null);
   byId<HTMLSelectElement>("point").value = point === null ? "" : String(point);
-  curves.light(point);
+  card.show(pointed ?? point);
+  curves.light(point, other);
   table.light(point);
   array.light((part: Part) => point !== null && part.group === `point ${point}` && part.kind !== "sheath" && part.kind !== "spring");
 }
@@ -150,6 +188,9 @@ function failed(message: any): void {
   stale();
 }
 
+/** Figures of the points have come: what is coloured by them follows, and the card. */
+function refigured(): void { if (colouring.isByFigure) recolour(); else card.redraw(); }
+
 /** Models are fetched one after the other: the one asked for last is the one that stays. */
 let fetched: Promise<void> = Promise.resolve();
 
@@ -165,8 +206,8 @@ async function figures(message: any): Promise<void> {
       return failed({ stage, message: "The array could not be fetched from the studio. Change the design to draw it again." });
     }
   }
-  if (stage === "points") table.take(found);
-  if (stage === "as_built") table.asBuilt(found);
+  if (stage === "points") { colouring.take(found); table.take(found); refigured(); }
+  if (stage === "as_built") { colouring.asBuilt(found); table.asBuilt(found); refigured(); }
   if (stage === "verdict") verdict.take(found);
   if (stage === "check") check.take(found);
   if (stage === "surface") touch.take(found, message.revision);
@@ -280,6 +321,9 @@ function points(fields: any[] | null): void {
       make("option", { value: "" }, "all points"),
       ...Array.from({ length: count }, (_, k) => make("option", { value: String(k + 1) }, `point ${k + 1}`)),
     );
+    byId<HTMLSelectElement>("other").replaceChildren(make("option", { value: "" }, "–"), ...[...choice.options].slice(1).map((each) => each.cloneNode(true)));
+    colouring.size(count);
+    pointed = null;
     select(selected !== null && selected <= count ? selected : null);
   }
 }
@@ -287,9 +331,17 @@ function points(fields: any[] | null): void {
 /** What is shown of an earlier design is grey. */
 function stale(): void {
   grey(byId("plots"), curves.revision !== revision);
-  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["points", "compared-figures"], ["as_built", "as-built-shown"], ["verdict", "verdict-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
+  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["points", "compared-figures"], ["points", "point-card"], ["as_built", "as-built-shown"], ["verdict", "verdict-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
     grey(byId(place), shownRevision[stage] !== revision);
   }
+}
+
+/** What is in sight is computed, and what it is coloured by. */
+function watch(): void {
+  inSight.clear();
+  for (const each of cardsInSight) for (const stage of each.dataset.stage!.split(" ")) inSight.add(stage);
+  if (colouring.wantsBuilt) inSight.add("as_built");
+  want();
 }
 
 function want(): void { link?.send({ do: "want", stages: [...inSight], quantity }); }
@@ -310,6 +362,7 @@ function offer(before: any): void {
 function theme(choice: string): void {
   document.documentElement.dataset.theme = choice;
   forgetColours();
+  colouring.legend();
   byId("theme").setAttribute("aria-pressed", String(choice === "dark"));
   curves.restyle();
   array.restyle();
@@ -418,6 +471,7 @@ byId<HTMLSelectElement>("point").addEventListener("change", (event) => {
   const value = (event.target as HTMLSelectElement).value;
   select(value ? Number(value) : null);
 });
+byId<HTMLSelectElement>("other").addEventListener("change", (event) => against(Number((event.target as HTMLSelectElement).value) || null));
 byId<HTMLSelectElement>("prototypes").addEventListener("change", (event) => {
   const choice = event.target as HTMLSelectElement;
   if (choice.value) change({ do: "prototype", name: choice.value });
@@ -493,9 +547,7 @@ const watcher = new IntersectionObserver((entries) => {
     if (entry.isIntersecting) cardsInSight.add(entry.target as HTMLElement);
     else cardsInSight.delete(entry.target as HTMLElement);
   }
-  inSight.clear();
-  for (const card of cardsInSight) for (const stage of card.dataset.stage!.split(" ")) inSight.add(stage);
-  want();
+  watch();
 }, { rootMargin: "100px" });
 for (const card of document.querySelectorAll("[data-stage]")) watcher.observe(card);
 (async () => {

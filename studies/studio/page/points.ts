@@ -3,11 +3,13 @@ import { byId, colour, csv, hand, make, shownUnit, words } from "./dom";
 
 export interface Figures {
   figures: Record<string, number>;
-  points: { number: number; nearest: number; distance: number; level: number; phase: number; named: number; force: number }[];
+  points: { number: number; nearest: number; distance: number; level: number; phase: number; named: number; force: number; loudest: number; coverage: number }[];
   confusion: number[][]; touches: number; hardest: number[][]; overlaps: string[]; mend: string; finger: number; fidelity: string;
 }
 export interface Word { title: string; unit: string; definition: string; better: string; }
 
+/** Room for the numbers beside the matrix, pixels. */
+const ROOM = 22;
 const COLUMNS: [string, string, (p: Figures["points"][0]) => string][] = [
   ["point", "", (p) => String(p.number)],
   ["top-1 accuracy", "%", (p) => words(100 * p.named, 3)],
@@ -21,7 +23,17 @@ const COLUMNS: [string, string, (p: Figures["points"][0]) => string][] = [
 export class PointsPanel {
   private now: Figures | null = null;
   private lit: number | null = null;
-  constructor(private word: () => Record<string, Word>, private choose: (point: number | null) => void) {}
+  private pointed: number | null = null;
+  private cell = 1;
+  constructor(
+    private word: () => Record<string, Word>, private colourOf: (point: number) => string,
+    private choose: (point: number | null, second: boolean) => void, private hover: (point: number | null) => void,
+  ) {
+    const canvas = byId<HTMLCanvasElement>("confusion");
+    canvas.addEventListener("pointermove", (event) => this.read(event));
+    canvas.addEventListener("pointerleave", () => { byId("pointed-cell").textContent = "\u00a0"; this.hover(null); });
+    canvas.addEventListener("click", (event) => { const at = this.under(event); if (at) this.choose(this.now!.points[at[0]].number, event.shiftKey); });
+  }
 
   take(found: Figures): void { this.now = found; this.draw(); }
 
@@ -31,6 +43,36 @@ export class PointsPanel {
       row.classList.toggle("lit", (row as HTMLElement).dataset.point === String(point));
     }
     this.matrix();
+  }
+
+  /** The point that is pointed at anywhere. */
+  point(point: number | null): void {
+    if (point === this.pointed) return;
+    this.pointed = point;
+    for (const row of byId("points-table").querySelectorAll<HTMLElement>("tr[data-point]")) row.classList.toggle("pointed", row.dataset.point === String(point));
+    if (byId("confusion").clientWidth) this.matrix();
+  }
+
+  /** The colours of the points have changed. */
+  recolour(): void {
+    for (const row of byId("points-table").querySelectorAll<HTMLElement>("tr[data-point]")) {
+      row.querySelector<HTMLElement>(".swatch")!.style.background = this.colourOf(Number(row.dataset.point));
+    }
+  }
+
+  /** Row and column of the cell under the pointer. */
+  private under(event: MouseEvent): [number, number] | null {
+    const frame = byId("confusion").getBoundingClientRect(), count = this.now?.points.length ?? 0;
+    const [j, i] = [event.clientX - frame.left, event.clientY - frame.top].map((each) => Math.floor((each - ROOM) / this.cell));
+    return i >= 0 && j >= 0 && i < count && j < count ? [i, j] : null;
+  }
+
+  private read(event: MouseEvent): void {
+    const at = this.under(event), now = this.now;
+    if (!at || !now) return this.hover(null);
+    const [from, to] = at.map((k) => now.points[k].number);
+    byId("pointed-cell").textContent = `point ${from} located as ${to}: ${now.confusion[at[0]][at[1]]} of ${now.touches} touches`;
+    this.hover(from);
   }
 
   asBuilt(found: { sensors: number; mean: number; worst: number; interval: number[]; multi_sines: number }): void {
@@ -53,8 +95,13 @@ export class PointsPanel {
     const head = make("tr", {}, ...COLUMNS.map(([title, unit]) => make("th", { scope: "col" }, unit ? `${title} (${unit})` : title)));
     const rows = now.points.map((point) => {
       const row = make("tr", { "data-point": String(point.number), tabindex: "0" }, ...COLUMNS.map(([, , text]) => make("td", {}, text(point))));
-      const act = () => this.choose(this.lit === point.number ? null : point.number);
-      row.addEventListener("click", act);
+      const swatch = make("span", { class: "swatch" });
+      swatch.style.background = this.colourOf(point.number);
+      row.firstElementChild!.prepend(swatch);
+      const act = (second = false) => this.choose(this.lit === point.number ? null : point.number, second);
+      row.addEventListener("click", (event) => act(event.shiftKey));
+      row.addEventListener("pointerenter", () => this.hover(point.number));
+      row.addEventListener("pointerleave", () => this.hover(null));
       row.addEventListener("keydown", (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); act(); } });
       return row;
     });
@@ -65,7 +112,7 @@ export class PointsPanel {
   private matrix(): void {
     const now = this.now, canvas = byId<HTMLCanvasElement>("confusion");
     if (!now) return;
-    const count = now.confusion.length, cell = Math.max(Math.floor(340 / count), 3), room = 22;
+    const count = now.confusion.length, cell = this.cell = Math.max(Math.floor(340 / count), 3), room = ROOM;
     const scale = devicePixelRatio;
     canvas.width = canvas.height = (count * cell + room) * scale;
     canvas.style.width = canvas.style.height = `${count * cell + room}px`;
@@ -94,9 +141,10 @@ export class PointsPanel {
         }
       }
     }
-    const index = now.points.findIndex((point) => point.number === this.lit);
-    if (index >= 0) {
-      c.strokeStyle = colour("--accent");
+    for (const [number, ink] of [[this.pointed, "--ink"], [this.lit, "--accent"]] as const) {
+      const index = now.points.findIndex((point) => point.number === number);
+      if (index < 0) continue;
+      c.strokeStyle = colour(ink);
       c.lineWidth = 2;
       c.strokeRect(room, room + index * cell, count * cell - 1, cell - 1);
     }
@@ -104,12 +152,12 @@ export class PointsPanel {
     canvas.setAttribute("aria-label", `predicted confusion of ${count} points; ${wrong} of them are not always assigned to the correct point; the table beside has the figures`);
   }
 
-  restyle(): void { this.matrix(); }
+  restyle(): void { this.matrix(); this.recolour(); }
 
   table(name: string): void {
     if (!this.now) return;
-    const keys = ["number", "named", "nearest", "distance", "level", "phase", "force"] as const;
-    csv([["point", "top-1 accuracy", "hardest to tell from", "distance", "level (dB)", "phase (degrees)", "smallest detectable force (N)",
+    const keys = ["number", "named", "nearest", "distance", "level", "phase", "force", "loudest", "coverage"] as const;
+    csv([["point", "top-1 accuracy", "hardest to tell from", "distance", "level (dB)", "phase (degrees)", "smallest detectable force (N)", "level at 100 Hz, loudest microphone (dB)", "coverage of its area",
       ...this.now.points.map((point) => `assigned to ${point.number}, of ${this.now!.touches} touches`)],
       ...this.now.points.map((point, k) => [...keys.map((key) => point[key]), ...this.now!.confusion[k]])], `${name}-points.csv`);
   }

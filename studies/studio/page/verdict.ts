@@ -3,7 +3,7 @@ import { button, make } from "./dom";
 
 type Remedy = { line: string; words: string; changes: Record<string, unknown> };
 type Reason = { rule: string; outcome: string; words: string; remedy: Remedy | null };
-type Found = { outcome: string; reasons: Reason[]; rows: [string, string, string][] };
+type Found = { outcome: string; reasons: Reason[]; rows: [string, string, string][]; clipped: string[] };
 
 const SHOWN = 3;
 
@@ -19,6 +19,7 @@ export class VerdictBar {
     });
     const more = found.reasons.slice(SHOWN).map((reason) => reason.rule);
     if (more.length) reasons.push(make("li", {}, `also: ${more.join(", ")}`));
+    reasons.push(...found.clipped.map((line) => make("li", { class: "note" }, line)));
     this.place.replaceChildren(
       make("strong", {}, found.outcome),
       make("ul", {}, ...reasons),

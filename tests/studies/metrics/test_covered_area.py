@@ -9,6 +9,7 @@ import geometry
 from geometry.ground.refusal import Kind
 from geometry.layout.arrangement import lay_out
 from studies.metrics import coverage
+from studies.metrics.covered_area import point_coverage
 from studies.metrics.covered_area import _CORNER, _hull, _is_mirrored, _rim, _together
 
 
@@ -93,3 +94,18 @@ def test_where_the_array_is_its_mirror_image_the_lines_of_one_half_cross_it_as_t
     first = np.arange(len(place)) == 0
     assert not _is_mirrored(place, radius + 1e-6 * first)
     assert not _is_mirrored(place - 1e-6 * first[:, None] * [0, 1], radius)
+
+
+@pytest.mark.parametrize("name", ["array-2x6", "fingertip-3x4", "line-2"])
+def test_the_coverage_of_the_points_adds_up_to_that_of_the_array(name: str) -> None:
+    design = geometry.prototype(name)
+    own = point_coverage(design, 3.0)
+    assert own.shape == (design.point_count,)
+    assert own.min() <= coverage(design, 3.0) + 0.01
+    assert own.max() >= coverage(design, 3.0) - 0.01
+    assert point_coverage(design, 100.0) == pytest.approx(np.ones(design.point_count))
+
+
+def test_points_that_lie_alike_are_covered_alike() -> None:
+    corners = point_coverage(geometry.prototype("array-2x6"), 3.0)[[0, 5, 6, 11]]
+    assert corners == pytest.approx(np.full(4, corners[0]), abs=0.01)

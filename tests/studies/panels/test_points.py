@@ -17,7 +17,7 @@ from studies.comparison import FIGURES, figure_words
 from studies.comparison.own_figures import MOST_POINTS
 from studies.metrics import as_built_accuracy
 from studies.metrics.confusion import predict_confusion
-from studies.metrics.covered_area import coverage
+from studies.metrics.covered_area import coverage, point_coverage
 from studies.metrics.separation import separability
 from studies.panels.points import as_built_figures, point_figures
 from studies.study.metric_registry import METRICS
@@ -44,6 +44,9 @@ def test_the_figures_are_those_of_python(name: str) -> None:
         between = apart.between(number, point["nearest"])
         assert (point["level"], point["phase"], point["distance"]) == pytest.approx(between, rel=1e-12)
         assert point["force"] == pytest.approx(float(limits.sel(point=number)), rel=1e-12)
+        loudest = np.abs(library.transfer_function.sel(point=number, frequency=100)).max()
+        assert point["loudest"] == pytest.approx(20 * np.log10(float(loudest)), rel=1e-9)
+    assert [point["coverage"] for point in found["points"]] == point_coverage(design).tolist()
     assert found["hardest"] == [list(pair) for pair in apart.equally_hard]
 
     from localize.signals.noise_model import microphone_noise

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import PAINTED, ROOT, Studio, downloaded, field, give, lit, opened, studio, until, until_lit
+from browser import PAINTED, ROOT, Studio, downloaded, field, give, lit, opened, panel, shown, studio, until, until_lit
 
 from geometry import load_design, prototype
 from studies.panels.points import point_figures
@@ -36,40 +36,46 @@ def test_a_changed_field_is_painted(page: Any) -> None:
 def test_every_panel_shows_a_design_and_a_click_lights_its_point(
     browser: Any, running: Studio, tmp_path: Path, name: str
 ) -> None:
-    context = browser.new_context(viewport={"width": 1440, "height": 420})  # the curves alone: no other design is drawn
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
     page = opened(context, running)
     page.select_option("#prototypes", name)
     until(page, f"{ROOT}.revision === '1'")
     page.click("#pin")
-    page.set_viewport_size({"width": 1440, "height": 5200})
-    for stage in ("points", "model", "as_built", "check", "surface"):
-        until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision", 240)
+    shown(page, "points", "model", "as_built", "check", "surface")
+    panel(page, "sound")
     design = prototype(name)
     figures = point_figures(design)
     assert page.locator("#points-table tbody tr").count() == design.point_count
     for figure, value in figures["figures"].items():
-        shown = page.locator(f"#figures [data-figure='{figure}'] dd").inner_text().split()[0]
-        assert float(shown.replace("\N{MINUS SIGN}", "-")) == pytest.approx(value, rel=1e-3)
+        text = page.locator(f"#figures [data-figure='{figure}'] dd").inner_text().split()[0]
+        assert float(text.replace("\N{MINUS SIGN}", "-")) == pytest.approx(value, rel=1e-3)
     before = page.locator("#space canvas").screenshot()
     page.locator("tr[data-point='3']").click()
     assert page.locator("#point").input_value() == "3"
     until_lit(page.locator("#space canvas"), lit_pixels(before) + 100)
+    assert page.locator("#point-card dt").count() > 4
+    panel(page, "make")
     assert page.locator("#print-verdict").inner_text().startswith("Can be built:")
+    panel(page, "study")
     assert page.locator("#compared-figures tr").count() == len(figures["figures"])
     assert page.locator("#differences").inner_text() == "no field differs"
+    panel(page, "sound")
     assert (
         page.locator("#as-built").inner_text().startswith("Taps and presses on 64 as-built sensors, not calibrated: ")
     )
+    panel(page, "touch")
     page.click("#game")
     mole = int(page.locator("#score").get_attribute("data-mole"))
     page.locator("#touch-points button").nth(mole - 1).click()
     until(page, "document.getElementById('score').textContent.endsWith('still to come: 9.')", 240)
     assert page.locator("#answer").inner_text().startswith(f"A tap on point {mole}; located: point ")
+    panel(page, "study")
     page.select_option("#study-add", "tube.length")
     page.fill("#study-designs", "4")
     page.click("#study-run")
     until(page, f"{ROOT}.shown_study === '1'", 240)
     assert page.locator("#study-effects canvas").count() == 1
+    panel(page, "make")
     saved = downloaded(page, lambda: page.click("[data-export='design.toml']"), tmp_path)
     assert load_design(saved) == design
     assert page.problems == []
@@ -77,12 +83,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(
 
 
 def test_a_touch_lights_the_membrane_that_is_named_and_the_game_is_played_to_its_end(page: Any) -> None:
-    until(
-        page,
-        "document.querySelectorAll('#touch-points button').length === 12 || "
-        "void document.getElementById('touch-title').scrollIntoView()",
-    )
-    page.locator("#touch-title").scroll_into_view_if_needed()
+    shown(page, "surface")
     before = lit_pixels(page.locator("#plan").screenshot())
     page.locator("#touch-points button").nth(4).click()
     until(page, "document.getElementById('answer').dataset.named", 120)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from browser import PAINTED, ROOT, Studio, downloaded, field, give, opened, studio, until
+from browser import PAINTED, ROOT, Studio, downloaded, field, give, opened, panel, shown, studio, until
 
 from geometry import prototype
 from geometry.design.array_design import validated
@@ -91,6 +91,7 @@ def test_undo_by_keyboard_is_that_of_the_design_once_a_value_was_taken(page: Any
 
 
 def test_a_new_form_leaves_the_keyboard_where_it_was(page: Any) -> None:
+    panel(page, "design")
     page.locator("#add-table").focus()
     page.select_option("#add-table", "lines.0.tube")
     until(page, f"{ROOT}.revision === '1'")
@@ -126,21 +127,20 @@ def test_a_page_that_is_loaded_again_has_its_pinned_design_as_before(page: Any) 
     until(page, f"{ROOT}.revision === '1' && {KEPT}.tube.length === 14")
     page.reload()
     until(page, f"{ROOT}.painted && {PAINTED}")
-    page.locator("#compare-title").scroll_into_view_if_needed()
+    panel(page, "study")
     until(page, "document.querySelectorAll('#compared-figures tr').length")
     assert page.locator("#differences tr").count() == 1
 
 
 def test_a_studio_that_was_started_again_shows_all_panels_of_the_design_and_the_pinned_one(browser: Any) -> None:
-    context = browser.new_context(viewport={"width": 1440, "height": 3000})
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
     with studio() as first:
         page = opened(context, first)
         page.click("#pin")
         for length in (13, 14, 15):
             give(page, "tube.length", str(length))
             until(page, f"{KEPT}.tube.length === {length} && {PAINTED}")
-        for stage in ("points", "surface"):
-            until(page, f"{ROOT}.shown_{stage} === '3'")
+        shown(page, "points", "surface")
         first.kill()
         give(page, "membrane.thickness", "0.6")  # while nobody hears it
         until(page, "document.getElementById('lost').textContent.includes('does not answer')")
@@ -150,10 +150,11 @@ def test_a_studio_that_was_started_again_shows_all_panels_of_the_design_and_the_
         other.goto(second.take_address())
         until(page, f"document.getElementById('lost').hidden && {PAINTED} && {KEPT}.membrane.thickness === 0.6")
         for stage in ("points", "surface"):
-            until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision")
+            shown(page, stage)
             place = {"points": "points-shown", "surface": "touch-shown"}[stage]
             until(page, f"!document.getElementById('{place}').classList.contains('stale')")
         until(page, "document.querySelectorAll('#compared-figures tr').length")
+        panel(page, "study")
         differ = [each.split("\t") for each in page.locator("#differences").inner_text().splitlines()]
         here = prototype("array-2x6").with_values({"tube.length": 15.0, "membrane.thickness": 0.6})
         assert [each[0] for each in differ] == [each.name for each in differing_fields([here, prototype("array-2x6")])]
@@ -178,7 +179,7 @@ def test_the_link_of_a_page_that_sleeps_is_not_taken_for_lost(browser: Any, runn
 
 
 def test_what_was_heard_of_another_design_goes_and_what_is_shown_can_be_had(page: Any, tmp_path: Path) -> None:
-    page.locator("#touch-title").scroll_into_view_if_needed()
+    panel(page, "touch")
     until(page, f"{ROOT}.shown_surface === '0'")
     page.locator("#touch-points button").nth(4).click()
     until(page, "document.getElementById('answer').dataset.named")
@@ -191,5 +192,5 @@ def test_what_was_heard_of_another_design_goes_and_what_is_shown_can_be_had(page
     picture = downloaded(page, lambda: page.click("#touch-png"), tmp_path)
     assert picture.read_bytes().startswith(b"\x89PNG")
     give(page, "tube.length", "14")
-    until(page, f"{ROOT}.shown_surface === '1'")
+    shown(page, "surface")
     assert page.locator("#answer").inner_text().startswith("Click a membrane")

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from browser import PAINTED, ROOT, Studio, give, lit, opened, studio, until, until_lit
+from browser import PAINTED, ROOT, Studio, give, lit, opened, panel, shown, studio, until, until_lit
 from scipy.io import wavfile
 
 from acoustic_fem.sound.sound_file import write_wav
@@ -42,7 +42,7 @@ def with_card(taps: Path) -> Iterator[Studio]:
 def listening(browser: Any, with_card: Studio) -> Iterator[Any]:
     context = browser.new_context(viewport={"width": 1440, "height": 900})
     page = opened(context, with_card)
-    page.locator("#touch-title").scroll_into_view_if_needed()
+    panel(page, "touch")
     until(page, f"{ROOT}.shown_surface === '0'")
     page.fill("#full-scale", f"{FULL_SCALE:g}")
     yield page
@@ -61,7 +61,8 @@ def test_a_tap_that_a_sound_card_hears_lights_its_membrane_under_all_waveforms(l
     give(listening, "tube.length", "13")
     until(listening, "document.querySelector(`[data-problem='live']`).textContent.includes('the design was changed')")
     assert listening.locator("#live").get_attribute("aria-pressed") == "false"
-    until(listening, f"{ROOT}.shown_surface === '1' && {PAINTED}")
+    shown(listening, "surface")
+    until(listening, PAINTED)
     listening.click("#live")  # the sound card was given back
     until(listening, "document.getElementById('answer').textContent.startsWith('point ')")
     listening.click("#live")
