@@ -54,8 +54,8 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
     predicted = shared.confusion(None)
     limits = detection_limits(library, BAND)["force"].values
     named = np.diagonal(predicted.confusion[0])
-    last = np.abs(library.transfer_function.isel(frequency=-1)).transpose("point", "microphone").values
-    loudest = 20 * np.log10(np.maximum(last.max(axis=1), SILENT))
+    last = library.transfer_function.isel(frequency=-1).transpose("point", "microphone").values
+    loudest = 20 * np.log10(np.maximum(np.abs(last).max(axis=1), SILENT))
     covered = point_coverage(design)
     points = []
     for index, number in enumerate(apart.points):
@@ -111,5 +111,5 @@ def as_built_figures(design: ArrayDesign) -> dict[str, Any]:
         "worst": worst,
         "interval": [low, high],
         "multi_sines": found.multi_sines.mean,
-        "per_point": (sum(each.per_point for each in both) / 2).tolist(),
+        "per_point": ((both[0].per_point + both[1].per_point) / 2).tolist(),
     }

@@ -9,8 +9,7 @@ import geometry
 from geometry.ground.refusal import Kind
 from geometry.layout.arrangement import lay_out
 from studies.metrics import coverage
-from studies.metrics.covered_area import point_coverage
-from studies.metrics.covered_area import _CORNER, _hull, _is_mirrored, _rim, _together
+from studies.metrics.covered_area import _CORNER, _hull, _is_mirrored, _rim, _together, point_coverage
 
 
 def by_points(design, radius, count=40_000):
