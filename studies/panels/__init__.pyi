@@ -22,6 +22,7 @@ from .form import (
     removable_tables as removable_tables,
     stated_values as stated_values,
 )
+from .job_panel import job_words as job_words, plan_of as plan_of, proposals_for as proposals_for
 from .live_panel import listen_live as listen_live, sound_cards as sound_cards
 from .pinned_panel import (
     COMPARISON as COMPARISON,

@@ -14,7 +14,7 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.types import ASGIApp
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
 import studies.studio as here
 from geometry.design.array_design import ArrayDesign
@@ -222,7 +222,8 @@ async def _hold(socket: WebSocket, sessions: Sessions, guard: Guard, unproven: l
 
     session = None
     try:
-        while True:
+        # A message that could not be sent closes the link here, with nothing more to be read.
+        while socket.application_state == WebSocketState.CONNECTED:
             try:
                 message = read_message(await _text(socket)) if first is None else first
                 first = None

@@ -20,8 +20,10 @@ from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
 from studies.panels.form import addable_tables, form_of, removable_tables, sizes_sold, stated_values
+from studies.panels.form_hints import fields_without_effect, values_in_use
 from studies.panels.pinned_panel import COMPARISON, field_rows, figure_rows
 from studies.studio.exploration import Exploration, file_of
+from studies.studio.job_search import JobSearch
 from studies.studio.messages import MessageError, packed, text_of, written
 from studies.studio.stage import Job, Stage, notifier, outcome, progress
 from studies.studio.touch_input import TouchInput
@@ -51,6 +53,7 @@ class Session:
         self.pinned: ArrayDesign | None = None
         self.files: dict[str, tuple[Path, str]] = {}
         self.exploration = Exploration(workplace, self._post)
+        self._search = JobSearch(workplace, self._post)
         self._workplace = workplace
         self._quantity = "level"
         self._wanted: set[str] = set()
@@ -64,6 +67,7 @@ class Session:
         self._export_job: Job | None = None
         self.touches = TouchInput(workplace, self._post)
         self._last_values: tuple[dict[str, Any], frozenset[str]] = ({}, frozenset())
+        self._last_hints: dict[str, Any] = {}
         self._stages = {"curves": Stage(self._curves), "pinned": Stage(self._curves)} | {
             name: Stage(self._figures, workplace.stop, pause)
             for name, pause in {**STAGES, "pinned_points": 0.0}.items()
@@ -107,6 +111,7 @@ class Session:
     def end(self) -> None:
         """Nobody comes back: what is still done for the page is stopped, and its files are removed."""
         self.exploration.stop()
+        self._search.stop()
         if self._export_job is not None:
             self._workplace.stop_apart("export", self._export_job)
         for path, _ in self.files.values():
@@ -208,6 +213,9 @@ class Session:
         else:
             message["values"] = {name: value for name, value in values.items() if before[name] != value}
         self._last_values = values, design.followers
+        hints = {"without_effect": fields_without_effect(design), "in_use": values_in_use(design)}
+        if "form" in message or hints != self._last_hints:
+            message["hints"] = self._last_hints = hints
         message["sizes"] = sizes_sold(design)
         await self._post(message)
         if self.pinned is not None:
@@ -276,6 +284,8 @@ class Session:
             self._workplace.stop_apart("export", self._export_job)
         elif name == "study":
             self.exploration.stop()
+        elif name == "proposals":
+            self._search.stop()
         elif name == "live":
             await self.touches.end("stopped")
         elif name in STAGES:
@@ -324,6 +334,19 @@ class Session:
 
     async def _cards(self, message: Mapping[str, Any]) -> None:
         await self.touches.cards(self.state.design, self.state.revision)
+
+    # -- new designs --------------------------------------------------------------------------------
+    async def _job(self, message: Mapping[str, Any]) -> None:
+        await self._search.words(self.state.design, self.state.revision)
+
+    async def _propose(self, message: Mapping[str, Any]) -> None:
+        try:
+            self._search.search(self.state.design, self.state.revision, message)
+        except MessageError:
+            raise
+        except Refusal as error:
+            failure = {"stage": "proposals", "revision": self.state.revision, "message": str(error)}
+            await self._post({"type": "failed", **failure})
 
     # -- studies ------------------------------------------------------------------------------------
     async def _study(self, message: Mapping[str, Any]) -> None:
@@ -416,6 +439,8 @@ _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
     "touch": Session._touch,
     "listen": Session._listen,
     "cards": Session._cards,
+    "job": Session._job,
+    "propose": Session._propose,
     "study": Session._study,
     "load": Session._load,
 }

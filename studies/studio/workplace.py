@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import gc
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -23,6 +23,7 @@ from studies.panels.curves import Curves, curves_of, quick_library
 from studies.panels.designing import design_key
 from studies.panels.exploring import FoundDesigns, run_study, study_so_far, write_study
 from studies.panels.export_files import make_export
+from studies.panels.job_panel import job_words, proposals_for
 from studies.panels.live_panel import listen_live, sound_cards
 from studies.panels.pinned_panel import make_comparison
 from studies.panels.points import as_built_figures, point_figures
@@ -49,7 +50,7 @@ class Workplace:
         # One thread a stage: a slow one delays no other, and none works on two designs at once.
         self._threads = {
             name: ThreadPoolExecutor(1, f"studio-{name}")
-            for name in ("curves", "points", "as_built", "cad", "save", "export", "live", "study", "touch")
+            for name in ("curves", "points", "as_built", "cad", "save", "export", "live", "study", "touch", "proposals")
         }
         self.cad = TaskProcess(_warm_up)
         self._decoder = TaskProcess(_import_decoder, "the decoder", in_background=False)
@@ -238,6 +239,24 @@ class Workplace:
             notify(WAITING)
         return await self._in_turn("study", work, task)
 
+    async def job_words(self) -> dict[str, Any]:
+        """What the dialogue of a job offers."""
+        return await self.in_thread("save", job_words)
+
+    async def proposals(
+        self, name: str, asked: Mapping[str, Any], notify: Callable[[str], None], task: object
+    ) -> dict[str, Any]:
+        """Designs that are proposed for a job, searched in a process of its own, one search after the other."""
+
+        def work() -> dict[str, Any]:
+            with self._process("proposals", "the process that searches designs") as process:
+                found: dict[str, Any] = process.run(proposals_for, (name, asked), notify, task)
+                return found
+
+        if "proposals" in self._processes:
+            notify(WAITING)
+        return await self._in_turn("proposals", work, task)
+
     async def study_file(self, design: ArrayDesign, text: str) -> Path:
         """A study file and its base, to be handed out."""
 
@@ -259,7 +278,7 @@ class Workplace:
         self._predictor.stop(task)
 
     def stop_apart(self, name: str, task: object) -> None:
-        """Post that a file ("export"), a study ("study") or listening ("live") is not wanted any more."""
+        """Post that a file ("export"), a study, a search ("proposals") or listening ("live") is not wanted any more."""
         queued = self._queued.get(task)
         if queued is not None and queued.cancel():
             return

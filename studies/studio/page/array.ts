@@ -145,6 +145,17 @@ export class ArrayPanel {
   /** The colours of the points have changed. */
   recolour(): void { if (this.home.size) this.arrange(); }
 
+  /** A small picture of the array as it is shown, as an address that holds it; empty where nothing is drawn yet. */
+  thumbnail(): string {
+    if (!this.renderer || !this.fittedTo) return "";
+    const { width, height } = this.still, small = make("canvas", { width: "300", height: "168" }), c = small.getContext("2d")!;
+    c.fillStyle = colour("--card");
+    c.fillRect(0, 0, 300, 168);
+    const scale = Math.min(300 / width, 168 / height);
+    c.drawImage(this.still, (300 - scale * width) / 2, (168 - scale * height) / 2, scale * width, scale * height);
+    return small.toDataURL("image/jpeg", 0.7);
+  }
+
   picture(name: string): void {
     this.draw();
     this.sheet.toBlob((blob) => blob && hand(blob, `${name}-array.png`));

@@ -1,5 +1,6 @@
 // The Design panel: every field with what it means, a slider for numbers, refusals where they belong.
 import { button, make, words } from "./dom";
+import { nearest, next, scaleFor, type Scale } from "./steps";
 
 export interface Field {
   name: string; group: string; label: string; kind: "number" | "count" | "text" | "flag" | "list"; unit: string;
@@ -9,11 +10,14 @@ export interface Field {
 type Setter = (name: string, value: any, gesture?: string, bought?: boolean) => void;
 interface Row { field: Field; row: HTMLElement; show: (value: any) => void; }
 const STEPS = 1000;
+const KEYS: Record<string, number> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
 
 export class Form {
   private rows = new Map<string, Row>();
   private dragged = "";
   private gestures = 0;
+  /** Ways of the sliders, which stay where they are while a value moves within them. */
+  private scales = new Map<string, Scale>();
   private sizes: Record<string, number[]> = {};
   private bought = true; // sliders go from one size that can be bought to the next
   constructor(private place: HTMLElement, private set: Setter) {}
@@ -72,6 +76,19 @@ export class Form {
     return inside.length > 1 ? inside : null;
   }
 
+  /** Fields that do not count for the design are hidden, and a default shows the value that stands for it. */
+  hint(without: string[], inUse: Record<string, number | string>): void {
+    const hidden = new Set(without);
+    for (const [name, { row, field }] of this.rows) {
+      row.hidden = hidden.has(name);
+      if (!field.optional) continue;
+      const used = inUse[name], control = row.querySelector<HTMLElement>(".value")!;
+      const said = used === undefined ? "default" : typeof used === "number" ? `(${words(used)})` : used;
+      if (control instanceof HTMLSelectElement) control.options[0].textContent = used === undefined ? "default" : `default: ${used}`;
+      else control.setAttribute("placeholder", said);
+    }
+  }
+
   update(values: Record<string, any>): void {
     for (const [name, value] of Object.entries(values)) {
       const row = this.rows.get(name);
@@ -98,6 +115,7 @@ export class Form {
     const row = this.rows.get(name);
     if (!row) return false;
     row.row.closest("details")!.open = true;
+    row.row.hidden = false;
     row.row.classList.add("refused");
     row.row.querySelector(".value")?.setAttribute("aria-invalid", "true");
     const said = row.row.querySelector(".refusal")!;
@@ -142,6 +160,7 @@ export class Form {
       choice.addEventListener("change", () => this.set(field.name, choice.value));
       return { elements: [choice], show: (value) => { choice.value = value; } };
     }
+    if (field.suggestions.length && (field.value === null || field.suggestions.includes(field.value))) return this.known(field, id);
     if (field.kind === "flag") {
       const flag = make("input", { id, class: "value", type: "checkbox" });
       flag.addEventListener("change", () => this.set(field.name, flag.checked));
@@ -151,21 +170,23 @@ export class Form {
     return this.numeric(field, id);
   }
 
+  /** A name that the package knows, such as that of a material, or none. */
+  private known(field: Field, id: string): { elements: HTMLElement[]; show: (value: any) => void } {
+    const choice = make("select", { id, class: "value" }, ...(field.optional ? [make("option", { value: "" }, "default")] : []),
+      ...field.suggestions.map((each) => make("option", {}, each)));
+    choice.addEventListener("change", () => this.set(field.name, choice.value || null));
+    return { elements: [choice], show: (value) => { choice.value = value ?? ""; } };
+  }
+
   private textual(field: Field, id: string): { elements: HTMLElement[]; show: (value: any) => void } {
     const text = make("input", { id, class: "value text", type: "text", autocomplete: "off", spellcheck: "false" });
-    if (field.optional) text.placeholder = "default";
     const numbers = field.kind === "list" && (field.value ?? []).some((each: any) => typeof each === "number");
     text.addEventListener("change", () => {
       const list = text.value.split(",").map((each) => each.trim()).filter(Boolean);
       const plain = text.value === "" && field.optional ? null : text.value;
       this.set(field.name, field.kind === "text" || plain === null ? plain : numbers ? list.map(Number) : list);
     });
-    const elements: HTMLElement[] = [text];
-    if (field.suggestions.length) {
-      text.setAttribute("list", `${id}-known`);
-      elements.push(make("datalist", { id: `${id}-known` }, ...field.suggestions.map((value) => make("option", { value }))));
-    }
-    return { elements, show: (value) => { text.dataset.shown = text.value = Array.isArray(value) ? value.join(", ") : value ?? ""; } };
+    return { elements: [text], show: (value) => { text.dataset.shown = text.value = Array.isArray(value) ? value.join(", ") : value ?? ""; } };
   }
 
   private numeric(field: Field, id: string): { elements: HTMLElement[]; show: (value: any) => void } {
@@ -173,30 +194,44 @@ export class Form {
     const slider = make("input", {
       type: "range", min: "0", max: String(STEPS), class: "slider", "aria-label": `${titleOf(field.group)} ${field.label}, slider`,
     });
-    if (field.optional) number.placeholder = "default";
-    const ticks = make("datalist", { id: `${id}-sizes` });
+    const ticks = make("datalist", { id: `${id}-sizes` }), ends = make("span", { class: "slider-ends", "aria-hidden": "true" });
     slider.setAttribute("list", ticks.id);
-    let scale = scaleOf(field, field.value);
     let gesture = "";
     number.addEventListener("change", () => {
       const given = number.value.replace("−", "-").replace(",", ".").trim();
       if (given === "" && field.optional) this.set(field.name, null);
       else this.set(field.name, given === "" || !Number.isFinite(Number(given)) ? number.value : Number(given));
     });
-    slider.addEventListener("input", () => {
+    const give = (value: number, bought: boolean) => {
       if (!gesture) gesture = `${field.name}-${++this.gestures}-${Date.now()}`;
-      this.dragged = field.name;
-      const stops = this.stops(field);
-      const value = stops ? stops[Number(slider.value)] : scale.value(Number(slider.value) / STEPS);
       number.value = String(value);
       slider.setAttribute("aria-valuetext", `${value} ${field.unit}`);
-      this.set(field.name, value, gesture, stops !== null);
+      this.set(field.name, value, gesture, bought);
+    };
+    slider.addEventListener("input", () => {
+      this.dragged = field.name;
+      const stops = this.stops(field);
+      give(stops ? stops[Number(slider.value)] : this.scales.get(field.name)!.value(Number(slider.value) / STEPS), stops !== null);
     });
     slider.addEventListener("change", () => {
       gesture = "";
       this.dragged = "";
       if (!this.rows.get(field.name)?.row.classList.contains("refused")) show(field.value);
     });
+    // A key goes to the next size or the next value that differs, however wide the way of the slider is.
+    slider.addEventListener("keydown", (event) => {
+      const steps = KEYS[event.key];
+      if (!steps || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      if (!event.repeat) gesture = "";
+      const now = Number(number.value), stops = this.stops(field);
+      if (!Number.isFinite(now)) return;
+      const value = stops ? stops[Math.min(Math.max(nearest(stops, now) + Math.sign(steps), 0), stops.length - 1)] : next(field, now, steps);
+      if (value === now) return;
+      slider.value = stops ? String(stops.indexOf(value)) : String(Math.round(this.scales.get(field.name)!.share(value) * STEPS));
+      give(value, stops !== null);
+    });
+    slider.addEventListener("keyup", () => { gesture = ""; });
     const show = (value: any) => {
       number.dataset.shown = number.value = value === null || value === undefined ? "" : String(value);
       slider.disabled = typeof value !== "number";
@@ -205,48 +240,15 @@ export class Form {
       slider.max = String(stops ? stops.length - 1 : STEPS);
       slider.setAttribute("aria-valuetext", `${value} ${field.unit}`);
       if (ticks.childElementCount !== (stops ?? []).length) ticks.replaceChildren(...(stops ?? []).map((_, k) => make("option", { value: String(k) })));
-      if (stops) {
-        slider.value = String(nearest(stops, value));
-        return;
-      }
-      const share = scale.share(value);
-      if (!(share > 0.02 && share < 0.98) || document.activeElement !== slider) scale = scaleOf(field, value);
-      slider.value = String(Math.round(scale.share(value) * STEPS));
+      const scale = scaleFor(field, value, this.scales.get(field.name));
+      this.scales.set(field.name, scale);
+      const [from, to] = stops ? [stops[0], stops.at(-1)!] : [scale.from, scale.to];
+      ends.replaceChildren(make("span", {}, words(from, 3)), make("span", {}, words(to, 3)));
+      slider.value = stops ? String(nearest(stops, value)) : String(Math.round(scale.share(value) * STEPS));
     };
-    return { elements: [number, slider, ticks], show };
+    return { elements: [number, slider, ticks, ends], show };
   }
 }
-
-interface Scale { value: (share: number) => number; share: (value: number) => number; }
-
-/** A slider's way around a value: a third to three times of it, or from bound to bound where it may be zero. */
-function scaleOf(field: Field, now: any): Scale {
-  const value = typeof now === "number" ? now : 0;
-  const low = field.lowest, high = field.highest;
-  const round = (x: number) => {
-    if (field.kind === "count") return Math.round(x);
-    const step = 10 ** (Math.floor(Math.log10(Math.max(Math.abs(value), 1e-9))) - 2);
-    return Number((Math.round(x / step) * step).toPrecision(6));
-  };
-  if (value > 0 && !(low !== null && low < 0) && !(high !== null && high <= 1)) {
-    const from = Math.max(low ?? 0, value / 3, 1e-9), to = Math.min(high ?? Infinity, Math.max(value * 3, field.kind === "count" ? 6 : 0));
-    const span = Math.log(Math.max(to / from, 1.0001));
-    return { value: (share) => clamp(round(from * Math.exp(share * span)), from, to), share: (x) => clamp(Math.log(x / from) / span, 0, 1) };
-  }
-  const from = low ?? Math.min(0, 2 * value), to = high ?? Math.max(1, 2 * value);
-  const even = (x: number) => Number((Math.round(x / ((to - from) / 200)) * ((to - from) / 200)).toPrecision(6));
-  return {
-    value: (share) => clamp(field.kind === "count" ? Math.round(from + share * (to - from)) : even(from + share * (to - from)), from, to),
-    share: (x) => clamp((x - from) / (to - from || 1), 0, 1),
-  };
-}
-
-function nearest(stops: number[], value: number): number {
-  const apart = stops.map((size) => Math.abs(Math.log(size / Math.max(value, 1e-9))));
-  return apart.indexOf(Math.min(...apart));
-}
-
-function clamp(x: number, from: number, to: number): number { return Math.min(Math.max(x, from), to); }
 
 function titleOf(group: string): string {
   if (group === "") return "array";

@@ -16,7 +16,9 @@ import { handIn, handInFolder } from "./handing";
 import { PointsPanel, type Word } from "./points";
 import { TouchPanel } from "./touch";
 import { VerdictBar } from "./verdict";
+import { JobDialogue } from "./job";
 import { Link, type State } from "./link";
+import { keepRecent } from "./recent";
 import { StudyPanel } from "./study";
 import { Tabs } from "./tabs";
 
@@ -57,7 +59,12 @@ const check = new CheckPanel((part, place) => {
   array.light((each: Part) => each.part === part, [{ part, place }]);
   byId("space").scrollIntoView({ block: "nearest" });
 });
-const tabs = new Tabs();
+new Tabs();
+const job = new JobDialogue(
+  (message) => link?.send(message) ?? false,
+  (values, source) => change({ do: "restore", values, source }),
+  (chosen) => change({ do: "prototype", name: chosen }),
+);
 const verdict = new VerdictBar(byId("verdict-shown"), (values) => change({ do: "remedy", values }));
 const compare = new ComparePanel();
 const touch = new TouchPanel(
@@ -162,12 +169,15 @@ function take(message: any): void {
     case "heard":
       if (listening()) touch.hearLive(message.event);
       return;
+    case "job": return job.learn(message);
+    case "proposals": return job.take(message);
     case "cards": return cards(message.cards);
     case "refused-export": notice(message.message);
   }
 }
 
 function progress(stage: string, line: string): void {
+  if (stage === "proposals") return job.progress(line);
   const place = document.querySelector(`[data-status="${stage}"]`);
   if (place) place.textContent = line;
   if (stage === "study") {
@@ -177,6 +187,7 @@ function progress(stage: string, line: string): void {
 }
 
 function failed(message: any): void {
+  if (message.stage === "proposals") return job.failed(message.message);
   progress(message.stage, "");
   if (message.stage === "touch") touch.failed();
   const place = message.stage === "curves" ? byId("curves-note") : document.querySelector(`[data-problem="${message.stage}"]`);
@@ -202,6 +213,7 @@ async function figures(message: any): Promise<void> {
     fetched = own.catch(() => {});
     try {
       await own;
+      recentSoon();
     } catch {
       return failed({ stage, message: "The array could not be fetched from the studio. Change the design to draw it again." });
     }
@@ -286,6 +298,7 @@ function design(message: any): void {
     if (Object.keys(message.values).some((each) => each.endsWith(".points"))) points(null);
   }
   form.offer(message.sizes);
+  if (message.hints) form.hint(message.hints.without_effect, message.hints.in_use);
   byId("name").textContent = name;
   byId("unsaved").hidden = !unsaved;
   document.title = `${unsaved ? "● " : ""}${name} – acoustic-fem studio`;
@@ -295,6 +308,13 @@ function design(message: any): void {
   keepSoon();
   stale();
   answered();
+}
+
+let recalling = 0;
+/** The design is among the recent ones once its picture has stood for a second. */
+function recentSoon(): void {
+  clearTimeout(recalling);
+  recalling = window.setTimeout(() => { if (shownRevision.model === revision) keepRecent({ name, stated, picture: array.thumbnail() }); }, 1000);
 }
 
 let keeping = 0;

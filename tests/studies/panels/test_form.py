@@ -8,9 +8,10 @@ import pytest
 
 from geometry import DesignError, prototype
 from geometry.design.array_design import validated
-from geometry.design.field_values import field_values
+from geometry.design.field_values import declared_at, field_values
 from geometry.schema.declared_fields import field_named
 from studies.panels.form import addable_tables, form_of, removable_tables, stated_values
+from studies.panels.form_hints import fields_without_effect, values_in_use
 
 ARRAY = prototype("array-2x6")
 
@@ -87,3 +88,23 @@ def test_a_pattern_can_be_added_when_there_is_a_kind() -> None:
     assert pattern == {"points": ["kind_1"] * ARRAY.point_count}
     assert removable_tables(kinds.with_values({"lines.0.pattern": pattern})) == ["lines.0.pattern"]
     assert "point_kinds.kind_2" in addable_tables(kinds)
+
+
+@pytest.mark.parametrize("name", ["array-2x6", "glove", "large-area-64"])
+def test_hidden_fields_are_at_their_defaults_and_defaults_in_use_change_nothing_that_is_laid_out(name: str) -> None:
+    design = prototype(name)
+    values, hidden = field_values(design), fields_without_effect(design)
+    assert hidden
+    for each in hidden:
+        assert values[each] == declared_at(each).default, each
+    used = values_in_use(design)
+    assert all(values[each] is None for each in used)
+    assert used["resonator.port_height"] == design.resonator.cavity_height / 2
+    assert used["microphone.board_length"] == pytest.approx(design.microphone.board_size[0], rel=1e-5)
+
+
+def test_a_field_counts_once_its_shape_is_chosen() -> None:
+    box = ARRAY.with_values({"resonator.shape": "box", "resonator.box_length": 3.0})
+    assert "resonator.dome_depth" in fields_without_effect(box)
+    assert "resonator.box_width" not in fields_without_effect(box)
+    assert values_in_use(box)["resonator.box_width"] == 3.0

@@ -13,6 +13,8 @@ from geometry import prototype
 from geometry.design.array_design import validated
 from geometry.stock import catalogue
 from studies.comparison import differing_fields
+from studies.panels.form import form_of
+from studies.panels.form_hints import values_in_use
 
 pytestmark = pytest.mark.slow
 #: What this page keeps of its design.
@@ -66,6 +68,57 @@ def test_a_slider_of_a_bought_part_goes_from_size_to_size_by_the_arrow_keys(page
         assert stock.fit(kept).bought, stock.fit(kept)
     page.locator("#bought-only").uncheck()
     assert slider.get_attribute("max") == "1000"
+
+
+def test_every_arrow_key_on_every_slider_changes_its_value(page: Any) -> None:
+    """All sliders in both ways, without the studio, which would refuse some of the values: the page asks for them."""
+    kept = page.evaluate(
+        """() => {
+          const stayed = [];
+          for (const only of [true, false]) {
+            const box = document.getElementById("bought-only");
+            if (box.checked !== only) box.click();
+            for (const slider of document.querySelectorAll("#fields .slider:not(:disabled)")) {
+              const row = slider.closest(".field"), number = row.querySelector(".value");
+              for (const key of ["ArrowRight", "ArrowUp", "PageUp", "ArrowLeft", "ArrowDown", "PageDown"]) {
+                const before = Number(number.value);
+                slider.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+                const up = key.endsWith("Right") || key.endsWith("Up"), moved = Number(number.value) - before;
+                if (up ? moved <= 0 : moved >= 0) stayed.push([row.dataset.name, key, before, only]);
+                slider.dispatchEvent(new KeyboardEvent("keyup", { key, bubbles: true }));
+              }
+            }
+          }
+          return stayed;
+        }"""
+    )
+    fields = {each["name"]: each for each in form_of(prototype("array-2x6"))}
+    sold = catalogue()
+    for name, key, before, only in kept:  # only where the way or the range of the field ends
+        ends = [fields[name]["lowest"], fields[name]["highest"]]
+        ends += [sold.sizes(name)[0], sold.sizes(name)[-1]] if only and sold.has_sizes(name) else []
+        assert before in ends, (name, key, before)
+
+
+def test_eight_arrow_keys_make_a_tube_longer(page: Any) -> None:
+    panel(page, "design")
+    page.evaluate("document.querySelector(`[data-group='tube']`).open = true")
+    page.locator("[data-name='tube.length'] .slider").focus()
+    for step in range(1, 9):
+        page.keyboard.press("ArrowRight")
+        until(page, f"{ROOT}.revision === '{step}'")
+    assert field(page, "tube.length").input_value() == "13.3"
+
+
+def test_fields_that_do_not_apply_are_hidden_and_defaults_show_their_value(page: Any) -> None:
+    box = page.locator("[data-name='resonator.box_length']")
+    assert box.is_hidden()
+    assert field(page, "resonator.port_height").get_attribute("placeholder") == "(1.25)"
+    field(page, "resonator.shape").select_option("box")
+    until(page, f"{ROOT}.revision === '1'")
+    assert box.is_visible()
+    expected = values_in_use(prototype("array-2x6").with_values({"resonator.shape": "box"}))["resonator.box_length"]
+    assert box.locator(".value").get_attribute("placeholder") == f"({expected:.4g})"
 
 
 def test_a_refusal_is_in_sight_where_there_is_little_room(page: Any) -> None:
