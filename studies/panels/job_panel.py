@@ -31,7 +31,7 @@ _DIGITS = 4
 
 
 def job_words() -> dict[str, Any]:
-    """What the dialogue offers.
+    """Choices that the dialogue offers.
 
     Returns:
         ``places``: name and title of each, with its usual ``points``, ``microphones``, ``size`` and ``around``;

@@ -240,7 +240,7 @@ class Workplace:
         return await self._in_turn("study", work, task)
 
     async def job_words(self) -> dict[str, Any]:
-        """What the dialogue of a job offers."""
+        """Choices that the dialogue of a job offers."""
         return await self.in_thread("save", job_words)
 
     async def proposals(

@@ -19,6 +19,7 @@ import { VerdictBar } from "./verdict";
 import { JobDialogue } from "./job";
 import { Link, type State } from "./link";
 import { keepRecent } from "./recent";
+import { Snapshots } from "./snapshots";
 import { StudyPanel } from "./study";
 import { Tabs } from "./tabs";
 
@@ -74,6 +75,11 @@ const touch = new TouchPanel(
 const study = new StudyPanel(
   (message) => { document.querySelector("[data-problem='study']")!.textContent = ""; link?.send(message); },
   (number) => change({ do: "load", number }),
+);
+const snapshots = new Snapshots(
+  (values) => change({ do: "restore", values, source: "the snapshot" }),
+  (values) => link?.send({ do: "pin", values }),
+  () => ({ name, stated, picture: array.thumbnail(), outcome: shownRevision.verdict === revision ? verdict.outcome : "", rows: shownRevision.verdict === revision ? verdict.rows : [] }),
 );
 const shownRevision: Record<string, number> = {};
 /** Panels that are in sight: of the others nothing is computed. */
@@ -393,6 +399,12 @@ function theme(choice: string): void {
 
 async function upload(file: File): Promise<void> {
   try {
+    if (file.name.endsWith(".json")) {
+      const { stated: values, pinned: other } = snapshots.read(await file.text());
+      change({ do: "restore", values, source: [...file.name].slice(0, 100).join(""), saved: true });
+      if (other) link?.send({ do: "pin", values: other });
+      return;
+    }
     const found = await (await handIn("/designs", { name: file.name }, file)).json();
     change({ do: "restore", values: found, source: [...file.name].slice(0, 100).join(""), saved: true });
   } catch (error) {
@@ -471,6 +483,7 @@ const open = () => new Link(
 byId("undo").addEventListener("click", () => change({ do: "undo" }));
 byId("redo").addEventListener("click", () => change({ do: "redo" }));
 byId("save").addEventListener("click", save);
+byId("project").addEventListener("click", () => snapshots.save(stated, pinned));
 byId("pin").addEventListener("click", () => link?.send({ do: "pin", on: byId("pin").getAttribute("aria-pressed") !== "true" }));
 byId("address").addEventListener("click", async () => {
   const address = await addressOf(stated);

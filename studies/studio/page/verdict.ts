@@ -8,9 +8,13 @@ type Found = { outcome: string; reasons: Reason[]; rows: [string, string, string
 const SHOWN = 3;
 
 export class VerdictBar {
+  outcome = "";
+  rows: [string, string][] = [];
   constructor(private place: HTMLElement, private apply: (changes: Record<string, unknown>) => void) {}
 
   take(found: Found): void {
+    this.outcome = found.outcome;
+    this.rows = found.rows.map(([name, value]) => [name, value]);
     this.place.dataset.outcome = found.outcome.replaceAll(" ", "-");
     const reasons = found.reasons.slice(0, SHOWN).map(({ words, remedy }) => {
       const line = make("li", {}, `${words}. `);

@@ -1,4 +1,4 @@
-"""A link that closed while something was sent ends: it would otherwise be read again and again, and hold up the studio."""
+"""A link that closed while something was sent ends, because reading it again would hold up the studio."""
 
 from __future__ import annotations
 
