@@ -19,6 +19,7 @@ import { VerdictBar } from "./verdict";
 import { JobDialogue } from "./job";
 import { Link, type State } from "./link";
 import { keepRecent } from "./recent";
+import { SectionPicture } from "./section";
 import { Snapshots } from "./snapshots";
 import { StudyPanel } from "./study";
 import { Tabs } from "./tabs";
@@ -76,6 +77,7 @@ const study = new StudyPanel(
   (message) => { document.querySelector("[data-problem='study']")!.textContent = ""; link?.send(message); },
   (number) => change({ do: "load", number }),
 );
+const picture = new SectionPicture();
 const snapshots = new Snapshots(
   (values) => change({ do: "restore", values, source: "the snapshot" }),
   (values) => link?.send({ do: "pin", values }),
@@ -305,6 +307,7 @@ function design(message: any): void {
   }
   form.offer(message.sizes);
   if (message.hints) form.hint(message.hints.without_effect, message.hints.in_use);
+  picture.take(stated, message.hints?.in_use ?? null);
   byId("name").textContent = name;
   byId("unsaved").hidden = !unsaved;
   document.title = `${unsaved ? "● " : ""}${name} – acoustic-fem studio`;
@@ -389,6 +392,7 @@ function theme(choice: string): void {
   document.documentElement.dataset.theme = choice;
   forgetColours();
   colouring.legend();
+  picture.draw();
   byId("theme").setAttribute("aria-pressed", String(choice === "dark"));
   curves.restyle();
   array.restyle();
@@ -569,7 +573,7 @@ byId<HTMLInputElement>("recognizer").addEventListener("change", (event) => {
 });
 byId("touch-png").addEventListener("click", () => touch.picture(name));
 byId("touch-csv").addEventListener("click", () => touch.table(name));
-for (const card of document.querySelectorAll("section.card")) {
+for (const card of document.querySelectorAll("main section, aside section")) {
   for (const each of card.querySelectorAll("button[id$='-png'], button[id$='-csv'], button[id^='stop-']")) {
     each.setAttribute("aria-label", `${each.textContent}, ${card.querySelector("h2")!.textContent}`);
   }

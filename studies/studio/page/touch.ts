@@ -12,7 +12,7 @@ export interface Heard {
 /** An event of live listening: a decision with the samples since the one before, a fault or a notice. */
 export interface LiveEvent { time: number; event?: string; state?: string; point?: number; probability?: number; samples?: number[][]; microphones?: string[]; fault?: string; text?: string; latency?: number; }
 /** Signals that are shown at once, ms. */
-const SHOWN = 1000;
+const SHOWN = 1000, TICK = 250, AXIS = 18;
 const HINT = "Click a membrane to touch it, drag to slide over the array.";
 
 function loudest(signals: ArrayLike<number>[]): number {
@@ -157,6 +157,7 @@ export class TouchPanel {
     this.heard = this.queue.shift() ?? null;
     if (!this.heard) return;
     this.begun = performance.now();
+    byId("touch-played").textContent = this.said(this.heard);
     this.pictures = 0;
     this.lightings = [];
     this.counted = 0;
@@ -305,9 +306,10 @@ export class TouchPanel {
     const width = canvas.parentElement!.clientWidth;
     if (!found || width === 0) return;
     const { names, of, until, most } = found, count = names.length, row = 64;
-    sized(canvas, width, row * count);
+    sized(canvas, width, row * count + AXIS);
     const c = canvas.getContext("2d")!;
     const from = Math.max(0, until - SHOWN), step = canvas.width / SHOWN, high = row * devicePixelRatio;
+    this.times(c, canvas.width, row * count * devicePixelRatio, from);
     c.font = `${12 * devicePixelRatio}px system-ui`;
     names.forEach((name, m) => {
       const own = of(m), middle = (m + 0.5) * high;
@@ -325,6 +327,30 @@ export class TouchPanel {
       c.fillStyle = colour("--ink-soft");
       c.fillText(`${name}, ±${words(most, 2)} Pa`, 6 * devicePixelRatio, m * high + 14 * devicePixelRatio);
     });
+  }
+
+  /** The axis of time below the waves, s; of live input it says how far it has come. */
+  private times(c: CanvasRenderingContext2D, width: number, top: number, from: number): void {
+    c.font = `${11 * devicePixelRatio}px system-ui`;
+    c.fillStyle = colour("--ink-soft");
+    c.strokeStyle = colour("--grid");
+    c.lineWidth = devicePixelRatio;
+    for (let ms = Math.ceil(from / TICK) * TICK; ms <= from + SHOWN; ms += TICK) {
+      const at = ((ms - from) / SHOWN) * width;
+      c.beginPath();
+      c.moveTo(at, 0);
+      c.lineTo(at, top);
+      c.stroke();
+      c.textAlign = ms - from < TICK / 4 ? "left" : from + SHOWN - ms < TICK / 4 ? "right" : "center";
+      c.fillText(`${words(ms / 1000)} s`, at, top + 12 * devicePixelRatio);
+    }
+    c.textAlign = "left";
+  }
+
+  /** What plays, in words: whose signals, which noise. */
+  private said(heard: Heard): string {
+    if (heard.touched === null && heard.kind !== "slide" && heard.kind !== "letter") return `Plays the recording ${heard.kind}, with a full scale of ${byId<HTMLInputElement>("full-scale").value} Pa.`;
+    return "Plays the sensor as designed, with the noise of its microphones and without sound of the room.";
   }
 
   /** The signals that are shown, Pa, with the point that is named meanwhile. */

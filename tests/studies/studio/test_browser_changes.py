@@ -127,8 +127,7 @@ def test_a_refusal_is_in_sight_where_there_is_little_room(page: Any) -> None:
     until(page, "document.querySelector(`[data-name='tube.length'] .refusal`).textContent")
     until(
         page,
-        "document.querySelector('.refused .mend').getBoundingClientRect().bottom <= "
-        "document.getElementById('fields').getBoundingClientRect().bottom",
+        "document.querySelector('.refused .mend').getBoundingClientRect().bottom <= innerHeight",
     )
 
 
