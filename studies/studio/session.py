@@ -32,7 +32,7 @@ from studies.studio.workplace import Workplace
 #: Sends a message to the page: text, or bytes.
 Send = Callable[[str | bytes], Awaitable[None]]
 #: Stages beside the curves, each shown by a panel, with the pause before they begin, s.
-STAGES = {"points": 0.0, "surface": 0.0, "verdict": 0.3, "as_built": 0.5, "model": 0.1, "check": 1.0}
+STAGES = {"points": 0.12, "surface": 0.0, "verdict": 0.3, "as_built": 0.5, "model": 0.1, "check": 1.0}
 
 #: Files that a page can still fetch: a browser may ask for one after the next one was made.
 MOST_FILES = 4

@@ -38,7 +38,8 @@ class Stage:
     Args:
         do: does a job and hands out its result; it must not raise what was foreseen.
         superseded: called with a job that runs while another one is asked for.
-        pause: waited before a job begins, s: a slow one is not worth beginning while a slider is dragged.
+        pause: waited before a job begins, s, anew if another one is asked for meanwhile: a slow one is not worth
+            beginning while a slider is dragged.
     """
 
     def __init__(
@@ -66,10 +67,18 @@ class Stage:
         if self._running is not None:
             self._superseded(self._running)
 
+    async def _settled(self) -> None:
+        """Wait until nothing else was asked for during a pause: while a slider is dragged, nothing slow begins."""
+        while True:
+            asked = self._next
+            await asyncio.sleep(self._pause)
+            if self._next is asked:
+                return
+
     async def _work(self) -> None:
         while True:
             if self._pause:
-                await asyncio.sleep(self._pause)
+                await self._settled()
             job, self._next = self._next, None
             if job is None:
                 return

@@ -12,13 +12,15 @@ import { tablePicture } from "./chart";
 import { button, byId, csv, download, forgetColours, grey, make } from "./dom";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
-import { handIn, handInFolder } from "./handing";
+import { handIn } from "./handing";
 import { PointsPanel, type Word } from "./points";
 import { TouchPanel } from "./touch";
 import { VerdictBar } from "./verdict";
+import { LiveSwitch } from "./live";
 import { JobDialogue } from "./job";
 import { Link, type State } from "./link";
 import { keepRecent } from "./recent";
+import { takeRecordings } from "./recordings";
 import { SectionPicture } from "./section";
 import { Snapshots } from "./snapshots";
 import { StudyPanel } from "./study";
@@ -43,6 +45,9 @@ let quantity = "level";
 /** Changes that wait for the one under way. */
 const waiting: any[] = [];
 let underWay: any = null;
+/** When the last change was made, ms, and how long after it an array is drawn. */
+let changed = -1e4;
+const CALM = 250;
 let pinned: any = keptInTab()?.pinned ?? null;
 /** Tells this page from another one that was doubled from it and knows the same session. */
 const ownName = crypto.getRandomValues(new Uint32Array(4)).join("-");
@@ -73,6 +78,8 @@ const touch = new TouchPanel(
   (message) => { document.querySelector("[data-problem='touch']")!.textContent = ""; link?.send(message); },
   (point) => array.touch(point),
 );
+const live = new LiveSwitch((message) => link?.send(message), (message) => failed({ stage: "live", message }), () => touch.endLive());
+takeRecordings(touch, () => ({ session: session ?? "", revision }));
 const study = new StudyPanel(
   (message) => { document.querySelector("[data-problem='study']")!.textContent = ""; link?.send(message); },
   (number) => change({ do: "load", number }),
@@ -89,6 +96,7 @@ const inSight = new Set<string>(), cardsInSight = new Set<HTMLElement>();
 
 /** Changes go one at a time and in their order; of one gesture that waits, the last is kept. */
 function change(message: any): void {
+  changed = performance.now();
   if (JSON.stringify(message).length > LONGEST) return notice("This text is too long for a design.");
   const last = waiting.at(-1);
   if (message.gesture && message.gesture === last?.gesture) waiting[waiting.length - 1] = message;
@@ -175,11 +183,11 @@ function take(message: any): void {
       download(message.file);
       return;
     case "heard":
-      if (listening()) touch.hearLive(message.event);
+      if (live.on) touch.hearLive(message.event);
       return;
     case "job": return job.learn(message);
     case "proposals": return job.take(message);
-    case "cards": return cards(message.cards);
+    case "cards": return live.cards(message.cards);
     case "refused-export": notice(message.message);
   }
 }
@@ -210,6 +218,11 @@ function failed(message: any): void {
 /** Figures of the points have come: what is coloured by them follows, and the card. */
 function refigured(): void { if (colouring.isByFigure) recolour(); else card.redraw(); }
 
+/** Until no change has been made for a moment: drawing an array would hold up the curves of a slider that is dragged. */
+async function calm(): Promise<void> {
+  while (performance.now() - changed < CALM) await new Promise((go) => setTimeout(go, CALM / 2));
+}
+
 /** Models are fetched one after the other: the one asked for last is the one that stays. */
 let fetched: Promise<void> = Promise.resolve();
 
@@ -217,7 +230,7 @@ async function figures(message: any): Promise<void> {
   const { stage, found } = message;
   if (message.revision < (shownRevision[stage] ?? -1)) return;
   if (stage === "model") {
-    const own = fetched.then(() => array.take(found));
+    const own = fetched.then(calm).then(() => array.take(found));
     fetched = own.catch(() => {});
     try {
       await own;
@@ -238,27 +251,6 @@ async function figures(message: any): Promise<void> {
   if (problem) problem.textContent = "";
   document.documentElement.dataset[`shown_${stage}`] = String(message.revision);
   stale();
-}
-
-const listening = () => byId("live").getAttribute("aria-pressed") === "true";
-
-/** Listen to a sound card, or no more; which ones there are is asked first. */
-function live(on: boolean): void {
-  byId("live").setAttribute("aria-pressed", String(on));
-  document.querySelector("[data-problem='live']")!.textContent = "";
-  if (!on) { link?.send({ do: "stop", stage: "live" }); touch.endLive(); return; }
-  const card = byId<HTMLSelectElement>("card");
-  if (card.hidden) link?.send({ do: "cards" });
-  else link?.send({ do: "listen", device: Number(card.value), full_scale: Number(byId<HTMLInputElement>("full-scale").value) });
-}
-
-function cards(found: { number: number; name: string; channels: number; default: boolean }[]): void {
-  const card = byId<HTMLSelectElement>("card");
-  card.replaceChildren(...found.map((each) => make("option", { value: String(each.number) }, `${each.name}, ${each.channels} channels`)));
-  card.value = String(found.find((each) => each.default)?.number ?? found[0]?.number ?? "");
-  card.hidden = found.length === 0;
-  if (found.length) live(true);
-  else failed({ stage: "live", message: "no device that can record is there" });
 }
 
 function learn(message: any): void {
@@ -284,7 +276,7 @@ function learn(message: any): void {
 function begin(): void {
   for (const stage of Object.keys(shownRevision)) delete shownRevision[stage];
   curves.outdate();
-  if (listening()) failed({ stage: "live", message: "The studio was started again: press Live to listen." });
+  if (live.on) failed({ stage: "live", message: "The studio was started again: press Live to listen." });
   if (pinned) link?.send({ do: "pin", values: pinned });
 }
 
@@ -416,32 +408,6 @@ async function upload(file: File): Promise<void> {
   }
 }
 
-async function replay(file: File): Promise<void> {
-  const problem = document.querySelector("[data-problem='touch']")!;
-  problem.textContent = "";
-  const asked = { session: session ?? "", name: file.name, full_scale: byId<HTMLInputElement>("full-scale").value };
-  byId("answer").textContent = "the recording is decoded…";
-  try {
-    const heard: any = unpack(await (await handIn("/recordings", asked, file)).arrayBuffer());
-    if (heard.revision !== revision) throw new Error("The design was changed meanwhile: replay the recording again.");
-    touch.hear(heard);
-  } catch (error) {
-    touch.failed();
-    problem.textContent = (error as Error).message;
-  }
-}
-
-async function recognizer(files: File[]): Promise<void> {
-  const problem = document.querySelector("[data-problem='touch']")!;
-  problem.textContent = "";
-  try {
-    const found = await handInFolder("/recognizers", { session: session ?? "" }, files);
-    byId("answer").textContent = `A recognizer of ${found.subject} on ${found.design} recognizes: ${found.labels.join(", ")}.`;
-  } catch (error) {
-    problem.textContent = (error as Error).message;
-  }
-}
-
 function save(): void {
   if (!link?.send({ do: "export", name: "design.toml" })) notice("The studio does not answer, so nothing was saved yet. This page keeps the design.");
 }
@@ -558,19 +524,7 @@ byId("compare-csv").addEventListener("click", () => csv(compare.rows(), `${name}
 byId("stop-check").addEventListener("click", () => { link?.send({ do: "stop", stage: "check" }); progress("check", "stopped"); });
 byId("stop-export").addEventListener("click", () => link?.send({ do: "stop", stage: "export" }));
 byId("study-stop").addEventListener("click", () => link?.send({ do: "stop", stage: "study" }));
-byId("live").addEventListener("click", () => live(!listening()));
-byId("card").addEventListener("change", () => { if (listening()) live(true); });
 byId("sound").addEventListener("click", () => touch.sound());
-byId<HTMLInputElement>("replay").addEventListener("change", (event) => {
-  const file = (event.target as HTMLInputElement).files?.[0];
-  if (file) replay(file);
-  (event.target as HTMLInputElement).value = "";
-});
-byId<HTMLInputElement>("recognizer").addEventListener("change", (event) => {
-  const files = [...((event.target as HTMLInputElement).files ?? [])];
-  if (files.length) recognizer(files);
-  (event.target as HTMLInputElement).value = "";
-});
 byId("touch-png").addEventListener("click", () => touch.picture(name));
 byId("touch-csv").addEventListener("click", () => touch.table(name));
 for (const card of document.querySelectorAll("main section, aside section")) {
