@@ -205,7 +205,7 @@ export class ArrayPanel {
     this.texts.clear();
     if (byId<HTMLInputElement>("dimensions").checked && !bounds.isEmpty()) this.measure(bounds);
     const [x, y, z] = this.size;
-    byId("size").textContent = `${words(Math.max(x, y))} × ${words(Math.min(x, y))} × ${words(z)} mm`;
+    if (x) byId("size").textContent = `${words(Math.max(x, y))} × ${words(Math.min(x, y))} × ${words(z)} mm`;
     this.ask();
   }
 
