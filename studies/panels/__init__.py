@@ -1,6 +1,6 @@
 """Contents of the studio's panels for a design: its form, its figures and its files, by the calls of Python.
 
-Stands on: comparison, findings, inference, kit, metrics, optimization, output, run, study, sweep,
+Stands on: comparison, findings, inference, kit, metrics, optimization, output, proposals, run, study, sweep,
 verdict.
 """
 
