@@ -100,7 +100,7 @@ def _findings(carved: CarvedBodies, process: PrintProcess) -> list[str]:
     ]
     if math.isfinite(carved.thinnest):
         verdict = process.wall.verdict(carved.thinnest)
-        rule = "as thick as" if verdict != "fail" else "thinner than"
+        rule = "at least" if verdict != "fail" else "less than"
         where = " and ".join(carved.between)
         found.append(
             f"the thinnest wall is {carved.thinnest:.2g} mm, between the pockets of {where}: {rule} the "
