@@ -28,13 +28,14 @@ from acoustic_fem.scatter import UNCALIBRATED
 from geometry.ground.whole_files import replace_section
 from localize.evaluation import wilson_interval
 from localize.signals.array_response import ArrayResponse, response_of
-from localize.two_touches import TwoTouchDecoder
+from localize.two_touches import TwoTouchDecoder, TwoTouchOptions
 from studies.test_rig.touches_at_once import FrameRig
 from studies.test_rig.virtual_rig import Rig
 
 PAGE = Path(__file__).parents[1] / "docs" / "two-touches.md"
 BEGIN, END = "<!-- two touches: made by benchmarks/two_touches.py -->", "<!-- end two touches -->"
 SENSORS, FRAMES, SEED, APART = 20, 12, 46000, 0.05
+ANY_SIZE = TwoTouchOptions(most_points=1000)
 
 
 @dataclass(frozen=True)
@@ -71,7 +72,7 @@ def library_of(design: str) -> Library:
 
 @lru_cache(maxsize=1)
 def uncalibrated(design: str) -> TwoTouchDecoder:
-    return TwoTouchDecoder(library_of(design), tolerances=UNCALIBRATED)
+    return TwoTouchDecoder(library_of(design), tolerances=UNCALIBRATED, options=ANY_SIZE)
 
 
 def drawn_pair(array: ArrayResponse, elsewhere: bool, random: np.random.Generator) -> list[int]:
@@ -99,7 +100,7 @@ def sensor_figures(given: tuple[Cell, int, int]) -> list[list[float]]:
     generator, array = FrameRig(rig), response_of(library_of(cell.design))
     decoder = uncalibrated(cell.design)
     if cell.calibrated:
-        decoder = TwoTouchDecoder(generator.measured_response(0.01, seed))
+        decoder = TwoTouchDecoder(generator.measured_response(0.01, seed), options=ANY_SIZE)
     random, rows = np.random.default_rng([seed, 46]), []
     for _ in range(frames):
         true = drawn_pair(array, cell.elsewhere, random)

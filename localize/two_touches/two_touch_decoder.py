@@ -88,7 +88,7 @@ class TwoTouchDecoder:
         options: numbers that tune it.
 
     Raises:
-        Refusal: bare transfer functions, tolerances of a design whose scatter is not known, or as
+        Refusal: bare transfer functions, too many points, tolerances of a design whose scatter is not known, or as
             :class:`localize.BayesDecoder`.
     """
 
@@ -102,6 +102,11 @@ class TwoTouchDecoder:
     ) -> None:
         check_noise(microphone_noise)
         response = response_of(library)
+        if response.point_count > options.most_points:
+            problem = (
+                f"has {response.point_count} points; touches at once are found among at most {options.most_points}"
+            )
+            raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")
         self.array, self.options = response.array, options
         self._model = StrokeModel(response, microphone_noise)
         if tolerances is None:

@@ -80,6 +80,8 @@ def test_bad_arguments_are_refused(library, decoder):
         localize.TwoTouchDecoder(rc_line(3), 1e-3)
     with refused(Kind.OUT_OF_RANGE, "microphone_noise", 0.0):
         localize.TwoTouchDecoder(library, 0.0)
+    with refused(Kind.UNSUITABLE, "library"):
+        localize.TwoTouchDecoder(library, options=localize.TwoTouchOptions(most_points=11))
     with refused(Kind.OUT_OF_RANGE, "most", 4):
         localize.TwoTouchOptions(most=4)
     with refused(Kind.WRONG_TYPE, "frame"):
