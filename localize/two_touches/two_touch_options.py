@@ -15,8 +15,8 @@ class TwoTouchOptions:
     most: int = 2
     """Largest number of touches that are looked for, 1 to 3."""
     most_points: int = 16
-    """Largest number of points of an array. The search loses itself among more: on line-3 it found one pair of four, and
-    took two of four single touches for two."""
+    """Largest number of points of an array. The search loses itself among more: on line-3 it found one pair of four,
+    and took two of four single touches for two."""
     threshold: float = 50.0
     """Gain in evidence, nats, from which there is one more touch."""
     relative_error: float = 1e-2
