@@ -61,7 +61,8 @@ export class Colouring {
   /** Colour of a point, "rgb(…)". */
   of(number: number): string {
     const choice = CHOICES[this.chosen], point = this.points.find((each) => each.number === number);
-    const value = this.chosen === "number" ? number : point ? choice.value(point, this.built) : null;
+    // The pinned design may have more points than this one.
+    const value = this.chosen === "number" ? (number <= this.count ? number : null) : point ? choice.value(point, this.built) : null;
     return value === null ? "rgb(128,128,128)" : ramp((value - this.low) / (this.high - this.low || 1));
   }
 

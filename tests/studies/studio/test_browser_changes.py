@@ -153,7 +153,10 @@ def test_a_new_form_leaves_the_keyboard_where_it_was(page: Any) -> None:
 def test_controls_say_where_they_belong(page: Any) -> None:
     for name in ("PNG, Curves", "CSV, Touch", "Stop, Export", "touch point 3"):
         assert page.get_by_role("button", name=name, exact=True).count() <= 1
-    for role, name in (("button", "PNG, Curves"), ("slider", "tube length, slider"), ("combobox", "kind of touch")):
+    panel(page, "touch")
+    assert page.get_by_role("combobox", name="kind of touch", exact=True).count() == 1
+    panel(page, "design")
+    for role, name in (("button", "PNG, Curves"), ("slider", "tube length, slider")):
         assert page.get_by_role(role, name=name, exact=True).count() == 1, name
     nameless = """[...document.querySelectorAll("button, input, select")].filter((each) => !(each.labels?.length
         || each.getAttribute("aria-label") || each.textContent.trim())).map((each) => each.outerHTML)"""
