@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ from acoustic_fem.calibration.manifest import REFERENCE, Manifest
 from acoustic_fem.calibration.model_updating import Update
 from acoustic_fem.calibration.recording_checks import (
     RecordingFault,
+    RecordingMisfit,
     check_against_model,
     check_estimate,
     check_output,
@@ -71,6 +72,8 @@ class Calibration:
     """Estimate of every good recording by number of the point, ascending."""
     findings: tuple[RecordingNote, ...]
     """Findings on the recordings."""
+    misfits: Mapping[int, TransferEstimate] = field(default_factory=dict)
+    """Estimate of every recording that was left out because it contradicts the design, by number of the point."""
 
     @property
     def missing(self) -> tuple[int, ...]:
@@ -162,6 +165,7 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
     expected = model.transfer_function.transpose("point", "microphone", "frequency").values
     estimates: dict[int, TransferEstimate] = {}
     findings: list[RecordingNote] = []
+    misfits: dict[int, TransferEstimate] = {}
     digests: dict[str, int] = {}
     for done, number in enumerate(sorted(manifest.points)):
         report(f"point {number} ({done + 1} of {len(manifest.points)})", done / len(manifest.points))
@@ -177,6 +181,9 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
                 ]
             else:
                 estimates[number], digests[digest] = estimate, number
+        except RecordingMisfit as error:
+            misfits[number] = error.estimate
+            findings.append(RecordingNote(number, str(error), excluded=True))
         except (RecordingFault, SoundFileError) as error:
             findings.append(RecordingNote(number, str(error), excluded=True))
     report("done", 1.0)
@@ -187,7 +194,7 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
             kind=Kind.UNSUITABLE,
             field=f"points.{first.point}",
         )
-    return Calibration(manifest, frequency, estimates, tuple(findings))
+    return Calibration(manifest, frequency, estimates, tuple(findings), misfits)
 
 
 def _point(
@@ -223,7 +230,12 @@ def _point(
     check_estimate(whole, microphones, manifest.least_coherence)
     check_output(whole, expected[number - 1], of_microphone, manifest.output)
     pascals = tuple(manifest.pascals.values())
-    notes += check_against_model(whole, expected, number - 1, frequency, microphones, pascals, divided_by)
+    try:
+        notes += check_against_model(whole, expected, number - 1, frequency, microphones, pascals, divided_by)
+    except RecordingFault as error:
+        misfit = RecordingMisfit.of(error)
+        misfit.estimate = whole
+        raise misfit from None
     weak = [name for name, row in zip(microphones, whole.coherence, strict=True) if np.median(row) < 0.5]
     if weak:
         notes += (f"coherence of microphone {', '.join(weak)} is below 0.5 at half of the frequencies",)

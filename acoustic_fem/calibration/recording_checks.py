@@ -54,6 +54,13 @@ class RecordingFault(Refusal):
     """A recording that cannot be used: the reason, without its file."""
 
 
+class RecordingMisfit(RecordingFault):
+    """A recording that contradicts the design, with the transfer functions that it gives."""
+
+    estimate: TransferEstimate
+    """Transfer functions of the recording."""
+
+
 def _fault(channel: str, problem: str) -> RecordingFault:
     return RecordingFault(problem, kind=Kind.UNSUITABLE, field=f"channels.{channel}")
 

@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem import Library
+from acoustic_fem.sound.estimate import TransferEstimate
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
-from geometry.ground.typed import Array
+from geometry.ground.typed import Array, ComplexArray
 from localize.decoders.hypotheses import bare_library
 from localize.diagnosis.bench_advice import bench_advice, most_telling_point
 from localize.diagnosis.diagnosis_options import DiagnosisOptions
@@ -33,6 +34,9 @@ KnownPoints: TypeAlias = Sequence[int] | Mapping[float, int]
 
 NEAR = 0.3
 """Time from the beginning of a touch within which a stated time means it, s, unless it lies within the touch."""
+
+LEAST_ERROR = 1e-3
+"""Error of measured transfer functions that is assumed at least, a fraction of their mean over the points."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -74,6 +78,23 @@ class Diagnosis:
                 f"one; the likeliest single fault is that {names[0]}"
             )
         return names[0] if self.verdict == "fault" else "one of these faults: " + "; or ".join(names)
+
+    @property
+    def names_a_fault(self) -> bool:
+        """True if the verdict is a fault, or one of several."""
+        return self.verdict in ("fault", "one of several")
+
+    @property
+    def to_do(self) -> str:
+        """Work at the bench in one text: for each fault, and the touch that tells several apart."""
+        several = len(self.faults) > 1
+        texts = [
+            f"if {fault.described(self.design)}: {advice}" if several else advice
+            for fault, advice in zip(self.faults, self.advice, strict=False)
+        ]
+        if several and self.next_point is not None:
+            texts.insert(0, f"record touches again, one of them at point {self.next_point}, and run diagnose with it.")
+        return " ".join([*texts, "Then record again."])
 
     def summary(self) -> dict[str, Any]:
         """Figures of the diagnosis as plain values, for a file of JSON."""
@@ -147,6 +168,31 @@ class Diagnoser:
                 field="signals",
             )
         known = known_points(points, spectra, self.libraries.design.point_count)
+        return self._found(spectra, known)
+
+    @one_thread()
+    def diagnose_measured(self, frequency: Array, estimates: Mapping[int, TransferEstimate]) -> Diagnosis:
+        """Diagnosis from transfer functions that were measured with a calibration microphone.
+
+        Args:
+            frequency: (n_freq,) Hz, of the estimates, ascending.
+            estimates: by number of the point, from 1. Each counts as a touch of that point.
+
+        Raises:
+            Refusal: frequencies that do not cover the band, or fewer than two points.
+        """
+        points, grid = sorted(estimates), self.libraries.frequency
+        check_range("points", len(points), 2, why="the measured points that a diagnosis needs")
+        for edge in (grid[0], grid[-1]):
+            check_range("frequency", float(edge), float(frequency[0]), float(frequency[-1]), "Hz")
+        measured = np.stack([_at(grid, frequency, estimates[number].transfer_function) for number in points])
+        deviation = np.stack([_at(grid, frequency, estimates[number].deviation).real for number in points])
+        noise = np.sqrt(2 * (deviation**2).mean(0)) + LEAST_ERROR * np.abs(measured).mean(0)
+        number = np.arange(len(points))
+        spectra = TouchSpectra(number.astype(float), number + 1.0, number, measured / noise, noise)
+        return self._found(spectra, np.array(points, np.int64) - 1)
+
+    def _found(self, spectra: TouchSpectra, known: NDArray[np.int64]) -> Diagnosis:
         likelihood = TouchLikelihood(spectra, known, self.options.mismatch)
         return self._decided(FaultSearch(self.libraries, likelihood, self.options).found(), spectra, known)
 
@@ -246,6 +292,11 @@ def known_points(points: KnownPoints | None, spectra: TouchSpectra, count: int) 
             )
         known[inside] = value - 1
     return known
+
+
+def _at(grid: NDArray[np.int64], frequency: Array, values: Array | ComplexArray) -> ComplexArray:
+    """Values (n_microphone, n_freq) at other frequencies (n_grid,), interpolated."""
+    return np.stack([np.interp(grid, frequency, row) for row in np.asarray(values, np.complex128)])
 
 
 def times(start: Array) -> str:

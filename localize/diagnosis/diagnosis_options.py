@@ -35,18 +35,28 @@ class DiagnosisOptions:
     first_stiffness: tuple[float, ...] = (-1.5, 0.0, 1.5)
     """Deviations of the modulus of all membranes that a fit begins with, standard deviations: a softer sensor and one
     whose points are one place off look alike."""
-    candidates: int = 8
+    candidates: int = 6
     """Number of parts whose fault is fitted with care, beside microphones."""
-    leading: int = 2
+    amounts: int = 2
+    """Number of amounts of the fault of a part, the likeliest ones, from which its fit begins."""
+    assigned_mismatch: float = 0.1
+    """The mismatch with which all touches are assigned to points together."""
+    assignments: int = 8
+    """Number of assignments of the touches so far that are kept while the next touch is assigned."""
+    leading: int = 1
     """Number of fits whose points the others try."""
-    moves: int = 3
+    moves: int = 2
     """Largest number of times in a row that the points of the best fits are moved by one place along their lines."""
-    moved: int = 5
+    begun: int = 1
+    """Number of such points, the likeliest after two steps, from which a fit begins anew."""
+    moved: int = 3
     """Number of fits whose points are moved, beside that of the sound sensor."""
     refinements: int = 2
     """Number of times that derivatives are computed anew about the deviations that were found."""
     converged: float = 0.8
     """Mean square of the residual over the expected one, above which there are twice as many refinements."""
+    refined: int = 3
+    """Number of faults whose derivatives are computed anew."""
     hopeless: float = 5e3
     """Lag behind the best fault, nats, from which on a fault is not refined."""
     believed: float = 150.0

@@ -55,6 +55,11 @@ class Tables:
         """Covariance of the logarithms by the deviations, (n_point, n_microphone, n_microphone, n_freq) complex128."""
         return np.asarray(np.einsum("dpmf,dpnf->pmnf", self.derivatives, self.derivatives.conj()))
 
+    @cached_property
+    def relative(self) -> ComplexArray:
+        """Derivatives over those of the first microphone, (n_deviation, n_point, n_microphone - 1, n_freq)."""
+        return np.ascontiguousarray(self.derivatives[:, :, 1:] - self.derivatives[:, :, :1])
+
     def at(self, deviations: Array) -> ComplexArray:
         """Transfer functions with deviations (n_deviation,), to first order in their logarithms."""
         change = np.tensordot(deviations - self.deviations, self.derivatives, 1)
@@ -121,6 +126,11 @@ class FaultLibraries:
         moved = deviations + half * np.concatenate([np.zeros((1, self.size)), np.eye(self.size)])
         found = self.with_deviations([fault], moved)
         return Tables(fault, deviations, found[0], np.asarray(np.log(found[1:] / found[0]) / half))
+
+    def nearer(self, tables: Tables, deviations: Array) -> Tables:
+        """Tables of a hypothesis computed about other deviations, whose derivatives stay."""
+        found = self.with_deviations([tables.fault], deviations[None])[0]
+        return Tables(tables.fault, deviations, found, tables.derivatives)
 
     @property
     def batch_deviation(self) -> Array:

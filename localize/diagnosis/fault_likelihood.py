@@ -50,30 +50,27 @@ class TouchLikelihood:
     def __init__(self, spectra: TouchSpectra, known: NDArray[np.int64], mismatch: float) -> None:
         self.spectra, self.known, self._mismatch = spectra, known, mismatch
         self._x = spectra.spectrum
-        self._touches = len(spectra.start)
-        self._of_touch = np.eye(self._touches)[spectra.touch].T
+        self._by_frequency = np.ascontiguousarray(self._x.transpose(2, 1, 0))  # (n_freq, n_microphone, n_window)
+        self._power = (np.abs(self._x) ** 2).sum(1)  # (n_window, n_freq)
+        self._of_touch = np.eye(len(spectra.start))[spectra.touch].T
 
     def _by_point(self, h: ComplexArray, spread: ComplexArray | None, mismatch: float) -> Array:
         """(n_touch, n_point) log-likelihoods; ``spread`` is the covariance of the logarithms of h."""
-        residual, variance = self._residual(h / self.spectra.noise, spread, mismatch)
-        free = h.shape[1] - 1
-        score = -(residual / variance + free * np.log(variance)).sum(-1)  # (n_point, n_window)
-        return self._of_touch @ score.T
-
-    def _residual(self, h: ComplexArray, spread: ComplexArray | None, mismatch: float) -> tuple[Array, Array]:
-        """Squared residual and the variance of each of its components, (n_point, n_window, n_freq) each."""
+        h = h / self.spectra.noise
         power = np.abs(h) ** 2  # (n_point, n_microphone, n_freq)
         whole = power.sum(1)
-        along = np.einsum("pmf,wmf->pwf", h.conj(), self._x)
-        residual = np.maximum((np.abs(self._x) ** 2).sum(1)[None] - np.abs(along) ** 2 / whole[:, None], 0.0)
-        source = np.abs(along / whole[:, None]) ** 2
         free = h.shape[1] - 1
         own = mismatch**2 * (whole - (power**2).sum(1) / whole) / free
         if spread is not None:
             diagonal = np.einsum("pmmf->pmf", spread).real
             across = np.einsum("pmf,pmnf,pnf->pf", power, spread, power).real / whole
             own = own + np.maximum((power * diagonal).sum(1) - across, 0.0) / free
-        return residual, 1.0 + source * own[:, None]
+        along = h.conj().transpose(2, 0, 1) @ self._by_frequency  # (n_freq, n_point, n_window)
+        explained = (along.real**2 + along.imag**2) / whole.T[:, :, None]
+        residual = np.maximum(self._power.T[:, None] - explained, 0.0)
+        variance = 1.0 + explained * (own / whole).T[:, :, None]
+        score = -(residual / variance + free * np.log(variance)).sum(0)  # (n_point, n_window)
+        return self._of_touch @ score.T
 
     def fitted(
         self,
@@ -119,23 +116,47 @@ class TouchLikelihood:
         power = np.abs(h) ** 2
         whole = power.sum(1)
         own = mismatch**2 * (whole - (power**2).sum(1) / whole) / free
-        beside = h[of_window]
+        beside, unit = h[of_window], across(h)
         source = (beside.conj() * self._x).sum(1) / whole[of_window]  # (n_window, n_freq)
-        residual = self._x - beside * source[:, None]
+        residual = (unit[of_window] * self._x[:, None]).sum(2)  # (n_window, free, n_freq)
         square, loudness = (np.abs(residual) ** 2).sum(1), np.abs(source) ** 2
         variance = 1.0 + loudness * own[of_window]
         score = -float((square / variance + free * np.log(variance)).sum())
         misfit = float((square / variance).mean()) / free
         # Sums over the windows of each point, because the derivatives are those of the point.
         members = np.eye(len(touched))[of_window].T
-        weight = members @ (loudness / variance)  # (n_touched, n_freq)
+        weight = np.sqrt(members @ (loudness / variance))  # (n_touched, n_freq)
         pull = np.tensordot(members, source.conj()[:, None] * residual / variance[:, None], 1)
-        changed = h * tables.derivatives[:, touched]
-        changed -= h * ((h.conj() * changed).sum(2) / whole)[:, :, None]  # (n_deviation, n_touched, ...)
-        slope = 2 * (changed.reshape(size, -1).conj() @ pull.ravel()).real - deviations
-        flat = (changed * np.sqrt(weight)[:, None]).reshape(size, -1)
-        precision = np.eye(size) + 2 * (flat.real @ flat.real.T + flat.imag @ flat.imag.T)
+        pull /= np.maximum(weight, 1e-150)[:, None]
+        # Across h, the derivative of the first microphone can be taken off all, so it is not needed.
+        turned = (unit[:, :, 1:] * h[:, None, 1:]) * weight[:, None, None]  # (n_touched, free, free, n_freq)
+        derivatives = tables.relative[:, touched]
+        changed = np.sum([derivatives[:, :, None, k] * turned[:, :, k] for k in range(free)], axis=0)
+        flat = np.ascontiguousarray(changed).reshape(size, -1).view(np.float64)
+        slope = 2 * (flat @ pull.ravel().view(np.float64)) - deviations
+        precision = np.eye(size) + 2 * (flat @ flat.T)
         change = np.linalg.solve(precision, slope)
         evidence = score - 0.5 * float(deviations @ deviations) + 0.5 * float(slope @ change)
         evidence -= 0.5 * float(np.linalg.slogdet(precision)[1])
         return Fitted(evidence, deviations, point, misfit), change
+
+
+def across(h: ComplexArray) -> ComplexArray:
+    """Conjugates of unit vectors across h and each other, by a Householder reflection.
+
+    Args:
+        h: (n_point, n_microphone, n_freq) complex128.
+
+    Returns:
+        (n_point, n_microphone - 1, n_microphone, n_freq) complex128.
+    """
+    unit = h / np.sqrt((np.abs(h) ** 2).sum(1, keepdims=True))
+    phasor = unit[:, :1] / np.maximum(np.abs(unit[:, :1]), 1e-150)
+    unit = unit * phasor.conj()
+    first, others = unit[:, 0].real, unit[:, 1:]
+    found = np.empty((len(h), h.shape[1] - 1, *h.shape[1:]), np.complex128)
+    found[:, :, 0] = -others
+    found[:, :, 1:] = -others[:, :, None] * others[:, None].conj() / (1 + first)[:, None, None]
+    for k in range(h.shape[1] - 1):
+        found[:, k, 1 + k] += 1
+    return found

@@ -13,6 +13,7 @@ from localize.diagnosis.diagnosis_options import DiagnosisOptions
 from localize.diagnosis.fault_libraries import FaultLibraries, Tables
 from localize.diagnosis.fault_likelihood import Fitted, TouchLikelihood
 from localize.diagnosis.faults import SensorFault, tube_lines
+from localize.diagnosis.touch_assignment import likeliest_assignments
 
 
 class FaultSearch:
@@ -27,34 +28,60 @@ class FaultSearch:
     def __init__(self, libraries: FaultLibraries, likelihood: TouchLikelihood, options: DiagnosisOptions) -> None:
         self._libraries, self._likelihood, self._options = libraries, likelihood, options
         self._coarse = (*options.first_mismatches, options.mismatch)
+        self._quick = (options.first_mismatches[1], options.first_mismatches[-1])
         self._fine = (4 * options.mismatch, 2 * options.mismatch, options.mismatch)
         self._fits: dict[SensorFault | None, tuple[Tables, Fitted]] = {}
 
     def found(self) -> list[tuple[Tables, Fitted]]:
         """Sound sensor first, then the faults that explain the touches best, each part once, the best first."""
-        self._fit([None, *self._candidates()])
-        for step in range(2 * self._options.refinements):
-            best = max(self._fits.values(), key=lambda each: each[1].evidence)
-            if step >= self._options.refinements and best[1].misfit < self._options.converged:
+        options = self._options
+        self._fit((None,))
+        for alike in self._candidates():
+            self._fit(alike)
+        for step in range(2 * options.refinements):
+            if step >= options.refinements and self._best.misfit < options.converged:
                 break
-            self._try_points_of_others()
-            best = max(self._fits.values(), key=lambda each: each[1].evidence)
-            self._fit(self._beside(best[0].fault))
-            for fault, (_, fit) in list(self._fits.items()):
-                if fault is not None and fit.evidence < best[1].evidence - self._options.hopeless:
-                    continue
-                moved = self._libraries.about(fault, fit.deviations)
-                self._fits[fault] = moved, self._likelihood.fitted(moved, self._fine, fit.deviations)
-        self._try_points_of_others()
+            self._begin_anew()
+            for fault in self._beside(self._order[0]):
+                self._fit((fault,))
+            for fault in dict.fromkeys([None, *self._order[: options.refined]]):
+                _, fit = self._fits[fault]
+                if fault is None or fit.evidence > self._best.evidence - options.hopeless:
+                    moved = self._libraries.about(fault, fit.deviations)
+                    self._fits[fault] = moved, self._likelihood.fitted(moved, self._fine, fit.deviations)
+        self._begin_anew()
         sound = self._fits.pop(None)
-        return [sound, *sorted(self._fits.values(), key=lambda each: -each[1].evidence)]
+        return [sound, *(self._fits[fault] for fault in self._order)]
 
-    def _fit(self, faults: Sequence[SensorFault | None]) -> None:
-        """Fit hypotheses, each from several deviations to begin with."""
-        for fault in faults:
-            tables = self._libraries.of(fault)
-            begun = [self._likelihood.fitted(tables, self._coarse, start) for start in self._starts()]
-            self._fits[fault] = tables, max(begun, key=_evidence)
+    @property
+    def _order(self) -> list[SensorFault | None]:
+        """Hypotheses that are fitted, the best first."""
+        return sorted(self._fits, key=lambda fault: -self._fits[fault][1].evidence)
+
+    @property
+    def _best(self) -> Fitted:
+        return self._fits[self._order[0]][1]
+
+    def _fit(self, alike: Sequence[SensorFault | None]) -> None:
+        """Fit the fault of a part, by its likeliest amounts, from several deviations and points to begin with."""
+        begun = []
+        for number, fault in enumerate(alike):
+            tables, starts = self._libraries.of(fault), self._starts()
+            fits = [self._likelihood.fitted(tables, self._coarse, start) for start in starts[: 1 if number else None]]
+            together = self._points_together(tables, np.zeros(self._libraries.size))
+            fits.append(self._likelihood.fitted(tables, self._coarse[1:], None, together))
+            begun.append(self._nearer(tables, max(fits, key=_evidence)))
+        self._fits[alike[0]] = max(begun, key=lambda each: each[1].evidence)
+
+    def _points_together(self, tables: Tables, deviations: Array) -> NDArray[np.int64]:
+        """Likeliest points of all touches together, (n_touch,) int64."""
+        mismatch, kept = self._options.assigned_mismatch, self._options.assignments
+        return likeliest_assignments(self._likelihood, tables, deviations, mismatch, kept)[0]
+
+    def _nearer(self, tables: Tables, fit: Fitted) -> tuple[Tables, Fitted]:
+        """Fit that goes on with transfer functions about the deviations it has."""
+        nearer = self._libraries.nearer(tables, fit.deviations)
+        return nearer, self._likelihood.fitted(nearer, self._fine[1:], fit.deviations, fit.point)
 
     def _beside(self, fault: SensorFault | None) -> list[SensorFault]:
         """Faults of the parts beside that of a fault which are not fitted yet, by the amount tried next to its own."""
@@ -65,39 +92,56 @@ class FaultSearch:
         new = [replace(fault, part=part) for part in near if part in parts]
         return [each for each in new if not any(one is not None and one.same_part(each) for one in self._fits)]
 
-    def _candidates(self) -> list[SensorFault]:
-        """Faults of the likeliest parts, each by its likeliest amount."""
-        scored: dict[tuple[str, tuple[int, ...]], tuple[float, SensorFault]] = {}
+    def _candidates(self) -> list[list[SensorFault]]:
+        """Faults of the likeliest parts, each by its likeliest amounts, the best first."""
+        scored: dict[tuple[str, tuple[int, ...]], list[tuple[float, SensorFault]]] = {}
         for tables in self._libraries.screening:
-            if tables.fault is None:
-                continue
-            evidence = self._likelihood.fitted(tables, (self._coarse[0], *self._coarse[2:])).evidence
-            key = tables.fault.kind, tables.fault.part
-            if key not in scored or evidence > scored[key][0]:
-                scored[key] = evidence, tables.fault
-        best = sorted(scored.values(), key=lambda each: -each[0])
-        kept = [fault for _, fault in best[: self._options.candidates]]
+            if tables.fault is not None:
+                evidence = self._likelihood.fitted(tables, (self._coarse[0], *self._coarse[2:])).evidence
+                scored.setdefault((tables.fault.kind, tables.fault.part), []).append((evidence, tables.fault))
+        parts = [sorted(each, key=lambda one: -one[0]) for each in scored.values()]
+        parts.sort(key=lambda each: -each[0][0])
+        chosen = [[fault for _, fault in part[: self._options.amounts]] for part in parts]
+        kept = chosen[: self._options.candidates]
         # Connections of microphones are few, and tell little before deviations are fitted.
-        return kept + [fault for _, fault in best[self._options.candidates :] if "microphone" in fault.kind]
+        return kept + [each for each in chosen[self._options.candidates :] if "microphone" in each[0].kind]
 
     def _starts(self) -> list[Array | None]:
         """Deviations to begin with: none known, and membranes that are softer or stiffer all together."""
         batch = self._libraries.batch_deviation
         return [None, *(each * batch for each in self._options.first_stiffness)]
 
-    def _try_points_of_others(self) -> None:
-        """Let the best fits go on from the points of others, and from their own moved by one place, while it helps."""
-        for _ in range(self._options.moves):
-            order = sorted(self._fits, key=lambda fault: -self._fits[fault][1].evidence)
-            leading = [self._fits[fault][1].point for fault in order[: self._options.leading]]
+    def _begin_anew(self) -> None:
+        """Let the best fits begin anew from other points, while it helps.
+
+        Tried are the likeliest assignments about the deviations found, and the points of the leading faults, as they
+        are or moved by one place.
+        """
+        options = self._options
+        for _ in range(options.moves):
+            order = self._order
+            others: list[NDArray[np.int64]] = []
+            for fault in order[: options.leading]:
+                point = self._fits[fault][1].point
+                others += [point, *self._moved(fault, point)]
             helped = False
-            for fault in dict.fromkeys([None, *order[: self._options.moved]]):
-                tables, fit = self._fits[fault]
-                tried = [point for point in (*leading, *self._moved(fault, fit.point)) if (point != fit.point).any()]
-                fits = [self._likelihood.fitted(tables, self._coarse[1:], None, point) for point in tried]
-                best = max((fit, *fits), key=_evidence)
-                helped = helped or best.evidence > fit.evidence + 1.0
-                self._fits[fault] = tables, best
+            for fault in dict.fromkeys([None, *order[: options.moved]]):
+                nominal, (tables, fit) = self._libraries.of(fault), self._fits[fault]
+                begun = []
+                for start in {point.tobytes(): point for point in others}.values():
+                    if (start != fit.point).any():
+                        begun.append((self._likelihood.fitted(nominal, self._quick, None, start).evidence, start))
+                starts = [start for _, start in sorted(begun, key=lambda each: -each[0])[: options.begun]]
+                tried: list[tuple[Tables, Array | None, NDArray[np.int64]]] = [
+                    (nominal, None, start) for start in starts
+                ]
+                tried.append((tables, fit.deviations, self._points_together(tables, fit.deviations)))
+                for own, deviations, start in tried:
+                    if (start == fit.point).all():
+                        continue
+                    each = self._nearer(own, self._likelihood.fitted(own, self._coarse[1:], deviations, start))
+                    if each[1].evidence > self._fits[fault][1].evidence + 1.0:
+                        helped, self._fits[fault] = True, each
             if not helped:
                 return
 

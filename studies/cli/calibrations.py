@@ -103,6 +103,7 @@ def calibrate(
     with a calibration microphone at the touched cavity. Bad recordings are left out and listed. If a point has no good
     recording, its transfer functions are computed with dimensions of the parts that are fitted to the measured points.
     If no sensor within the tolerances fits, you get a warning and these points keep the design's transfer functions.
+    If a broken part explains the recordings, the command names it and writes nothing: docs/diagnosis.md.
 
     A decoder of this library assumes that touches contain no sound above the last of --frequencies.
 
@@ -201,6 +202,7 @@ def recalibrate(
     Writes a new library. LIBRARY is that of the design or of the last calibration. Record taps, presses or slides of
     fingers, one at a time, in a quiet room, several at every point: at least 100 frames of 250 ms, better 300. A
     quarter of the touches is held out. If they do not support the new library, the command says why and writes nothing.
+    If a broken part explains the touches, the command names it: docs/diagnosis.md.
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """

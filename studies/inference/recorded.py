@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,9 +14,11 @@ from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
+from localize.diagnosis.bad_fits import fault_of_touches
 from localize.live.events import Decision
 from localize.model.located_touches import LocatedTouches as LocatedTouches
-from localize.model.opened_model import Decoding as Decoding, ModelSource, files_of, opened
+from localize.model.opened_model import Decoding as Decoding, Model, ModelSource, files_of, opened
+from localize.recordings.recording import Recording
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 from studies.output.folders import check_new_file, new_picture
 
@@ -68,12 +71,23 @@ def locate_recording(
         problem = ("goes into the lines of ", Field("out"), "; give that too")
         raise Refusal(problem, kind=Kind.MISSING, field="waveform")
     heard = found.read(recording, full_scale, channels)
-    located = found.locate_recording(heard, correct=correct)
+    located = _with_diagnosis(found.locate_recording(heard, correct=correct), found, heard)
     if path is not None:
         write_text(path, "".join(event.json_line() + "\n" for event in located.events))
     if drawn is not None:
         draw_touches(located, heard.signals, drawn)
     return located
+
+
+def _with_diagnosis(located: LocatedTouches, model: Model, heard: Recording) -> LocatedTouches:
+    """Touches with the broken part in their warning, if the sensor does not fit and one explains the touches."""
+    if located.warning is None or located.fault is not None or model.library is None:
+        return located
+    signals = model.decoding.pressures(heard.signals, located.array)
+    fault = fault_of_touches(model.library, [signals], model.decoding.microphone_noise)
+    if fault is None:
+        return located
+    return replace(located, warning=f"{fault.text} ({located.warning}). {fault.to_do}")
 
 
 def draw_touches(found: LocatedTouches, signals: Array, path: str | os.PathLike[str]) -> Path:

@@ -15,7 +15,7 @@ from acoustic_fem import Library
 from acoustic_fem.calibration import Calibration, Update
 from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.calibration.manifest import read_manifest
-from acoustic_fem.calibration.measured_library import calibrate
+from acoustic_fem.calibration.measured_library import CalibrationError, calibrate
 from acoustic_fem.calibration.model_updating import update
 from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
@@ -24,6 +24,7 @@ from acoustic_fem.scatter.tolerances import Tolerance, tolerances_of
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.shown import Shown
 from geometry.ground.typed import PathLike
+from localize.diagnosis.bad_fits import fault_of_estimates
 from localize.signals import BAND
 from studies.output.call_defaults import MANIFEST
 from studies.output.display import Display
@@ -96,7 +97,7 @@ def calibrate_sensor(
 
     Raises:
         Refusal: a file that exists or cannot be written, a manifest or tolerances that cannot be read, a bad frequency,
-            or no good recording.
+            no good recording, or recordings that contradict the design because a part of the sensor is broken.
     """
     checked_air(air)
     path, show = Path(out), display or Display()
@@ -126,12 +127,27 @@ def calibrate_sensor(
                 family = UpdatedModel(model, fit_priors(manifest.design, scatter), known)
                 fit = update(family, calibration.estimates)
                 deviation = model_deviation(manifest.design, grid, scatter)
+        if calibration.misfits or (fit is not None and fit.objection):
+            with show.stage("Diagnosis"):
+                _refuse_a_broken_sensor(calibration, model)
         used = None if fit is None or fit.objection else fit
         library = calibration.library(model, deviation, used)
         acoustic_fem.save(library, path)
         figure = draw_calibration(calibration, model, picture)
         expected, measure_next = (None, None) if used is None else _prospect(used)
         return SensorCalibration(path, figure, library, calibration, fit, expected, measure_next)
+
+
+def _refuse_a_broken_sensor(calibration: Calibration, model: Library) -> None:
+    """Refuse recordings that a broken part explains, where they contradict the design or no sensor fits them."""
+    found = fault_of_estimates(model, {**calibration.misfits, **calibration.estimates})
+    if found is not None:
+        raise CalibrationError(
+            f"are of a sensor with a fault: {found.text}",
+            kind=Kind.UNSUITABLE,
+            field="recordings",
+            remedy=found.to_do,
+        )
 
 
 def _prospect(fit: Update) -> tuple[NDArray[np.float64] | None, int | None]:

@@ -20,6 +20,7 @@ from geometry.ground.refusal import Field, Kind
 from geometry.ground.typed import PathLike
 from localize import read_recording
 from localize.decoders.bayes import BayesDecoder
+from localize.diagnosis.bad_fits import fault_of_touches
 from localize.evaluation.goodness_of_fit import FitOptions, loudest_frames, sensor_fit
 from localize.live.front_end import HighPass
 from localize.live.stream_options import HIGH_PASS
@@ -86,8 +87,8 @@ def recalibrate(
 
     Raises:
         Refusal: a file that exists or cannot be written, recordings that cannot be read or used, the same take twice,
-            a microphone that is reversed, exchanged, late or at another level, or held-out touches that contradict the
-            sensor found.
+            a microphone that is reversed, exchanged, late or at another level, a broken part, or held-out touches that
+            contradict the sensor found.
     """
     checked_air(air)
     given = Decoding(microphone_output=microphone_output, lowest=lowest)
@@ -110,6 +111,8 @@ def recalibrate(
         level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
         _refuse_the_same_take(paths, heard, frames, level)
         _refuse_a_wrong_connection(passed, BayesDecoder(response, level))
+        with (display or Display()).stage("Diagnosis"):
+            _refuse_a_broken_sensor(present, heard, level)
         with (display or Display()).stage("Touches") as report:
             found = localize.self_calibrate(
                 present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS
@@ -139,6 +142,18 @@ def _refuse_a_wrong_connection(signals: Sequence[NDArray[np.float64]], decoder: 
             kind=Kind.UNSUITABLE,
             field="recordings",
             remedy=("correct the wiring or the recordings, or give the right order by ", Field("channels")),
+        )
+
+
+def _refuse_a_broken_sensor(present: Library, signals: Sequence[NDArray[np.float64]], noise: float) -> None:
+    """Reject touches that a broken part explains: a search within tolerances would not find such a sensor."""
+    found = fault_of_touches(present, signals, noise)
+    if found is not None:
+        raise localize.SelfCalibrationError(
+            f"give no calibration, because the sensor has a fault: {found.text}",
+            kind=Kind.UNSUITABLE,
+            field="recordings",
+            remedy=found.to_do,
         )
 
 

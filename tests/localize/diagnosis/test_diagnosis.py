@@ -14,6 +14,7 @@ import acoustic_fem
 import geometry
 import localize
 import studies
+from acoustic_fem.sound.estimate import TransferEstimate
 from acoustic_fem.sound.sound_file import write_wav
 from geometry import Kind, Refusal
 from geometry.ground.typed import Array
@@ -183,3 +184,41 @@ def test_a_recording_gives_the_same_diagnosis(tmp_path: Path) -> None:
     assert sum(each["known"] for each in written["touches"]) >= len(points)
     direct = localize.diagnose(acoustic_fem.load(tmp_path / "library.nc"), of.signals, points)
     assert direct.text == found.text
+
+
+def estimates(fault: SensorFault | None, points: tuple[int, ...]) -> dict[int, TransferEstimate]:
+    """Transfer functions as a calibration measures them, with an error of 0.1 %."""
+    grid = diagnoser().libraries.frequency.astype(float)
+    h = FaultyRig(DESIGN, 46900, fault, fidelity="lumped").transfer_function(grid)
+    error = 1e-3 * np.abs(h)
+    return {point: TransferEstimate(h[point - 1], error[point - 1], np.ones(h.shape[1:]), 20) for point in points}
+
+
+@pytest.mark.physics
+@pytest.mark.parametrize(
+    ("fault", "points"),
+    [
+        (SensorFault("blocked tube", (6,), 0.35), (2, 6, 11)),
+        pytest.param(SensorFault("leak", (5,), 0.3), (2, 6, 11), marks=pytest.mark.slow),
+        pytest.param(SensorFault("exchanged microphones", (1, 2)), tuple(range(1, 13)), marks=pytest.mark.slow),
+        pytest.param(None, (2, 6, 11), marks=pytest.mark.slow),
+    ],
+)
+def test_measured_transfer_functions_show_a_fault(fault: SensorFault | None, points: tuple[int, ...]) -> None:
+    grid = diagnoser().libraries.frequency.astype(float)
+    found = diagnoser().diagnose_measured(grid, estimates(fault, points))
+    assert (found.point == points).all()
+    if fault is None:
+        assert found.verdict == "sound"
+    else:
+        assert found.names_a_fault
+        assert found.faults[0].same_part(fault)
+        assert found.to_do.endswith("Then record again.")
+
+
+def test_a_diagnosis_of_measured_points_needs_two_of_them_in_the_band() -> None:
+    grid = diagnoser().libraries.frequency.astype(float)
+    with pytest.raises(Refusal, match="points = 1"):
+        diagnoser().diagnose_measured(grid, estimates(None, (2,)))
+    with pytest.raises(Refusal, match="frequency"):
+        diagnoser().diagnose_measured(grid[:9], estimates(None, (2, 3)))
