@@ -187,7 +187,7 @@ class Diagnoser:
             check_range("frequency", float(edge), float(frequency[0]), float(frequency[-1]), "Hz")
         measured = np.stack([_at(grid, frequency, estimates[number].transfer_function) for number in points])
         deviation = np.stack([_at(grid, frequency, estimates[number].deviation).real for number in points])
-        noise = np.sqrt(2 * (deviation**2).mean(0)) + LEAST_ERROR * np.abs(measured).mean(0)
+        noise = np.asarray(np.sqrt(2 * (deviation**2).mean(0)) + LEAST_ERROR * np.abs(measured).mean(0), np.float64)
         number = np.arange(len(points))
         spectra = TouchSpectra(number.astype(float), number + 1.0, number, measured / noise, noise)
         return self._found(spectra, np.array(points, np.int64) - 1)

@@ -138,7 +138,7 @@ class TouchLikelihood:
         change = np.linalg.solve(precision, slope)
         evidence = score - 0.5 * float(deviations @ deviations) + 0.5 * float(slope @ change)
         evidence -= 0.5 * float(np.linalg.slogdet(precision)[1])
-        return Fitted(evidence, deviations, point, misfit), change
+        return Fitted(evidence, deviations, point, misfit), np.asarray(change, np.float64)
 
 
 def across(h: ComplexArray) -> ComplexArray:

@@ -12,7 +12,7 @@ from geometry.ground.typed import Array
 from localize.diagnosis.diagnosis_options import DiagnosisOptions
 from localize.diagnosis.fault_libraries import FaultLibraries, Tables
 from localize.diagnosis.fault_likelihood import Fitted, TouchLikelihood
-from localize.diagnosis.faults import SensorFault, tube_lines
+from localize.diagnosis.faults import AMOUNTS, SPREAD, SensorFault, tube_lines
 from localize.diagnosis.touch_assignment import likeliest_assignments
 
 
@@ -42,8 +42,8 @@ class FaultSearch:
             if step >= options.refinements and self._best.misfit < options.converged:
                 break
             self._begin_anew()
-            for fault in self._beside(self._order[0]):
-                self._fit((fault,))
+            for near in self._beside(self._order[0]):
+                self._fit((near,))
             for fault in dict.fromkeys([None, *self._order[: options.refined]]):
                 _, fit = self._fits[fault]
                 if fault is None or fit.evidence > self._best.evidence - options.hopeless:
@@ -125,8 +125,9 @@ class FaultSearch:
                 point = self._fits[fault][1].point
                 others += [point, *self._moved(fault, point)]
             helped = False
-            for fault in dict.fromkeys([None, *order[: options.moved]]):
-                nominal, (tables, fit) = self._libraries.of(fault), self._fits[fault]
+            beside = [fault for fault in order if fault is not None and self._is_beside(fault, order[0])]
+            for fault in dict.fromkeys([None, *order[: options.moved], *beside]):
+                nominal, (tables, fit) = self._libraries.of(self._as_strong(fault)), self._fits[fault]
                 begun = []
                 for start in {point.tobytes(): point for point in others}.values():
                     if (start != fit.point).any():
@@ -144,6 +145,20 @@ class FaultSearch:
                         helped, self._fits[fault] = True, each
             if not helped:
                 return
+
+    def _is_beside(self, fault: SensorFault, best: SensorFault | None) -> bool:
+        """True if a fault is of the best one's kind, at a part beside its own."""
+        return best is not None and fault.kind == best.kind and abs(fault.part[0] - best.part[0]) == 1
+
+    def _as_strong(self, fault: SensorFault | None) -> SensorFault | None:
+        """The fault by the amount that is tried next to the one of the best fit, if that is of the same kind."""
+        tables, fit = self._fits[self._order[0]]
+        best = tables.fault
+        if fault is None or best is None or fault.kind != best.kind or fault.kind not in SPREAD:
+            return fault
+        found = best.with_amount(float(fit.deviations[-1])).amount
+        nearest = min(AMOUNTS[fault.kind], key=lambda amount: abs(np.log(amount / found)))
+        return replace(fault, amount=nearest)
 
     def _moved(self, fault: SensorFault | None, point: NDArray[np.int64]) -> list[NDArray[np.int64]]:
         """Points moved by one place along their lines, all, or those on one side of a fault or of the middle."""
