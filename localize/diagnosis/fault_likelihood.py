@@ -87,13 +87,13 @@ class TouchLikelihood:
                 need not be right.
             deviations: to begin with; None begins with those of the tables, and counts them as noise of each frequency
                 on its own where the first points are chosen.
-            point: index of the point of each touch to begin with; None for the likeliest ones.
+            point: index of the point of each touch, which stays up to the end; None for the likeliest ones of each step.
         """
-        spread = tables.spread if deviations is None else None
+        spread, given = tables.spread if deviations is None else None, point is not None
         deviations = tables.deviations if deviations is None else deviations
         for number, mismatch in enumerate(mismatches):
             now = tables.at(deviations)
-            if number > 1 or point is None:
+            if not given or point is None:
                 point = self._points(now, None if number else spread, mismatch)
             point = np.where(self.known >= 0, self.known, point)
             _, change = self._step(tables, now, point, deviations, mismatch)
