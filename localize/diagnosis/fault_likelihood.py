@@ -87,7 +87,7 @@ class TouchLikelihood:
                 need not be right.
             deviations: to begin with; None begins with those of the tables, and counts them as noise of each frequency
                 on its own where the first points are chosen.
-            point: index of the point of each touch, which stays up to the end; None for the likeliest ones of each step.
+            point: index of the point of each touch, which stays to the end; None for the likeliest ones of each step.
         """
         spread, given = tables.spread if deviations is None else None, point is not None
         deviations = tables.deviations if deviations is None else deviations
