@@ -100,9 +100,8 @@ def _linearised(
     variance = 1.0 + loudness * own
     windows = -((np.abs(residual) ** 2).sum(2) / variance + free * np.log(variance)).sum(2)  # (n_window, n_point)
     turned = unit[:, :, 1:] * h[:, None, 1:]
-    changed = sum(
-        tables.relative[:, :, None, k] * turned[:, :, k] for k in range(free)
-    )  # (n_dev, n_point, free, n_freq)
+    # (n_deviation, n_point, free, n_freq)
+    changed = np.sum([tables.relative[:, :, None, k] * turned[:, :, k] for k in range(free)], axis=0)
     of_touch = np.eye(len(spectra.start))[spectra.touch].T
     weight = np.einsum("tw,wpf->tpf", of_touch, loudness / variance)
     force = np.einsum("tw,wpnf->tpnf", of_touch, source.conj()[:, :, None] * residual / variance[:, :, None])
