@@ -189,7 +189,9 @@ class Diagnoser:
         deviation = np.stack([_at(grid, frequency, estimates[number].deviation).real for number in points])
         noise = np.asarray(np.sqrt(2 * (deviation**2).mean(0)) + LEAST_ERROR * np.abs(measured).mean(0), np.float64)
         number = np.arange(len(points))
-        spectra = TouchSpectra(number.astype(float), number + 1.0, number, measured / noise, noise)
+        spectra = TouchSpectra(
+            number.astype(np.float64), (number + 1).astype(np.float64), number, measured / noise, noise
+        )
         return self._found(spectra, np.array(points, np.int64) - 1)
 
     def _found(self, spectra: TouchSpectra, known: NDArray[np.int64]) -> Diagnosis:
