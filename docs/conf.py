@@ -25,6 +25,7 @@ extensions = [
     "myst_nb",
     "sphinx_copybutton",
     "accessible",
+    "cards",
     "equations",
     "fields",
     "models",
@@ -61,6 +62,7 @@ html_theme = "furo"
 html_title = f"acoustic-fem {release}"
 html_static_path = ["site/static"]
 html_css_files = ["manual.css"]
+html_js_files = [("gallery.js", {"defer": "defer"})]
 html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "mathml"

@@ -23,7 +23,7 @@ START = ("install", "first-minutes", "tutorial")
 GUIDES = (
     *("studies/topology/README", "compare", "first-study", "studies", "cluster", "optimize", "tolerances", "parts"),
     *("assemble", "bending", "calibration", "realtime", "live", "tracks", "kinds", "letters", "pulse", "embed"),
-    "own-cavity",
+    *("own-cavity", "applications/gripper-pad", "applications/first-day"),
 )
 BLOCK = re.compile(r"^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
 FILE = re.compile(r"`([\w-]+\.toml)`:\n\n```toml\n(.*?)^```", re.MULTILINE | re.DOTALL)

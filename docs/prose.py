@@ -4,9 +4,9 @@
     python docs/prose.py docs/parts.md    # these pages alone
 
 A row is a page: words a sentence, and for every 100 words of prose its numbers, second person, connectives, semicolons
-and colons, commas. Tables, code, equations and headings are left out. Guides (README and the groups Start, Design, Make
-and Use of the side bar) keep all limits, the other pages the length of their sentences. Phrases of PRIVATE and
-sentences that begin with a word of BEGINNINGS are faults wherever they stand.
+and colons, commas. Tables, code, equations and headings are left out. Guides (README and the groups Start,
+Applications, Design, Make and Use of the side bar) keep all limits, the other pages the length of their sentences.
+Phrases of PRIVATE and sentences that begin with a word of BEGINNINGS are faults wherever they stand.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("geometry", "acoustic_fem", "localize", "studies")
-GUIDES = ("Start", "Design", "Make", "Use")
+GUIDES = ("Start", "Applications", "Design", "Make", "Use")
 
 CONNECTIVES = frozenset(
     re.split(" ", "although because but example however if instance since so then therefore thus when while")

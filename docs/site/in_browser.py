@@ -1,7 +1,8 @@
 """The built site in the Chromium of the system: no page is too wide, axe-core is content, and the search finds.
 
 ``python docs/site/in_browser.py docs/build/html`` looks at one page of each kind, wide in light and narrow in dark
-colours: no page may be wider than its window. The search must find all of :data:`search_words.WORDS`.
+colours: no page may be wider than its window. The search must find all of :data:`search_words.WORDS` and of
+:data:`queries.QUERIES`.
 Without Chromium it says so and ends with exit code 0. No host is asked for anything: axe-core comes with the package
 axe-playwright-python.
 """
@@ -16,11 +17,13 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+from queries import QUERIES
 from search_words import WORDS
 
 #: One page of each kind.
 PAGES = (
-    "index", "install", "gallery", "theory", "tutorial", "notebooks/first_steps", "verification", "design-file",
+    "index", "install", "gallery", "applications/gripper-pad", "applications/first-day", "theory", "tutorial",
+    "notebooks/first_steps", "verification", "design-file",
     "reference/made/verbs", "search",
 )  # fmt: skip
 #: Width of the window, px, and colours.
@@ -61,7 +64,12 @@ def first_found(page: Any, search: str, query: str) -> str:
     return str(found).partition("#")[0].partition("?")[0].removesuffix(".html")
 
 
-def main(folder: Path, pages: tuple[str, ...] = PAGES, words: Mapping[str, Iterable[str]] = WORDS) -> int:
+def sought() -> dict[str, tuple[str, ...]]:
+    """All that the search must find, by the page that must come first."""
+    return {page: (*WORDS.get(page, ()), *QUERIES.get(page, ())) for page in {**WORDS, **QUERIES}}
+
+
+def main(folder: Path, pages: tuple[str, ...] = PAGES, words: Mapping[str, Iterable[str]] | None = None) -> int:
     """Exit code: 1 with a line for each fault."""
     program = shutil.which("chromium") or shutil.which("chromium-browser")
     if program is None:
@@ -69,7 +77,7 @@ def main(folder: Path, pages: tuple[str, ...] = PAGES, words: Mapping[str, Itera
         return 0
     from playwright.sync_api import sync_playwright
 
-    faults = []
+    faults, asked = [], sought() if words is None else words
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
         for width, colours in WINDOWS:
@@ -81,7 +89,7 @@ def main(folder: Path, pages: tuple[str, ...] = PAGES, words: Mapping[str, Itera
             context.close()
         page = browser.new_page()
         search = (folder / "search.html").resolve().as_uri()
-        for wanted, query in ((name, query) for name, queries in words.items() for query in queries):
+        for wanted, query in ((name, query) for name, queries in asked.items() for query in queries):
             if (found := first_found(page, search, query)) != wanted:
                 faults.append(f"search for {query!r}: finds {found or 'nothing'} first, must find {wanted}")
         browser.close()

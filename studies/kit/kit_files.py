@@ -15,7 +15,7 @@ from geometry.assembly.part_list import Origin
 from geometry.body.reading import Body as SolidBody
 from geometry.formats.part_files import ExportedFile, SharedShape, tessellate_distinct
 from geometry.ground.whole_files import write_text
-from geometry.printing.plates import Plates, export_plates
+from geometry.printing.plates import export_plates
 from geometry.printing.printability import PrintReport
 from geometry.printing.report_files import write_report
 from geometry.schema.print_processes import PrintProcess
@@ -95,7 +95,8 @@ def write_kit(
     )
     _, page = write_report(printing, folder / PRINT, design.name, files)
     report("order list", 0.5)
-    order = _write_orders(model, plates, process, folder / BUY)
+    order = order_of(model, len(plates.plates), process)
+    _write_orders(order, folder / BUY)
     report("cutting template", 0.52)
     write_cutting(design, model.layout, _made(folder / CUT))
     report("assembly.step", 0.55)
@@ -150,18 +151,26 @@ def _export_parts(
     return tuple(files)
 
 
-def _write_orders(model: ArrayModel, plates: Plates, process: PrintProcess, folder: Path) -> OrderList:
-    """Write the order list, the hours of work and the bill."""
+def order_of(model: ArrayModel, plates: int, process: PrintProcess) -> OrderList:
+    """Order list of an array, with the bill and the hours of work that it stands on.
+
+    Args:
+        model: the array.
+        plates: number of plates that its printed parts take.
+        process: printing process.
+    """
     bill = bill_of_materials(model.design, model.parts, layout=model.layout)
     silicone = catalogue().silicone(model.design).part
     cure = silicone.cure_time if isinstance(silicone, Silicone) else 16.0
-    work = work_of(model, len(plates.plates), process, cure)
-    order = order_list(model.design, bill, work, process)
+    return order_list(model.design, bill, work_of(model, plates, process, cure), process)
+
+
+def _write_orders(order: OrderList, folder: Path) -> None:
+    """Write the order list, the hours of work and the bill."""
     _made(folder)
     write_text(folder / "order-list.csv", order.to_csv())
     write_text(folder / "work-hours.csv", order.work_csv())
-    write_bill(bill, folder)
-    return order
+    write_bill(order.bill, folder)
 
 
 def _first_words(name: str, has_body: bool) -> str:

@@ -242,6 +242,7 @@ def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.Pat
         path: of the PNG.
     """
     with figure_in_style((WIDTH, 4.6)) as figure:
+        figure.set_layout_engine("compressed")  # keeps the plan, whose axes have one scale, in the middle
         axes = figure.subplots()
         _plan(axes, design, quality)
         axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")

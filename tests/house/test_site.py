@@ -35,7 +35,9 @@ def site(monkeypatch: pytest.MonkeyPatch):
         "public_names",
         "built",
         "accessible",
+        "cards",
         "in_browser",
+        "queries",
         "search_words",
         "fields",
         "models",
@@ -140,16 +142,44 @@ def test_the_page_of_metrics_has_them_all(site) -> None:
 @pytest.mark.slow
 def test_the_gallery_says_what_check_says() -> None:
     import geometry
+    import studies
     from studies.run import design_quality
 
-    examples, page = ROOT / "docs" / "examples", (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
-    for name in geometry.prototype_names():
-        assert f"| [{name}](#{name}) |" in page
-    quality = design_quality(geometry.load_design(examples / "wristband-16.toml"))
-    row = next(line for line in page.splitlines() if line.startswith("| [wristband-16]"))
-    made, named = (cell.strip() for cell in row.split("|")[5:7])
-    assert named == f"{100 * quality.nominal:.1f}", "python docs/make_gallery.py"
-    assert made == f"{100 * quality.as_built:.1f} ({100 * quality.worst:.1f})"
+    design = geometry.load_design(ROOT / "docs" / "examples" / "wristband-16.toml")
+    quality, verdict = design_quality(design), studies.Verdict(design)
+    row = next(row for row in json.loads((ROOT / "docs/gallery.json").read_text("utf-8")) if row["name"] == design.name)
+    found = {"as_built": quality.as_built, "worst": quality.worst, "nominal": quality.nominal}
+    assert {key: row[key] for key in found} == {key: round(100 * value, 1) for key, value in found.items()}
+    assert (row["verdict"], row["taps"]) == (verdict.outcome, round(100 * verdict.figures.taps, 1))
+
+
+def test_the_gallery_has_a_card_and_a_section_for_every_design(site) -> None:
+    import geometry
+
+    cards = pytest.importorskip("sphinx") and site("cards")
+    page = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
+    rows = cards.read_rows(ROOT / "docs")
+    names = [row["name"] for row in rows]
+    assert set(names) <= set(re.findall(r"^### (.*)$", page, re.MULTILINE))
+    assert set(geometry.prototype_names()) <= set(names)
+    for row in rows:
+        assert all((ROOT / f"docs/images/gallery/{row['name']}.{kind}").is_file() for kind in ("png", "webp"))
+        assert f'data-verdict="{row["verdict"]}"' in cards.data_of(row)
+        assert f"<dd>{row['cost']:.2f} USD</dd>" in cards.facts(row)
+    form = cards.form(rows)
+    assert re.findall(r'<select name="(\w+)"', form) == ["verdict", "process", "points", "cost", "length"]
+    assert all(f'value="{row["process"]}"' in form for row in rows)
+
+
+def test_people_search_for_forty_things_and_each_has_its_page(site) -> None:
+    queries, words = site("queries").QUERIES, pytest.importorskip("sphinx") and site("search_words").WORDS
+    assert sum(map(len, queries.values())) >= 40
+    for page in {**queries, **words}:
+        assert (ROOT / "docs" / f"{page}.md").is_file(), page
+    typed = " ".join(query for each in queries.values() for query in each)
+    asked = ("robot", "gripper", "battery", "spring supplier", "silicone supplier", "cost", "latency", "waterproof")
+    for word in (*asked, "calibrat", "arduino"):
+        assert word in typed
 
 
 def test_no_group_of_the_side_bar_is_longer_than_a_glance() -> None:
