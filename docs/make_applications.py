@@ -39,6 +39,7 @@ from studies.kit.kit_files import order_of
 from studies.kit.ordering import OrderLine, OrderList
 from studies.output.report_texts import percent
 from studies.run import design_quality, draw_quality
+from studies.run.quality import predicted_accuracy
 from studies.verdict import force_in_words
 
 DOCS = Path(__file__).parent
@@ -59,8 +60,8 @@ PULSE, PRINTS = ("pulse-reader",), ("first-day",)
 WHOLE = ("wristband", "fingertip")
 #: Seeds of the rigs, and touches of each kind at every point of each.
 RIGS, TOUCHES = tuple(range(9301, 9309)), 25
-#: Rigs and touches of arrays of more points, which take the square of their points.
-UP_TO, FEWER_RIGS, FEWER_TOUCHES = 36, 2, 4
+#: Accuracies of arrays of more points are predicted, because decoding takes the square of their points.
+UP_TO = 36
 #: Frequencies of the libraries, Hz, and the last one of a rig, above which its deviations stay what they are there.
 GRID, RIG_UP_TO = np.concatenate([[0.5], np.arange(1.0, 160.0), np.arange(160.0, 501.0, 5.0)]), 160.0
 KINDS = {"taps": TAPS, "presses": PRESSES}
@@ -101,12 +102,11 @@ class Sensors:
 
     Args:
         design: the array.
-        seeds: seeds of the rigs; of a large array the first ones.
+        seeds: seeds of the rigs.
     """
 
     def __init__(self, design: geometry.ArrayDesign, seeds: Sequence[int]) -> None:
-        self.large = design.point_count > UP_TO
-        self.design, self.seeds = design, tuple(seeds)[: FEWER_RIGS if self.large else None]
+        self.design, self.seeds = design, tuple(seeds)
         fidelity = "atlas" if quick_fidelity(design, GRID).name == "atlas" else "lumped"
         self.library = acoustic_fem.solve(design, GRID, fidelity=fidelity)
         self.nominal = response_of(self.library)
@@ -121,7 +121,6 @@ class Sensors:
 
     def touched(self, touches: int = TOUCHES) -> Touched:
         """Touches of every point of every rig, decoded from frames of 250 ms."""
-        touches = min(touches, FEWER_TOUCHES) if self.large else touches
         uncalibrated = localize.open_model(self.library).locator
         own = [_accuracy(localize.BayesDecoder(rig, "design"), rig, touches) for rig in self.rigs]
         built = [_accuracy(uncalibrated, rig, touches) for rig in self.rigs]
@@ -155,6 +154,20 @@ class Sensors:
             f"| largest error of the heart rate (beats per minute) | {np.abs(rates).max():.2f} |",
             f"| point found if you do not give it (%) | {100 * np.mean(located):.1f} |",
         ]
+
+
+def predicted_rows(design: geometry.ArrayDesign) -> list[str]:
+    """Rows of predicted accuracies, with the fifth percentile of the sensors in brackets."""
+    found = predicted_accuracy(design)
+    assert found is not None
+    as_built = " | ".join(f"{100 * each.mean:.1f} ({100 * each.worst:.1f})" for each in (found.taps, found.presses))
+    nominal = " | ".join(f"{100 * each.mean:.1f}" for each in (found.nominal.taps, found.nominal.presses))
+    return [
+        "| sensor | taps (%) | presses (%) |",
+        "|---|---:|---:|",
+        f"| as built, with the library of the design | {as_built} |",
+        f"| exactly as designed | {nominal} |",
+    ]
 
 
 def _accuracy(decoder: localize.Locator, sensor: ArrayResponse, touches: int) -> dict[str, float]:
@@ -281,12 +294,11 @@ def sections(name: str, folder: Path, seeds: Sequence[int] = RIGS, *, drawing: b
         return {"prints": print_rows(made)}
     if drawing:
         draw(name, made, folder)
+    found = {"figures": figure_rows(studies.Verdict(design), made), "shopping": shopping_rows(made)}
+    if design.point_count > UP_TO:
+        return {**found, "accuracy": predicted_rows(design)}
     sensors = Sensors(design, seeds)
-    found = {
-        "figures": figure_rows(studies.Verdict(design), made),
-        "shopping": shopping_rows(made),
-        "accuracy": sensors.touched().rows(),
-    }
+    found["accuracy"] = sensors.touched().rows()
     if name in PULSE:
         found["pulse"] = sensors.pulses()
     return found
