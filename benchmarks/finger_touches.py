@@ -33,8 +33,10 @@ from localize.contacts.contact_shapes import FINGER, Tool
 from localize.live.front_end import high_pass_sections
 from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.finger_strokes import HEARD
 from localize.signals.frames import FRAME
 from localize.signals.locator import Locator
+from localize.signals.stimulus import SAMPLE_RATE as RATE
 
 SEED = 92000
 SENSORS = 20
@@ -55,12 +57,34 @@ def as_built(library: Library, response: ArrayResponse, count: int) -> Iterator[
         yield replace(response, transfer_function=response.transfer_function * np.exp(each))
 
 
-def frame_of(signals: Array, random: np.random.Generator, least: float = 0.5) -> Array:
-    """A frame that holds at least a fraction of the energy of the loudest, behind the high-pass."""
+def frame_of(signals: Array, random: np.random.Generator) -> Array:
+    """A frame that holds at least half of the energy of the loudest, behind the high-pass."""
     heard = scipy.signal.sosfilt(high_pass_sections(HIGH_PASS), signals, axis=-1)
     energy = np.convolve((heard**2).sum(0), np.ones(FRAME), "valid")
-    start = int(random.choice(np.flatnonzero(energy >= least * energy.max())))
+    start = int(random.choice(np.flatnonzero(energy > 0.5 * energy.max())))
     return np.asarray(heard[:, start : start + FRAME])
+
+
+def frame_of_edge(signals: Array, contact: Contact, random: np.random.Generator) -> Array:
+    """A frame that holds a tap, or the rise of a press, as the frames do by which a stream reports a touch.
+
+    The signals begin with at least one frame of silence. Where the edge is longer than the frame, its beginning is in
+    the frame.
+    """
+    heard = scipy.signal.sosfilt(high_pass_sections(HIGH_PASS), signals, axis=-1)
+    force = contact.force >= 0.95 * contact.force.max() if contact.label == "press" else contact.force > 0
+    first, last = (int(RATE * (contact.time[k] - contact.time[0])) for k in np.flatnonzero(force)[[0, -1]])
+    begin = int(RATE * (contact.time[contact.force > 0][0] - contact.time[0]))
+    length = (first if contact.label == "press" else last) - begin
+    start = begin - int(random.uniform(0, max(0, FRAME - 2 * HEARD - length)))
+    return np.asarray(heard[:, start : start + FRAME])
+
+
+def after_silence(contact: Contact) -> Contact:
+    """The contact after a frame of silence."""
+    time = np.concatenate([[contact.time[0] - FRAME / RATE], contact.time])
+    force, path = np.concatenate([[0.0], contact.force]), np.concatenate([contact.path[:1], contact.path])
+    return replace(contact, time=time, force=force, path=path)
 
 
 def contacts(
@@ -84,10 +108,13 @@ def touched(
     tool: Tool = FINGER,
     *,
     linear: bool = False,
-    least: float = 0.5,
+    edges: bool = False,
     kinds: tuple[str, ...] = KINDS[1:],
 ) -> Frames:
-    """Frames of multi-sines and of kinds of contacts, (n, n_microphone, 250), and their points, from 0."""
+    """Frames of multi-sines and of kinds of contacts, (n, n_microphone, 250), and their points, from 0.
+
+    Frames hold edges, as of :func:`frame_of_edge`, or are at random places, as of :func:`frame_of`.
+    """
     assert response.position is not None
     recorder, points = ContactRecorder(response, seed=seed, linear=linear), response.point_count
     sines = localize.TouchGenerator(response, seed, "evaluation").samples(0, EACH * points)
@@ -97,9 +124,13 @@ def touched(
         random = np.random.default_rng((seed, number))
         touches = contacts(response.position[number % points], seed, number, random, tool)
         for k, kind in enumerate(kinds):
+            if edges:
+                contact = after_silence(touches[kind])
+                made[kind].append(frame_of_edge(recorder.take(contact, 3 * number + k).signals, contact, random))
+                continue
             take = recorder.take(touches[kind], 3 * number + k).signals
             silent = max(0, FRAME + 1 - take.shape[1])
-            made[kind].append(frame_of(np.pad(take, ((0, 0), (silent, 0))), random, least))
+            made[kind].append(frame_of(np.pad(take, ((0, 0), (silent, 0))), random))
     point = np.arange(EACH * points) % points
     return {"sines": (heard[..., -FRAME:], point)} | {kind: (np.stack(each), point) for kind, each in made.items()}
 

@@ -57,8 +57,6 @@ from studies.verdict.tap_levels import TAP, covered_forces
 SEED, REMEDY_SEED = 4040, 4041
 #: As-built sensors of a design, fewer the more points it has, and touches of each kind on each point of a sensor.
 SENSORS, TOUCHED_POINTS, EACH = (12, 30), 240, 2
-#: Energy of a frame by that of the loudest frame of its touch. A stream reports a touch by a frame that holds most.
-LEAST_ENERGY = 0.9
 FAMILIES = ("array-2x6", "large-area-64", "glove")
 KINDS = {"taps": "taps", "presses": "presses", "multi-sines": "sines"}
 #: Rules on sound; the others are of sizes, which decoding says nothing of.
@@ -145,7 +143,7 @@ def judged(design: ArrayDesign) -> dict[str, float]:
 
 def _touched(sensor: ArrayResponse, seed: int, tool: Tool) -> finger_touches.Frames:
     finger_touches.EACH, kinds = EACH, ("taps", "presses")
-    return finger_touches.touched(sensor, seed, tool, linear=True, least=LEAST_ENERGY, kinds=kinds)
+    return finger_touches.touched(sensor, seed, tool, linear=True, edges=True, kinds=kinds)
 
 
 def heard(design: ArrayDesign) -> float:
