@@ -1,5 +1,6 @@
 from .closed_form import ClosedForm as ClosedForm
 from .exchange import FORMATS as FORMATS, export as export, load as load
+from .foreign_sofa import library_from_sofa as library_from_sofa
 from .netcdf_file import LibraryError as LibraryError
 from .network_responses import cell_summaries as cell_summaries
 from .noise_floor import (

@@ -29,6 +29,8 @@ from geometry.layout.arrangement import place_housings
 
 #: Dimension of a library -> letter of SOFA's: emitters, receivers, frequencies.
 _LETTERS = {"point": "E", "microphone": "R", "microphone_2": "R", "frequency": "N"}
+#: Convention of transfer functions -> its type of data, and the dimensions of the data.
+CONVENTIONS = {"GeneralTF": ("TF", ("M", "R", "N")), "GeneralTF-E": ("TF-E", ("M", "R", "N", "E"))}
 #: The convention's own variables.
 _DATA = ("transfer_function_real", "transfer_function_imag")
 #: Unit of a library -> the same in words, since SOFA allows lower-case letters only.
@@ -102,10 +104,19 @@ def read_sofa(path: Path) -> xr.Dataset:
     """The content of a file that :func:`write_sofa` wrote.
 
     Raises:
-        LibraryError: no SOFA file, damaged, or of another convention.
+        LibraryError: no SOFA file, damaged, of another convention, or of another program, see
+            :mod:`acoustic_fem.library.foreign_sofa`.
         Refusal: a part that is missing or not of a library.
     """
     texts, arrays = read_netcdf(path, "a library in SOFA", LibraryError, _sofa_content)
+    if texts.get("SOFAConventions") in CONVENTIONS and not any(_sofa_name(name) in texts for name in TEXTS):
+        raise LibraryError(
+            "is missing, because another program wrote this file",
+            kind=Kind.MISSING,
+            file=path,
+            field="design",
+            remedy="run acoustic-fem convert with --design, see docs/formats.md",
+        )
     if texts.get("SOFAConventions") != "GeneralTF-E":
         raise LibraryError("is SOFA of another convention than GeneralTF-E", kind=Kind.UNREADABLE, file=path)
     attributes = {name: texts[_sofa_name(name)] for name in TEXTS if _sofa_name(name) in texts}

@@ -378,7 +378,7 @@ def measured_library(
     design: ArrayDesign,
     known: Library,
     transfer_function: ComplexArray,
-    deviation: Array,
+    deviation: Array | None,
     libraries: Sequence[str],
     provenance: Mapping[str, Any],
 ) -> Library:
@@ -391,7 +391,7 @@ def measured_library(
         known: library of that design, or of one with the same points and microphones, on the same frequencies.
         transfer_function: (n_point, n_microphone, n_freq) Pa/Pa.
         deviation: (n_point, n_microphone, n_freq) one standard deviation of the real part, and of the imaginary part,
-            of the transfer function, Pa/Pa.
+            of the transfer function, Pa/Pa; None where it is not known.
         libraries: distributions whose versions matter.
         provenance: what it was measured from, as JSON can hold it.
     """

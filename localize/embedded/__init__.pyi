@@ -1,5 +1,9 @@
 from .boards import BoardName as BoardName
 from .budget import Budget as Budget, Cost as Cost, cost_of as cost_of, in_units as in_units
 from .c_export import EmbeddedDecoder as EmbeddedDecoder, embed as embed
-from .converter import Converter as Converter, SampleScale as SampleScale
+from .converter import (
+    CoarseConverterWarning as CoarseConverterWarning,
+    Converter as Converter,
+    SampleScale as SampleScale,
+)
 from .decoder_tables import Precision as Precision

@@ -9,7 +9,7 @@ from acoustic_fem import Library
 from geometry.ground.argument_checks import check_choice
 from localize.embedded.boards import BOARDS, BoardName
 from localize.embedded.budget import Budget, Cost, cost_of
-from localize.embedded.converter import AT_OVERLOAD, Converter, SampleScale, sample_scale
+from localize.embedded.converter import AT_OVERLOAD, Converter, SampleScale, sample_scale, warn_of_coarse
 from localize.embedded.decoder_tables import EmbeddedTables, Precision, embedded_tables
 from localize.embedded.readme import readme
 from localize.embedded.source import PREFIX, check_prefix, source_files, table_bytes, with_prefix
@@ -50,6 +50,7 @@ def embed(
 
     It decides as :class:`localize.TouchStream` does with :class:`localize.BayesDecoder` on the library and, where the
     library has a design, :class:`localize.SoundTest`, behind the high-pass of 3 Hz and with no noise or hum followed.
+    A converter whose steps are more than three times the microphone's noise gives a :class:`CoarseConverterWarning`.
 
     Args:
         library: transfer functions of at least two points and two microphones.
@@ -67,6 +68,7 @@ def embed(
     check_prefix(prefix)
     check_choice("board", board, tuple(BOARDS))
     scale = sample_scale(response_of(library), converter)
+    warn_of_coarse(scale, converter)
     tables = embedded_tables(library, precision, microphone_noise)
     cost = cost_of(tables)
     if budget is not None:

@@ -2,19 +2,33 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 
+import numpy as np
+
+from acoustic_fem import network
 from geometry.design.design_file import read_design
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.part_fields import Microphone
+from localize.embedded.decimator import FACTOR
 from localize.signals.array_response import ArrayResponse
+from localize.signals.noise_model import NOISE_BAND
+from localize.signals.stimulus import SAMPLE_RATE
 
 #: Numbers of bits that fit the samples of the firmware.
 BITS = (8, 16)
 #: Voltages and pressures of a full scale.
 VOLTS = (1e-4, 100.0)
 FULL_SCALES = (1e-3, 1e6)
+#: Largest step over the rms noise of the microphone at the converter. Up to here the noise of the samples is right
+#: within a factor of 1.4, wherever the level at rest lies between two steps. With larger steps it may vanish.
+LARGEST_STEP = 3.0
+
+
+class CoarseConverterWarning(UserWarning):
+    """Warning of a converter whose steps are so large that the noise of the microphone does not reach its samples."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +67,8 @@ class SampleScale:
     """Largest sample."""
     source: str
     """Where the full scale comes from, in words."""
+    noise: float | None
+    """Noise of the design's microphone at the converter, from 1 Hz to half its rate, Pa rms; None without a design."""
 
     @property
     def pascals_per_step(self) -> float:
@@ -77,8 +93,10 @@ def sample_scale(response: ArrayResponse, converter: Converter = AT_OVERLOAD) ->
     stated = response.provenance.get("design")
     largest = 2 ** (converter.bits - 1) - 1
     if converter.full_scale is not None:
-        overload = read_design(stated).microphone.overload if stated else converter.full_scale
-        return SampleScale(converter.full_scale, overload, largest, "as given")
+        if not stated:
+            return SampleScale(converter.full_scale, converter.full_scale, largest, "as given", None)
+        microphone = read_design(stated).microphone
+        return SampleScale(converter.full_scale, microphone.overload, largest, "as given", noise_at(microphone))
     if not stated:
         if converter.volts is not None:
             raise Refusal(
@@ -90,14 +108,61 @@ def sample_scale(response: ArrayResponse, converter: Converter = AT_OVERLOAD) ->
             )
         usual = float(Microphone.model_fields["overload"].default)
         source = "assumed, because the library has no design: the peak of a sine of 120 dB SPL"
-        return SampleScale(usual, usual, largest, source)
+        return SampleScale(usual, usual, largest, source, None)
     microphone = read_design(stated).microphone
     sensitivity = 10 ** (microphone.sensitivity / 20)
     about = f"{microphone.model}, {microphone.sensitivity:g} dB re 1 V per Pa"
     if converter.volts is not None:
         full_scale = converter.volts / sensitivity
         source = f"{converter.volts:g} V at the microphone, {about}"
-        return SampleScale(full_scale, microphone.overload, largest, source)
+        return SampleScale(full_scale, microphone.overload, largest, source, noise_at(microphone))
     volts = microphone.overload * sensitivity
     source = f"the overload of the microphone, {about}: amplify its {1e3 * volts:.3g} mV to the converter's full scale"
-    return SampleScale(microphone.overload, microphone.overload, largest, source)
+    return SampleScale(microphone.overload, microphone.overload, largest, source, noise_at(microphone))
+
+
+def noise_at(microphone: Microphone) -> float:
+    """Noise of a microphone at the converter, from 1 Hz to half the converter's rate, Pa rms.
+
+    Its density is that of :func:`acoustic_fem.network.noise_density`, since the vent does not filter noise of the
+    output.
+    """
+    frequency = np.geomspace(NOISE_BAND[0], FACTOR * SAMPLE_RATE / 2, 400)
+    return float(np.sqrt(np.trapezoid(network.noise_density(microphone, frequency) ** 2, frequency)))
+
+
+def warn_of_coarse(scale: SampleScale, converter: Converter) -> None:
+    """Warn of a converter whose step is more than :data:`LARGEST_STEP` times the noise of the microphone.
+
+    Between two steps, a quiet microphone then gives equal samples, and the decoder calls it dead.
+    """
+    if scale.noise is None or scale.pascals_per_step <= LARGEST_STEP * scale.noise:
+        return
+    finest = LARGEST_STEP * scale.noise
+    fixes = [_fix(bits, finest, scale.full_scale, converter) for bits in sorted({converter.bits, BITS[1]})]
+    warnings.warn(
+        f"one step of the converter is {1e3 * scale.pascals_per_step:.3g} mPa, and the microphone's noise is "
+        f"{1e3 * scale.noise:.3g} mPa rms: in silence a channel may not change, and then counts as dead. A step of at "
+        f"most {1e3 * finest:.3g} mPa needs {', or '.join(fixes)}",
+        CoarseConverterWarning,
+        stacklevel=3,
+    )
+
+
+def _fix(bits: int, finest: float, full_scale: float, converter: Converter) -> str:
+    """Options with which a step is fine enough, for a number of bits and a step in Pa."""
+    chosen = "" if bits == converter.bits else f"--converter-bits {bits}"
+    largest = finest * (2 ** (bits - 1) - 1)
+    if full_scale <= largest:
+        return chosen
+    if converter.volts is None:
+        scale = f"--full-scale {_below(largest)}"
+    else:
+        scale = f"more gain and --converter-volts {_below(converter.volts * largest / full_scale)}"
+    return f"{chosen} with {scale}" if chosen else scale
+
+
+def _below(value: float) -> str:
+    """A number in two digits, rounded down."""
+    digits = 1 - int(np.floor(np.log10(value)))
+    return f"{np.floor(value * 10.0**digits) / 10.0**digits:g}"

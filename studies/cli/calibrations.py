@@ -250,19 +250,26 @@ def convert(
     tolerance: Annotated[
         float, typer.Option(help="Largest error of a state space, relative to each response at each frequency.")
     ] = STATE_SPACE_ERROR,
+    design: Annotated[
+        str | None,
+        typer.Option(metavar="DESIGN", help="Array of a SOFA file of another program: a file or a prototype's name."),
+    ] = None,
 ) -> None:
     """Convert a library without loss to another format, or to a state space or a circuit.
 
     SOFA files follow AES69-2022, convention GeneralTF-E. Every digit is kept. A state space (.mat for Octave, MATLAB
     and Simulink, or .npz, with --as state-space) is a fit of as few common poles as keep --tolerance, stable and
-    passive also outside the band. A circuit (.cir) is a SPICE netlist of the design, by its closed forms:
+    passive also outside the band. A circuit (.cir) is a SPICE netlist of the design, by its closed forms. A SOFA file
+    of another program needs --design: its receivers are the microphones, its emitters or measurements the points:
     docs/formats.md.
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """
     from acoustic_fem.circuit import SensorCircuit  # loads SciPy
 
-    converted = studies.convert_library(library, out, content=content, touch=touch, output=output, tolerance=tolerance)
+    converted = studies.convert_library(
+        library, out, content=content, touch=touch, output=output, tolerance=tolerance, design=design
+    )
     if isinstance(converted, acoustic_fem.Library):
         show_library(out, converted)
         return

@@ -9,6 +9,7 @@ import acoustic_fem
 from acoustic_fem import Library
 from acoustic_fem.circuit import NETLIST_FORMAT, STATE_SPACE_FORMATS, SensorCircuit, SensorModel
 from acoustic_fem.library.exchange import FORMATS, load, write_library
+from acoustic_fem.library.foreign_sofa import library_from_sofa
 from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
@@ -70,6 +71,7 @@ def convert_library(
     touch: str = "force",
     output: str = "pressure",
     tolerance: float = STATE_SPACE_ERROR,
+    design: DesignLike | None = None,
 ) -> Library | SensorModel | SensorCircuit:
     """Library that was read from a file and written in another format, or as a state space or a circuit.
 
@@ -81,6 +83,8 @@ def convert_library(
         touch: input of a state space at each membrane: "force" (N) or "volume-velocity" (m^3/s).
         output: output of a state space at each microphone: "pressure" (Pa) in front of it, or its "voltage" (V).
         tolerance: largest error of a state space, relative to the magnitude of each response at each frequency.
+        design: the array of a SOFA file that another program wrote: a design, the path of its file, or the name of a
+            prototype; see :func:`acoustic_fem.library.library_from_sofa`. All other files state their design.
 
     Returns:
         The library, the state space that was fitted, or the circuit.
@@ -94,18 +98,25 @@ def convert_library(
     check_choice("content", content, CONTENTS)
     if content == "library":
         with claimed_file(path, partial(check_new_library, path, FORMATS, reads=(library,))):
-            loaded = load(Path(library))
+            loaded = _opened(library, design)
             write_library(loaded, path)
         return loaded
     if content == "circuit":
         with claimed_file(path, partial(_check_model, path, library, "a circuit", (NETLIST_FORMAT,))):
-            sensor = acoustic_fem.circuit.sensor_circuit(load(Path(library)))
+            sensor = acoustic_fem.circuit.sensor_circuit(_opened(library, design))
             acoustic_fem.circuit.save_netlist(sensor, path)
         return sensor
     with claimed_file(path, partial(_check_model, path, library, "a state space", STATE_SPACE_FORMATS)):
-        model = acoustic_fem.circuit.fit_sensor(load(Path(library)), touch=touch, output=output, tolerance=tolerance)
+        model = acoustic_fem.circuit.fit_sensor(
+            _opened(library, design), touch=touch, output=output, tolerance=tolerance
+        )
         acoustic_fem.circuit.save_state_space(model, path)
     return model
+
+
+def _opened(library: PathLike, design: DesignLike | None) -> Library:
+    path = Path(library)
+    return load(path) if design is None else library_from_sofa(path, design)
 
 
 def _check_model(path: Path, library: PathLike, what: str, formats: tuple[str, ...]) -> None:

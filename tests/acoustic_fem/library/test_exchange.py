@@ -111,7 +111,7 @@ def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp
     (tmp_path / "altered.csv").write_text(text.replace("layout.columns", "layout.column"), encoding="utf-8")
     (tmp_path / "number.csv").write_text(text + text.splitlines()[-1].rsplit(",", 1)[0] + ",x\n", encoding="utf-8")
     for name, kind, field in (
-        ("foreign.sofa", Kind.MISSING, "fidelity"),
+        ("foreign.sofa", Kind.MISSING, "design"),
         ("hrtf.sofa", Kind.UNREADABLE, ""),
         ("foreign.npz", Kind.MISSING, "frequency"),
         ("foreign.csv", Kind.UNREADABLE, ""),

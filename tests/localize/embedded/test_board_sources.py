@@ -91,6 +91,7 @@ def test_arduino_sends_what_the_host_sends(tmp_path, library, samples, expected)
     assert sent(folder, samples) == expected
 
 
+@pytest.mark.filterwarnings("ignore::localize.embedded.CoarseConverterWarning")
 @pytest.mark.parametrize(
     ("converter", "full_scale", "largest"),
     [
