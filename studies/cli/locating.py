@@ -162,7 +162,7 @@ def embed(
     ] = None,
     converter_bits: Annotated[int, typer.Option(help="Bits of a sample, 8 to 16.")] = CONVERTER_BITS,
 ) -> None:
-    """Export the decoder of a library as C99 source for a microcontroller, with a firmware around it.
+    """Export the decoder of a library as C99 source for a microcontroller.
 
     Writes C files, a test and README.md. The code reads samples and returns the touched point. It needs no training, no
     heap and no library but math.h. It decodes the sensor that the library describes, so calibrate first. The firmware
