@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import h5py
+import netCDF4
 import numpy as np
 import pytest
 import sofar
@@ -199,3 +202,52 @@ def test_impulse_responses_are_refused_by_their_convention(library: Library, tmp
     seal_file(path)
     with pytest.raises(LibraryError, match=r"SOFAConventions = 'GeneralFIR' .*GeneralTF.*GeneralTF-E"):
         library_from_sofa(path, library.design)
+
+
+#: Written by Octave's own functions, whose order of dimensions is the reverse: h = (point + 10 microphone) / N - 1j N.
+OCTAVE = """
+pkg load netcdf
+n = netcdf_create('octave.sofa', netcdf_getConstant('NETCDF4'));
+M = netcdf_defDim(n, 'M', 12); R = netcdf_defDim(n, 'R', 2); N = netcdf_defDim(n, 'N', 50);
+g = netcdf_getConstant('GLOBAL');
+netcdf_putAtt(n, g, 'SOFAConventions', 'GeneralTF'); netcdf_putAtt(n, g, 'DataType', 'TF');
+vn = netcdf_defVar(n, 'N', 'double', N); netcdf_putAtt(n, vn, 'Units', 'hertz');
+vr = netcdf_defVar(n, 'Data.Real', 'float', [N R M]); vi = netcdf_defVar(n, 'Data.Imag', 'float', [N R M]);
+netcdf_endDef(n);
+[a, b, c] = ndgrid(1:50, 1:2, 1:12);
+netcdf_putVar(n, vn, 1:50); netcdf_putVar(n, vr, single((c + 10 * b) ./ a)); netcdf_putVar(n, vi, single(-a));
+netcdf_close(n);
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not shutil.which("octave-cli"), reason="octave is not installed")
+def test_a_file_that_octave_writes_is_read(tmp_path: Path) -> None:
+    found = subprocess.run(["octave-cli", "--eval", "pkg load netcdf"], capture_output=True, check=False)
+    if found.returncode:
+        pytest.skip("octave-netcdf is not installed")
+    (tmp_path / "writes.m").write_text(OCTAVE, encoding="utf-8")
+    # Octave may fail while it ends, when the file is written
+    subprocess.run(["octave-cli", "writes.m"], cwd=tmp_path, capture_output=True, check=False)
+    h = library_from_sofa(tmp_path / "octave.sofa", "array-2x6").transfer_function.values
+    point, microphone, frequency = np.ogrid[1:13, 1:3, 1:51]
+    assert np.allclose(h, (point + 10 * microphone) / frequency - 1j * frequency, rtol=1e-6)
+
+
+def test_texts_of_any_length_and_numbers_in_single_precision_are_read(library: Library, tmp_path: Path) -> None:
+    path = tmp_path / "single.sofa"
+    h = library.transfer_function.transpose("microphone", "frequency", "point").values[None]
+    with netCDF4.Dataset(path, "w") as file:
+        for name, text in (("SOFAConventions", "GeneralTF-E"), ("DataType", "TF-E")):
+            file.setncattr_string(name, text)
+        for name, size in zip("MRNE", h.shape, strict=True):
+            file.createDimension(name, size)
+        grid = file.createVariable("N", "f8", ("N",))
+        grid[:] = library.frequency
+        grid.setncattr_string("Units", "hertz")
+        for name, part in (("Data.Real", h.real), ("Data.Imag", h.imag)):
+            file.createVariable(name, "f4", tuple("MRNE"), zlib=True)[:] = part
+    seal_file(path)
+    found = library_from_sofa(path, library.design)
+    assert found.transfer_function.dtype == np.complex128
+    assert np.allclose(found.transfer_function.values, library.transfer_function.values, rtol=1e-6)
