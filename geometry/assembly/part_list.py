@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 import numpy as np
 
 import geometry
-from geometry.assembly.base_plan import plan_base
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design, write_design
 from geometry.design.shell_rules import ledge_height
@@ -192,7 +191,7 @@ def draw_parts(design: ArrayDesign, layout: ArrayLayout) -> PartSet:
 
 def _add_base(parts: PartSet, design: ArrayDesign, layout: ArrayLayout) -> None:
     """Draw the base plate, whose pieces lie where they are drawn."""
-    base = plan_base(design, layout)
+    base = geometry.assembly.plan_base(design, layout)
     pieces = geometry.solids.draw_base(base)
     for number, piece in enumerate(pieces, 1):
         name = "base" if len(pieces) == 1 else f"base-{number}"

@@ -3,7 +3,7 @@
 A stroke is how far a finger moves the membrane over time. The pressure in the cavity is not that stroke: air leaks
 into the tubes, so that it undershoots when the finger lifts. The generator therefore takes a stroke through
 :attr:`localize.ArrayResponse.cavity_response`, which holds membrane and air, and scales it to the pressure that it
-makes at :data:`localize.signals.touch_generator.SCALED_AT`. Where an array does not know its membranes, a stroke is a
+makes at :data:`localize.signals.stimulus.SCALED_AT`. Where an array does not know its membranes, a stroke is a
 pressure.
 
 A tap rises and falls, a press rises, is held and falls, a finger that slides over the membrane presses as it passes. In

@@ -45,6 +45,8 @@ AMPLITUDE = (0.02, 0.1)
 """Lowest and highest amplitude of a sinusoid, Pa."""
 PEAK = 1.0
 """Highest peak, Pa: stronger sums are scaled down to it."""
+SCALED_AT = 30.0
+"""Frequency at which a stroke makes a pressure of its own size in the cavity, Hz: the middle of what touches hold."""
 NOISE = 0.005
 """Level of the white noise of a stimulus, Pa rms over 0 to 500 Hz."""
 

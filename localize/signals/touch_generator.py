@@ -30,13 +30,11 @@ from localize.signals.disturbances import MicrophoneMismatch
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.propagation import microphone_signals, short_window_signals
 from localize.signals.random_streams import Purpose
-from localize.signals.stimulus import BAND, Device, Stimuli, StimulusSource, multi_sines
+from localize.signals.stimulus import BAND, SCALED_AT, Device, Stimuli, StimulusSource, multi_sines
 from localize.signals.threads import one_thread
 
 SHARD = 256
 """Number of samples made at once when streaming: their spectra fit in the processor's cache."""
-SCALED_AT = 30.0
-"""Frequency at which a stroke makes a pressure of its own size in the cavity, Hz: the middle of what touches hold."""
 Method = Literal["exact", "stft"]
 
 

@@ -13,8 +13,7 @@ from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice
-from localize.signals.stimulus import SAMPLE_RATE
-from localize.signals.touch_generator import SCALED_AT
+from localize.signals.stimulus import SAMPLE_RATE, SCALED_AT
 
 STEP = 0.5
 """Step of the frequencies, Hz: a frame repeats after 2 s."""

@@ -36,7 +36,7 @@ from geometry.ground.typed import Array, ComplexArray
 from geometry.schema.array_fields import Air
 from localize.decoders.decoder_options import HypothesisOptions
 from localize.signals.noise_model import microphone_noise
-from localize.signals.touch_generator import SCALED_AT
+from localize.signals.stimulus import SCALED_AT
 from studies.metrics.binned_decoder import (
     BinnedHypotheses,
     BinnedOptions,

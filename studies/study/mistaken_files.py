@@ -37,7 +37,7 @@ def check_no_design(given: Mapping[str, Any], source: str) -> None:
     Raises:
         StudyError: it is a design file; the message shows a study file that sweeps it.
     """
-    if "base" not in given and all(isinstance(given.get(section), Mapping) for section in _OF_A_DESIGN):
+    if all(isinstance(given.get(section), Mapping) for section in _OF_A_DESIGN):
         raise _is_design("is a design file", source)
 
 

@@ -15,7 +15,7 @@ from localize.live.front_end import HighPass
 from localize.live.stream_options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
-from localize.signals.touch_generator import SCALED_AT
+from localize.signals.stimulus import SCALED_AT
 from studies.test_rig.virtual_rig import HEARD, Recorder, Rig
 
 StrokeKind = Literal["tap", "press"]

@@ -3,7 +3,7 @@
 import numpy as np
 
 from localize.signals.array_response import response_of
-from localize.signals.touch_generator import SCALED_AT
+from localize.signals.stimulus import SCALED_AT
 
 
 def heard_of_taps(library, taps, seconds=4, noise=1e-4):
