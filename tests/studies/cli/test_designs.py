@@ -31,12 +31,8 @@ def test_prototypes_are_listed_and_printed(command: Command, tmp_path: Path) -> 
     assert "exists" in command("prototypes", "glove", "--out", own).err
 
 
-def prototypes(quick: set[str]) -> list[object]:
-    """All prototypes, those that are not quick marked so."""
-    return [pytest.param(name, marks=() if name in quick else pytest.mark.slow) for name in geometry.prototype_names()]
-
-
-@pytest.mark.parametrize("name", prototypes(quick={"line-2"}))
+@pytest.mark.slow
+@pytest.mark.parametrize("name", geometry.prototype_names())
 def test_a_prototype_passes_the_check(command: Command, name: str, tmp_path: Path) -> None:
     told = command("check", name, "--full", "--out", tmp_path / "check.json")
     design = geometry.prototype(name)

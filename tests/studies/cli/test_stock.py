@@ -59,6 +59,7 @@ def test_the_parts_of_a_design_are_listed_and_what_nobody_sells(run, tmp_path: P
     assert "made to order" not in run("stock", "--design", "array-2x6").output
 
 
+@pytest.mark.slow
 def test_own_parts_are_those_of_the_option_or_of_the_file_beside_the_design(run, tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
     for place in (tmp_path / "stock.toml", tmp_path / "mine" / "parts.toml"):

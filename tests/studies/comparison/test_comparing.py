@@ -105,6 +105,7 @@ def test_the_figures_are_those_of_the_quick_answers(two: Comparison) -> None:
     assert row(two, "hardest_pair")[0] == " and ".join(map(str, quality.hardest))
 
 
+@pytest.mark.slow
 def test_the_verdict_is_that_of_check_and_names_the_rule_that_is_broken_worst() -> None:
     found = studies.compare("array-2x6", "glove", "line-2", printing=False)
     for name, (outcome, reason) in zip(found.names, found.verdicts, strict=True):

@@ -58,6 +58,7 @@ def test_check_parts_run_and_sweep_count_the_same_problems(tmp_path):
         assert found.mend in str(error.value)
 
 
+@pytest.mark.slow
 def test_cells_too_large_for_a_mesh_are_lumped_and_the_check_says_why(monkeypatch, capsys):
     monkeypatch.setattr("studies.run.check.is_installed", lambda extra: False)
     wide = {"resonator.cavity_diameter": 50.0, "resonator.cavity_height": 20.0, "lines.0.points": 2}
