@@ -24,19 +24,25 @@ _AROUND = np.ones((3, 3))
 class Sliced:
     """Layers of a file."""
 
-    layers: list[np.ndarray]
-    """Pixels that are lit at least by half, one picture a layer."""
+    lit: np.ndarray
+    """Number of pixels of each layer that are lit at least by half."""
+    islands: int
+    """Number of connected patches that nothing in the layer below touches, from the second layer on."""
     said: str
     """Messages of the program, in small letters."""
 
-    @property
-    def islands(self) -> int:
-        """Number of connected patches that nothing in the layer below touches, from the second layer on."""
-        count = 0
-        for below, layer in zip(self.layers, self.layers[1:], strict=False):
-            labels, number = ndimage.label(layer, _AROUND)
-            count += number - len(np.unique(labels[layer & ndimage.binary_dilation(below, _AROUND)]))
-        return count
+
+def _islands(below: np.ndarray, layer: np.ndarray) -> int:
+    """Number of connected patches of a layer that the layer below does not touch."""
+    if np.array_equal(below, layer):
+        return 0
+    rows, columns = (np.flatnonzero((below | layer).any(axis)) for axis in (1, 0))
+    if not len(rows):
+        return 0
+    window = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    labels, number = ndimage.label(layer[window], _AROUND)
+    held = labels[layer[window] & ndimage.binary_dilation(below[window], _AROUND)]
+    return int(number - len(np.unique(held)))
 
 
 def slice_file(path: Path, process: PrintProcess, folder: Path) -> Sliced:
@@ -50,11 +56,15 @@ def slice_file(path: Path, process: PrintProcess, folder: Path) -> Sliced:
     done = subprocess.run(line, capture_output=True, text=True, timeout=600, check=False)
     said = (done.stdout + done.stderr).lower()
     assert done.returncode == 0, said[-500:]
-    with zipfile.ZipFile(sliced) as archive:
-        names = sorted(name for name in archive.namelist() if name.endswith(".png") and "thumbnail" not in name)
-        layers = [np.asarray(Image.open(BytesIO(archive.read(name))).convert("L")) >= 128 for name in names]
+    lit, islands, below = list[int](), 0, None
+    with zipfile.ZipFile(sliced) as archive:  # picture by picture: those of thin layers would fill the memory
+        for name in sorted(each for each in archive.namelist() if each.endswith(".png") and "thumbnail" not in each):
+            layer = np.asarray(Image.open(BytesIO(archive.read(name))).convert("L")) >= 128
+            lit.append(int(layer.sum()))
+            islands += 0 if below is None else _islands(below, layer)
+            below = layer
     sliced.unlink()
-    return Sliced(layers, said)
+    return Sliced(np.array(lit), islands, said)
 
 
 def _profile(process: PrintProcess) -> str:
