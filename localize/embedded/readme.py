@@ -96,7 +96,8 @@ For another converter, export again with `--converter-volts`, `--full-scale` or 
 {bench}## Microphones
 
 The array transmits 1 to 100 Hz, so use microphones whose response is known from a few hertz up. Do not change them
-after the calibration. All must be sampled at the same instants, at 1000 Hz:
+after the calibration. All must be sampled at the same instants. The firmware takes 16-bit samples at 16 kHz and
+decimates them itself. If you call the decoder without the firmware, give it samples at 1000 Hz:
 
 - **Two PDM microphones** share one clock and one data line. SELECT is low at one and high at the other, so each
   transmits at its own clock edge. Four microphones need two lines on the same clock. Clock them at 1.024 MHz. Let the

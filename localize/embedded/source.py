@@ -79,7 +79,8 @@ def check_prefix(prefix: str) -> None:
 
 def with_prefix(texts: Mapping[str, str], prefix: str) -> dict[str, str]:
     """Files whose names, and all global names in them, begin with another prefix than :data:`PREFIX`."""
-    small, large = (re.compile(rf"\b{each}_") for each in (PREFIX, PREFIX.upper()))
+    # A compiler's option -D stands directly before the name that it defines.
+    small, large = (re.compile(rf"(?:(?<=-D)|\b){each}_") for each in (PREFIX, PREFIX.upper()))
     return {
         small.sub(f"{prefix}_", name): large.sub(f"{prefix.upper()}_", small.sub(f"{prefix}_", text))
         for name, text in texts.items()
@@ -238,4 +239,4 @@ def _sent(text: str) -> str:
 
 def _words(text: str) -> str:
     """Words of a design in a comment of C, which they cannot end."""
-    return "".join(each if each.isalnum() or each in " ,-_.+:" else "?" for each in text)
+    return "".join(each if each.isalnum() or each in " ,-_.+:'" else "?" for each in text)

@@ -58,6 +58,12 @@ def folder(tmp_path_factory, library):
     return path
 
 
+def test_a_prefix_reaches_the_lines_that_build(folder):
+    readme = (folder / "README.md").read_text(encoding="utf-8")
+    assert "-DHAND_EVENT_MODE=1" in readme
+    assert "TOUCH_" not in readme
+
+
 def built(folder, name, parts, *options):
     sources = ["host.c", *(f"hand_{each}.c" for each in parts)]
     command = [str(COMPILER), *STRICT, *SANITIZED, *options, *sources, "-lm", "-o", name]
