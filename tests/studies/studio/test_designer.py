@@ -54,7 +54,8 @@ def test_a_designer_goes_from_a_job_to_the_files_to_build_from(browser: Any, run
         settled(page)
 
     shown(page, "surface")
-    for point in (1, 8, 16):
+    count = page.locator("#touch-points button").count()  # a change that mends the design may leave fewer than 16
+    for point in (1, count // 2, count):
         page.evaluate("delete document.getElementById('answer').dataset.named")
         page.locator("#touch-points button").nth(point - 1).click()
         until(page, "document.getElementById('answer').dataset.named !== undefined", 240)
