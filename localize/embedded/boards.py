@@ -19,6 +19,8 @@ class Board:
     """Names of the files that it adds to those of every board."""
     building: str
     """How the firmware is built, in Markdown."""
+    most_microphones: int | None = None
+    """Largest number of microphones that its source reads; None for any."""
     has_bench: bool = True
     """True if the test bench for the host may lie in the folder; if not, the board's tools would compile it too."""
 
@@ -58,6 +60,6 @@ BOARDS: dict[BoardName, Board] = {
         "a Cortex-M without an operating system", ("touch_board_mps2.c", "touch_board_mps2.ld"), _CORTEX_M
     ),
     "zephyr": Board("Zephyr", ("touch_board_zephyr.c", "CMakeLists.txt", "prj.conf"), _ZEPHYR),
-    "arduino": Board("Arduino", ("touch_board_arduino.cpp", "touch_arduino.ino"), _ARDUINO, has_bench=False),
+    "arduino": Board("Arduino", ("touch_board_arduino.cpp", "touch_arduino.ino"), _ARDUINO, 2, has_bench=False),
 }
 """Boards by name."""

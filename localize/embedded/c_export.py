@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from acoustic_fem import Library
 from geometry.ground.argument_checks import check_choice
+from geometry.ground.refusal import Kind, Refusal
 from localize.embedded.boards import BOARDS, BoardName
 from localize.embedded.budget import Budget, Cost, cost_of
 from localize.embedded.converter import AT_OVERLOAD, Converter, SampleScale, sample_scale, warn_of_coarse
@@ -62,17 +63,21 @@ def embed(
         board: whose sources are added: ``cortex-m``, ``zephyr`` or ``arduino``.
 
     Raises:
-        Refusal: over the budget, with the numbers; an unknown precision or board; a prefix that C does not allow; a
-            converter in volts where the library has no design; or as :class:`localize.BayesDecoder`.
+        Refusal: over the budget, with the numbers; an unknown precision or board; more microphones than the board reads;
+            a prefix that C does not allow; a converter in volts where the library has no design; or as
+            :class:`localize.BayesDecoder`.
     """
     check_prefix(prefix)
     check_choice("board", board, tuple(BOARDS))
+    chosen, microphones = BOARDS[board], len(response_of(library).microphones)
+    if chosen.most_microphones is not None and microphones > chosen.most_microphones:
+        problem = f"reads at most {chosen.most_microphones} microphones, and the array has {microphones}"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="board", value=board)
     scale = sample_scale(response_of(library), converter)
     warn_of_coarse(scale, converter)
     tables = embedded_tables(library, precision, microphone_noise)
     cost = cost_of(tables)
     if budget is not None:
         budget.check(cost, f"{tables.name} in {precision}")
-    chosen = BOARDS[board]
     texts = {**source_files(tables, scale, chosen), "README.md": readme(tables, cost, scale, chosen)}
     return EmbeddedDecoder(tables, cost, with_prefix(texts, prefix), scale)

@@ -12,6 +12,7 @@ from pathlib import Path
 from time import perf_counter, sleep
 
 from geometry.ground.argument_checks import check_range
+from geometry.ground.refusal import Kind, Refusal
 from localize.live.recorder import LiveRecorder
 from localize.live.serial_frames import LineCounts
 from localize.live.serial_port import BoardLine, SerialSource
@@ -68,6 +69,8 @@ def record_board(
         OSError: the disk is full.
     """
     path = Path(out)
+    if path.suffix.lower() != ".wav":
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="out", value=str(path), allowed="a name that ends with .wav")
     check = partial(check_new_file, path, ".wav", kept="a recording")
     check()
     if seconds is not None:

@@ -39,6 +39,12 @@ def write(folder, library, board):
     return folder
 
 
+def test_a_board_that_reads_two_microphones_is_refused_for_three():
+    library = acoustic_fem.solve("glove", np.linspace(1.0, 500.0, 20), "lumped")
+    with refused(Kind.UNSUITABLE, "board", "arduino"):
+        embed(library, board="arduino")
+
+
 def run(command, folder):
     made = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert made.returncode == 0, made.stderr

@@ -161,6 +161,11 @@ def test_a_recording_of_a_board_holds_its_samples_and_zeros_for_lost_ones(tmp_pa
         studies.record_board("anything", tmp_path / "r.wav")
 
 
+def test_a_recording_is_a_wav_file(tmp_path):
+    with refused(Kind.OUT_OF_RANGE, "out", str(tmp_path / "r.txt")):
+        studies.record_board(str(tmp_path / "board"), tmp_path / "r.txt")
+
+
 def test_what_is_no_board_is_refused(tmp_path, array, monkeypatch):
     decoder = localize.BayesDecoder(array, NOISE)
     with refused(Kind.MISSING, "serial"):
