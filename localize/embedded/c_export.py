@@ -63,7 +63,7 @@ def embed(
         board: whose sources are added: ``cortex-m``, ``zephyr`` or ``arduino``.
 
     Raises:
-        Refusal: over the budget, with the numbers; an unknown precision or board; more microphones than the board reads;
+        Refusal: over the budget, with the numbers; an unknown precision or board; more microphones than it reads;
             a prefix that C does not allow; a converter in volts where the library has no design; or as
             :class:`localize.BayesDecoder`.
     """
