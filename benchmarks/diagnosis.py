@@ -24,6 +24,7 @@ import numpy as np
 
 import acoustic_fem
 import geometry
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from geometry.ground.whole_files import replace_section
 from localize.diagnosis import Diagnoser, Diagnosis, SensorFault, single_faults
 from localize.evaluation import wilson_interval
@@ -99,7 +100,7 @@ def verdict_of(found: Diagnosis, fault: SensorFault) -> str:
 def diagnoser_of(name: str) -> tuple[Diagnoser, float]:
     """Diagnoser with its tables, and the time that these took, s."""
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)
+        warnings.simplefilter("ignore", ModelLimitWarning)
         library = acoustic_fem.solve(geometry.prototype(name), np.arange(1.0, 501.0), "atlas")
         begun = process_time()
         diagnoser = Diagnoser(library)
@@ -112,7 +113,7 @@ def outcomes(task: tuple[str, int, int, SensorFault | None]) -> list[tuple[str, 
     name, seed, number, fault = task
     design, (diagnoser, _) = geometry.prototype(name), diagnoser_of(name)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)
+        warnings.simplefilter("ignore", ModelLimitWarning)
         session = diagnosis_session(FaultyRig(design, seed, fault, fidelity="atlas"), 1000 * seed + number)
     rows: list[tuple[str, str, str, float, str]] = []
     first: Diagnosis | None = None

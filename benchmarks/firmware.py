@@ -32,7 +32,7 @@ MORE = ("decoder", "tables", "tracker")
 FULL_SCALE = float(np.float32(28.3))
 """Pressure of the largest sample, Pa: the overload of the microphone of the prototypes."""
 NEAREST = 188
-"""Least stack that is told apart, bytes: what lies nearer to the main loop is in use while it is counted."""
+"""Smallest stack that can be measured, bytes. The counting itself uses the bytes that lie nearer to the main loop."""
 ARRAYS = ("array-2x6", "glove")
 SEED = 45
 

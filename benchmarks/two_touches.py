@@ -24,6 +24,7 @@ import numpy as np
 import acoustic_fem
 import geometry
 from acoustic_fem import Library
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from acoustic_fem.scatter import UNCALIBRATED
 from geometry.ground.whole_files import replace_section
 from localize.evaluation import wilson_interval
@@ -66,7 +67,7 @@ CELLS = (
 @lru_cache(maxsize=1)
 def library_of(design: str) -> Library:
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)
+        warnings.simplefilter("ignore", ModelLimitWarning)
         return acoustic_fem.solve(geometry.prototype(design), np.arange(1.0, 501.0), "atlas")
 
 
@@ -93,9 +94,9 @@ def is_near(array: ArrayResponse, found: list[int], true: list[int]) -> bool:
 
 
 def sensor_figures(given: tuple[Cell, int, int]) -> list[list[float]]:
-    """Of each frame of a sensor: exact, near, called two, single called two, single right, seconds of both."""
+    """Figures of each frame: exact, near, called two, single called two, single right, seconds of both."""
     cell, seed, frames = given
-    warnings.simplefilter("ignore", UserWarning)
+    warnings.simplefilter("ignore", ModelLimitWarning)
     rig = Rig(geometry.prototype(cell.design), seed, fidelity="atlas")
     generator, array = FrameRig(rig), response_of(library_of(cell.design))
     decoder = uncalibrated(cell.design)
