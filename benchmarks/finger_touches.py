@@ -66,7 +66,7 @@ def frame_of(signals: Array, random: np.random.Generator) -> Array:
 
 
 def frame_of_edge(signals: Array, contact: Contact, random: np.random.Generator) -> Array:
-    """A frame that holds a tap, or the rise of a press, as the frames do by which a stream reports a touch.
+    """A frame that holds a tap, or the rise of a press, as the frames do on which a run is evaluated.
 
     The signals begin with at least one frame of silence. Where the edge is longer than the frame, its beginning is in
     the frame.
