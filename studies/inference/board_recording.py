@@ -69,10 +69,10 @@ def record_board(
         OSError: the disk is full.
     """
     path = Path(out)
-    if path.suffix.lower() != ".wav":
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="out", value=str(path), allowed="a name that ends with .wav")
     check = partial(check_new_file, path, ".wav", kept="a recording")
     check()
+    if path.suffix.lower() != ".wav":
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="out", value=str(path), allowed="a name that ends with .wav")
     if seconds is not None:
         check_range("seconds", seconds, 0.1, _LONGEST, "s")
     source = SerialSource(BoardLine(serial, baud))
