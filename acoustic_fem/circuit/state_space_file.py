@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from acoustic_fem.circuit.state_space import INPUTS, OUTPUTS, SensorModel
+from acoustic_fem.library.transfer_functions import VARIABLES
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.whole_files import whole_file
 
@@ -36,6 +37,10 @@ def state_space_values(model: SensorModel) -> dict[str, Any]:
         "output_quantity": model.output,
         "output_unit": OUTPUTS[model.output],
         "pole_unit": "rad/s",
+        "constant_unit": f"{OUTPUTS[model.output]}/({INPUTS[model.touch]})",
+        "residue_unit": f"{OUTPUTS[model.output]}/({INPUTS[model.touch]}) rad/s",
+        **{f"constants_{name}_unit": VARIABLES[name][1] for name in model.impedances},
+        **{f"residues_{name}_unit": f"{VARIABLES[name][1]} rad/s" for name in model.impedances},
         "band": np.array(model.band),
         "band_unit": "Hz",
         "error": model.error,

@@ -24,7 +24,7 @@ from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import check_choice, mismatch, wrong_type
-from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.refusal import Field, Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
 
 #: Real and imaginary part.
@@ -109,10 +109,10 @@ def _responses(content: _Content, design: ArrayDesign) -> tuple[Array, ComplexAr
     texts = content.texts
     if "SOFAConventions" not in texts:
         problem = "is only allowed with a SOFA file of another program"
-        raise Refusal(problem, kind=Kind.CONFLICT, field="design")
+        raise Refusal(problem, kind=Kind.CONFLICT, field=Field("design"))
     check_choice("SOFAConventions", texts["SOFAConventions"], tuple(CONVENTIONS))
     if "DesignToml" in texts:
-        raise Refusal("must not be given, because the file states its own", kind=Kind.CONFLICT, field="design")
+        raise Refusal("must not be given, because the file states its own", kind=Kind.CONFLICT, field=Field("design"))
     kind, dimensions = CONVENTIONS[texts["SOFAConventions"]]
     check_choice("DataType", texts.get("DataType"), (kind,))
     for name in ("N", *_DATA):

@@ -1,5 +1,11 @@
 from .boards import BoardName as BoardName
-from .budget import Budget as Budget, Cost as Cost, cost_of as cost_of, in_units as in_units
+from .budget import (
+    Budget as Budget,
+    Cost as Cost,
+    LargeDecoderWarning as LargeDecoderWarning,
+    cost_of as cost_of,
+    in_units as in_units,
+)
 from .c_export import EmbeddedDecoder as EmbeddedDecoder, embed as embed
 from .converter import (
     CoarseConverterWarning as CoarseConverterWarning,

@@ -21,6 +21,8 @@ class Board:
     """How the firmware is built, in Markdown."""
     most_microphones: int | None = None
     """Largest number of microphones that its source reads; None for any."""
+    flash: int | None = None
+    """Flash in its linker file, bytes; None where the board's tools choose it."""
     has_bench: bool = True
     """True if the test bench for the host may lie in the folder; if not, the board's tools would compile it too."""
 
@@ -28,6 +30,11 @@ class Board:
 _CORTEX_M = """`touch_board_mps2.c` shows the five functions, with a start-up and the linker file `touch_board_mps2.ld`,
 for a Cortex-M4 that emulators know. For a chip of your own, keep the start-up, enter the sizes of its memories in the
 linker file, and replace what reads samples and writes bytes. No silicon was tried.
+
+The emulator reads the microphones from the file `samples.i16` in its folder: 16-bit integers at 16 kHz, interleaved.
+From a recording `take.wav` at 16 kHz with a channel for each microphone, in the order of the design, make it with
+`sox take.wav -t s16 samples.i16`, or in Python from signals as fractions of full scale with
+`(32767 * signals.T).astype("<i2").tofile("samples.i16")`.
 
 ```sh
 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -ffp-contract=fast \\
@@ -57,7 +64,7 @@ of Arduino. The test bench for the host comes with the other boards.
 
 BOARDS: dict[BoardName, Board] = {
     "cortex-m": Board(
-        "a Cortex-M without an operating system", ("touch_board_mps2.c", "touch_board_mps2.ld"), _CORTEX_M
+        "a Cortex-M without an operating system", ("touch_board_mps2.c", "touch_board_mps2.ld"), _CORTEX_M, flash=2**22
     ),
     "zephyr": Board("Zephyr", ("touch_board_zephyr.c", "CMakeLists.txt", "prj.conf"), _ZEPHYR),
     "arduino": Board("Arduino", ("touch_board_arduino.cpp", "touch_arduino.ino"), _ARDUINO, 2, has_bench=False),

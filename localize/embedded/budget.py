@@ -27,6 +27,10 @@ HOPS = -(-FRAME // HOP)
 _STATED = re.compile(r"\s*(flash|ram|stack|instructions)\s*=\s*(\d+(?:\.\d+)?)\s*([kM]?)\s*")
 
 
+class LargeDecoderWarning(UserWarning):
+    """Warning of a decoder that needs more flash than the linker file of its board states."""
+
+
 @dataclass(frozen=True)
 class Cost:
     """Costs of a decoder."""

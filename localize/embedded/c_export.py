@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -9,7 +10,7 @@ from acoustic_fem import Library
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from localize.embedded.boards import BOARDS, BoardName
-from localize.embedded.budget import Budget, Cost, cost_of
+from localize.embedded.budget import Budget, Cost, LargeDecoderWarning, cost_of, in_units
 from localize.embedded.converter import AT_OVERLOAD, Converter, SampleScale, sample_scale, warn_of_coarse
 from localize.embedded.decoder_tables import EmbeddedTables, Precision, embedded_tables
 from localize.embedded.readme import readme
@@ -51,7 +52,8 @@ def embed(
 
     It decides as :class:`localize.TouchStream` does with :class:`localize.BayesDecoder` on the library and, where the
     library has a design, :class:`localize.SoundTest`, behind the high-pass of 3 Hz and with no noise or hum followed.
-    A converter whose steps are more than three times the microphone's noise gives a :class:`CoarseConverterWarning`.
+    A converter whose steps are more than three times the microphone's noise gives a :class:`CoarseConverterWarning`, a
+    decoder that is larger than the flash in the board's linker file a :class:`LargeDecoderWarning`.
 
     Args:
         library: transfer functions of at least two points and two microphones.
@@ -79,5 +81,13 @@ def embed(
     cost = cost_of(tables)
     if budget is not None:
         budget.check(cost, f"{tables.name} in {precision}")
+    if chosen.flash is not None and cost.flash > chosen.flash:
+        warnings.warn(
+            f"the decoder needs {in_units('flash', cost.flash)} of flash, and the linker file of the board "
+            f"has {in_units('flash', chosen.flash)}; enter the memories of your chip there, or use raw mode, which "
+            "needs no decoder",
+            LargeDecoderWarning,
+            stacklevel=2,
+        )
     texts = {**source_files(tables, scale, chosen), "README.md": readme(tables, cost, scale, chosen)}
     return EmbeddedDecoder(tables, cost, with_prefix(texts, prefix), scale)

@@ -10,7 +10,7 @@ import numpy as np
 from acoustic_fem import network
 from geometry.design.design_file import read_design
 from geometry.ground.argument_checks import check_range
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.schema.part_fields import Microphone
 from localize.embedded.decimator import FACTOR
 from localize.signals.array_response import ArrayResponse
@@ -46,7 +46,8 @@ class Converter:
 
     def __post_init__(self) -> None:
         if self.volts is not None and self.full_scale is not None:
-            problem = "is not allowed beside volts, because the microphone's sensitivity already gives the pressure"
+            beside = ", because the microphone's sensitivity already gives the pressure"
+            problem = ("is not allowed beside ", Field("volts"), beside)
             raise Refusal(problem, kind=Kind.MISMATCH, field="full_scale", value=self.full_scale)
         if self.volts is not None:
             check_range("volts", self.volts, *VOLTS, "V")
@@ -104,7 +105,7 @@ def sample_scale(response: ArrayResponse, converter: Converter = AT_OVERLOAD) ->
                 kind=Kind.MISSING,
                 field="volts",
                 value=converter.volts,
-                remedy="give full_scale, the pressure of the largest sample in Pa",
+                remedy=("give ", Field("full_scale"), ", the pressure of the largest sample in Pa"),
             )
         usual = float(Microphone.model_fields["overload"].default)
         source = "assumed, because the library has no design: the peak of a sine of 120 dB SPL"

@@ -8,7 +8,13 @@ from localize.embedded.converter import SampleScale
 from localize.embedded.decoder_tables import EmbeddedTables
 from localize.embedded.source import named_points, table_bytes
 from localize.live.events import HOP
+from localize.live.serial_port import BAUD
+from localize.signals.stimulus import SAMPLE_RATE
 
+#: Usual speeds of a line above that of the boards, bit/s.
+_SPEEDS = (230_400, 460_800, 921_600)
+#: Bytes of a frame of samples beside the samples: TOUCH_SERIAL_HEADER and TOUCH_SERIAL_RAW before them, the CRC behind.
+_FRAME = 12 + 16 + 2
 _TEXT = """# The decoder of {name} as C
 
 This code locates touches on an array of {points} points. Every 16 ms it decides from the last 250 ms of the signals of
@@ -85,7 +91,7 @@ low-pass from 16 kHz to 1 kHz is flat within 0.01 dB up to 300 Hz and attenuates
 
 {building}
 On the computer, `acoustic-fem live library.nc --serial PORT` shows touches in both modes, and `acoustic-fem record`
-records samples.
+records samples. Raw mode sends {raw_rate} bits/s with start and stop bits. {speed}
 
 The largest sample, {largest}, is {full_scale:.4g} Pa, so a step is {step:.3g} Pa. This is
 {scale_source}.
@@ -160,4 +166,23 @@ def readme(tables: EmbeddedTables, cost: Cost, scale: SampleScale, board: Board)
         step=scale.pascals_per_step,
         scale_source=scale.source,
         limit=min(scale.full_scale, scale.overload),
+        raw_rate=raw_rate(count),
+        speed=_speed(count),
+    )
+
+
+def raw_rate(microphones: int) -> int:
+    """Bits a second that raw mode takes on a UART with one start and one stop bit, for a number of microphones."""
+    frame = _FRAME + 2 * microphones * HOP
+    return int(10 * frame * SAMPLE_RATE / HOP)
+
+
+def _speed(microphones: int) -> str:
+    needed = raw_rate(microphones)
+    if needed <= BAUD:
+        return f"The line runs at {BAUD}."
+    faster = next(each for each in _SPEEDS if each >= needed)
+    return (
+        f"The line runs at {BAUD}, which is too slow on a UART. Compile with `-DTOUCH_BAUD={faster}`, or set the speed "
+        f"of your board, and give `--baud {faster}` to both commands. A USB serial port needs neither."
     )

@@ -61,6 +61,11 @@ class Recording:
         return self.signals.shape[1] / SAMPLE_RATE
 
 
+GAP, SUDDEN, COARSE = 0.015, 0.1, 0.3
+"""Time for which all channels must be 0 to be a gap, s; least level beside it, as a fraction of the median level; and
+fraction of zeros among the other samples above which the steps of the format are too coarse to tell a gap."""
+
+
 def read_recording(
     path: str | os.PathLike[str],
     microphones: tuple[str, ...],
@@ -137,6 +142,15 @@ def read_recording(
             cut_at.append((number, np.flatnonzero(cut)))
         signals.append(at_one_kilohertz(channel[None], rate)[0])
     _check_apart(path, sound.channels, names, microphones)
+    if gaps := _gaps(np.stack([sound.channels[name] for name in names]), rate):
+        seconds = sum(end - begin for begin, end in gaps) / rate
+        warnings.warn(
+            f"{path}: all channels are exactly 0 in {counted(len(gaps), 'gap')}, {seconds:.3f} s in all, the first at "
+            f"{gaps[0][0] / rate:.3f} s; recorders write zeros for samples that were lost, so touches beside a gap may "
+            "be missing, split or wrong",
+            RecordingWarning,
+            stacklevel=2,
+        )
     together = np.stack(signals)
     _check_together(path, together, microphones, fallback)
     loudest = float(np.abs(together).max())
@@ -154,6 +168,29 @@ def read_recording(
         own, samples = together[number], (found * (SAMPLE_RATE / rate)).astype(np.int64)
         own[samples] = np.where(own[samples] < 0, -limit, limit)
     return Recording(together, rate, limit)
+
+
+def _gaps(channels: NDArray[np.float64], rate: float) -> list[tuple[int, int]]:
+    """First samples of gaps, and those behind them: (n_channel, n) is 0 in every channel, and suddenly so.
+
+    A signal without noise is 0 between touches too, but goes there and leaves without a jump. A quiet one in coarse
+    steps is 0 often.
+    """
+    level = np.abs(channels).max(0)
+    silent = np.concatenate([[False], level == 0, [False]])
+    first, behind = np.flatnonzero(silent[1:] & ~silent[:-1]), np.flatnonzero(~silent[1:] & silent[:-1])
+    long = (behind - first >= GAP * rate) & (first > 0) & (behind < len(level))
+    elsewhere = np.ones(len(level), bool)
+    for begin, end in zip(first[long].tolist(), behind[long].tolist(), strict=True):
+        elsewhere[begin:end] = False
+    if not long.any() or (level[elsewhere] == 0).mean() > COARSE:
+        return []
+    sudden = SUDDEN * np.median(level[level > 0])
+    return [
+        (begin, end)
+        for begin, end in zip(first[long].tolist(), behind[long].tolist(), strict=True)
+        if min(level[begin - 1], level[end]) > sudden
+    ]
 
 
 def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple[str, ...], fallback: bool) -> None:

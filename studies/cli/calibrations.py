@@ -242,14 +242,24 @@ def convert(
         typer.Option("--as", metavar="CONTENT", help="library, state-space or circuit. Default: circuit for .cir."),
     ] = None,
     touch: Annotated[
-        str, typer.Option(metavar="INPUT", help="Input of a state space at each membrane: force or volume-velocity.")
-    ] = "force",
+        str | None,
+        typer.Option(
+            metavar="INPUT", help="Input of a state space at each membrane: force or volume-velocity. Default: force."
+        ),
+    ] = None,
     output: Annotated[
-        str, typer.Option(metavar="OUTPUT", help="Output of a state space at each microphone: pressure or voltage.")
-    ] = "pressure",
+        str | None,
+        typer.Option(
+            metavar="OUTPUT", help="Output of a state space at each microphone: pressure or voltage. Default: pressure."
+        ),
+    ] = None,
     tolerance: Annotated[
-        float, typer.Option(help="Largest error of a state space, relative to each response at each frequency.")
-    ] = STATE_SPACE_ERROR,
+        float | None,
+        typer.Option(
+            help="Largest error of a state space, relative to each response at each frequency. Default: "
+            f"{STATE_SPACE_ERROR:g}."
+        ),
+    ] = None,
     design: Annotated[
         str | None,
         typer.Option(metavar="DESIGN", help="Array of a SOFA file of another program: a file or a prototype's name."),

@@ -38,10 +38,11 @@ if TYPE_CHECKING:
     from studies.inference.tracked import TrackedRecording
 
 DecoderNoise = Annotated[
-    float | None,
+    str | None,
     typer.Option(
+        metavar="PA",
         help="White noise of the microphones that the decoder of a library assumes, Pa rms over 0 to 500 Hz. Default: "
-        "the design's."
+        "design, that of the design's microphone.",
     ),
 ]
 DecoderAmbient = Annotated[
@@ -136,8 +137,8 @@ def embed(
         typer.Option(
             metavar="BUDGET",
             help="Limits of the chip, such as flash=512k,ram=16k,stack=4k,instructions=2.5M: bytes (k is 1024), and "
-            "instructions of a decision, every 16 ms. If the decoder needs more, nothing is written. Default: no "
-            "limits.",
+            "instructions of a decision, every 16 ms. If the decoder alone needs more, nothing is written; the rest of "
+            "the firmware is smaller: docs/embed.md#cost. Default: no limits.",
         ),
     ] = None,
     noise: DecoderNoise = None,
@@ -169,7 +170,7 @@ def embed(
     reads the converter and sends touches or samples over a serial line, which live --serial reads. docs/embed.md lists
     the decoders that fit on common chips.
 
-    Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
+    Example: [bold]acoustic-fem embed library.nc --out firmware --budget flash=512k[/bold]
     """
     chosen = cast("Precision", precision)
     written = studies.embed_decoder(

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
 
 import typer
 
@@ -28,9 +28,10 @@ LibraryFile = Annotated[
     typer.Argument(metavar="LIBRARY", help="Library of solve, run or calibrate: .nc, .sofa, .npz, .mat, .csv."),
 ]
 Noise = Annotated[
-    float | None,
+    str | None,
     typer.Option(
-        help="White noise of the microphones, Pa rms over 0 to 500 Hz. Default: that of the design's microphone."
+        metavar="PA",
+        help="White noise of the microphones, Pa rms over 0 to 500 Hz. Default: design, that of its microphone.",
     ),
 ]
 Frequencies = Annotated[
@@ -156,9 +157,14 @@ def channel_map(text: str | None) -> dict[str, int] | None:
     return {name: whole_number(value.strip()) for name, (_, _, value) in zip(names, pairs, strict=True)}
 
 
-def noise_choice(given: float | None) -> NoiseChoice:
+def noise_choice(given: str | None) -> NoiseChoice:
     """Noise of the microphones from an option; without it, the noise of the design's microphone."""
-    return "design" if given is None else given
+    if given is None:
+        return "design"
+    try:
+        return float(given)
+    except ValueError:
+        return cast("NoiseChoice", given)  # the call refuses all words but "design"
 
 
 def display_on_stderr() -> Display:

@@ -270,6 +270,9 @@ _OPTIONS = {
     "formats": "format",
     "time_limit": "seconds",
     "subject": "kind",
+    "volts": "converter_volts",
+    "bits": "converter_bits",
+    "ir_version": "ir",
 }
 
 

@@ -68,9 +68,9 @@ def convert_library(
     out: PathLike,
     *,
     content: str | None = None,
-    touch: str = "force",
-    output: str = "pressure",
-    tolerance: float = STATE_SPACE_ERROR,
+    touch: str | None = None,
+    output: str | None = None,
+    tolerance: float | None = None,
     design: DesignLike | None = None,
 ) -> Library | SensorModel | SensorCircuit:
     """Library that was read from a file and written in another format, or as a state space or a circuit.
@@ -80,9 +80,11 @@ def convert_library(
         out: the file to write, with one of these suffixes, ``.npz`` or ``.mat`` for a state space, ``.cir`` for a
             circuit. A measured library is never overwritten.
         content: "library", "state-space" or "circuit"; by default a circuit for ``.cir``, and else a library.
-        touch: input of a state space at each membrane: "force" (N) or "volume-velocity" (m^3/s).
-        output: output of a state space at each microphone: "pressure" (Pa) in front of it, or its "voltage" (V).
-        tolerance: largest error of a state space, relative to the magnitude of each response at each frequency.
+        touch: input of a state space at each membrane: "force" (N), the default, or "volume-velocity" (m^3/s).
+        output: output of a state space at each microphone: "pressure" (Pa) in front of it, the default, or its
+            "voltage" (V).
+        tolerance: largest error of a state space, relative to the magnitude of each response at each frequency; 1e-3
+            by default.
         design: the array of a SOFA file that another program wrote: a design, the path of its file, or the name of a
             prototype; see :func:`acoustic_fem.library.library_from_sofa`. All other files state their design.
 
@@ -90,12 +92,16 @@ def convert_library(
         The library, the state space that was fitted, or the circuit.
 
     Raises:
-        Refusal: a file that is not a library, or cannot be written; a state space that does not keep the error.
+        Refusal: a file that is not a library, or cannot be written; ``touch``, ``output`` or ``tolerance`` of anything
+            but a state space; a state space that does not keep the error.
     """
     path = Path(out)
     if content is None:
         content = "circuit" if path.suffix.lower() == NETLIST_FORMAT else "library"
     check_choice("content", content, CONTENTS)
+    for name, given in (("touch", touch), ("output", output), ("tolerance", tolerance)):
+        if given is not None and content != "state-space":
+            _refuse_unused(name, given, content)
     if content == "library":
         with claimed_file(path, partial(check_new_library, path, FORMATS, reads=(library,))):
             loaded = _opened(library, design)
@@ -108,10 +114,20 @@ def convert_library(
         return sensor
     with claimed_file(path, partial(_check_model, path, library, "a state space", STATE_SPACE_FORMATS)):
         model = acoustic_fem.circuit.fit_sensor(
-            _opened(library, design), touch=touch, output=output, tolerance=tolerance
+            _opened(library, design),
+            touch="force" if touch is None else touch,
+            output="pressure" if output is None else output,
+            tolerance=STATE_SPACE_ERROR if tolerance is None else tolerance,
         )
         acoustic_fem.circuit.save_state_space(model, path)
     return model
+
+
+def _refuse_unused(name: str, given: object, content: str) -> None:
+    what = "a circuit has its own pins for" if content == "circuit" else "a library has"
+    problem = f"has no effect: {what} all inputs and outputs, and no fit"
+    remedy = ("leave it out, or ask for a state space with ", Field("content"), " state-space")
+    raise Refusal(problem, kind=Kind.CONFLICT, field=name, value=given, remedy=remedy)
 
 
 def _opened(library: PathLike, design: DesignLike | None) -> Library:

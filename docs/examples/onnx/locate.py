@@ -11,12 +11,19 @@ import numpy as np
 import onnxruntime
 import scipy.signal
 
-session = onnxruntime.InferenceSession(sys.argv[1], providers=["CPUExecutionProvider"])
-about = json.loads(session.get_modelmeta().custom_metadata_map["acoustic-fem"])
+if len(sys.argv) != 3:
+    sys.exit("usage: python locate.py decoder.onnx touches.csv")
+try:
+    session = onnxruntime.InferenceSession(sys.argv[1], providers=["CPUExecutionProvider"])
+    about = json.loads(session.get_modelmeta().custom_metadata_map["acoustic-fem"])
+except Exception as error:  # onnxruntime has a class for each fault
+    sys.exit(f"{sys.argv[1]}: is not a decoder of acoustic-fem: {error!r}")
 stream, frame = about["stream"], about["frame"]
-
-recording = np.genfromtxt(sys.argv[2], delimiter=",", names=True)
-samples = np.stack([recording[name] for name in about["microphones"]])
+try:
+    recording = np.genfromtxt(sys.argv[2], delimiter=",", names=True)
+    samples = np.stack([recording[name] for name in about["microphones"]])
+except (OSError, ValueError, IndexError, TypeError) as error:
+    sys.exit(f"{sys.argv[2]}: must be a CSV file with the columns {', '.join(about['microphones'])}: {error}")
 samples = scipy.signal.sosfilt(np.array(stream["high_pass_sections"]), samples)
 
 for end in range(frame, samples.shape[1] + 1, stream["hop"]):

@@ -11,8 +11,11 @@
 #error "the library PDM of Arduino reads two microphones; write touch_hal.h for your converter"
 #endif
 
+#ifndef TOUCH_BAUD
+#define TOUCH_BAUD 115200 /* of a UART; USB ignores it */
+#endif
+
 static const int RATE = 16000;
-static const unsigned long BAUD = 115200;
 static const int INSTANTS = 64; /* of a block: 4 ms */
 static const int BYTES = INSTANTS * TOUCH_MICROPHONES * static_cast<int>(sizeof(int16_t));
 
@@ -29,7 +32,7 @@ static void received()
 
 int touch_hal_start(void)
 {
-    Serial.begin(BAUD);
+    Serial.begin(TOUCH_BAUD);
     PDM.onReceive(received);
     PDM.setBufferSize(BYTES);
     return PDM.begin(TOUCH_MICROPHONES, RATE) ? 0 : 1;

@@ -14,7 +14,9 @@
 #define UART_CONTROL (*(volatile uint32_t *)0x40004008)
 #define UART_DIVIDER (*(volatile uint32_t *)0x40004010)
 #define CLOCK 25000000u
-#define BAUD 115200u
+#ifndef TOUCH_BAUD
+#define TOUCH_BAUD 115200
+#endif
 #define FULL 1u
 #define BLOCK 64 /* instants of a block of the converter */
 
@@ -38,7 +40,7 @@ int touch_hal_start(void)
     static const char name[] = "samples.i16";
     const uintptr_t open[3] = {(uintptr_t)name, 1 /* rb */, sizeof name - 1};
     file = ask(0x01, open);
-    UART_DIVIDER = CLOCK / BAUD;
+    UART_DIVIDER = CLOCK / TOUCH_BAUD;
     UART_CONTROL = 1;
     return file < 0;
 }

@@ -1,6 +1,7 @@
 """What a decoder costs is counted as the compiler counts it; what is over a budget is refused with the number."""
 
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,9 @@ from refusals import refused
 
 from geometry import Kind
 from localize import ArrayResponse
-from localize.embedded import Budget, Cost, embed, in_units
+from localize.embedded import Budget, Converter, Cost, LargeDecoderWarning, embed, in_units
+from localize.embedded.boards import BOARDS
+from localize.embedded.readme import raw_rate
 
 COST = Cost(flash=340_892, ram=4_100, stack=704, instructions=641_292, first=66_000)
 
@@ -19,7 +22,7 @@ def small(microphones: int, points: int) -> ArrayResponse:
     """An array of no design, whose points differ."""
     frequency = np.linspace(1.0, 100.0, 12)
     delay = np.random.default_rng(2).uniform(1e-3, 2e-2, (points, microphones, 1))
-    names = tuple("ABCD"[:microphones])
+    names = tuple("ABCDE"[:microphones])
     gain = 0.3 * np.exp(-2j * np.pi * frequency * delay)
     return ArrayResponse(gain, frequency, np.zeros(points, int), np.arange(points), names, name="of delays */ #")
 
@@ -72,3 +75,19 @@ def test_memory_and_tables_are_what_the_compiler_makes_of_them(
     command = [str(COMPILER), "-std=c99", "-c", "size.c", "-o", "size.o"]
     made = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert made.returncode == 0, made.stderr
+
+
+@pytest.mark.parametrize(("microphones", "faster"), [(4, False), (5, True)])
+def test_the_speed_of_a_line_that_is_too_slow_for_samples_is_stated(microphones: int, faster: bool) -> None:
+    # Ten bits for each of 62.5 frames a second: 30 bytes, and 16 samples of two bytes of each microphone.
+    assert raw_rate(microphones) == 625 * (30 + 32 * microphones)
+    response = small(microphones, microphones)
+    text = embed(response, microphone_noise=0.02, board="zephyr", converter=Converter(full_scale=10.0)).files["README.md"]
+    assert ("-DTOUCH_BAUD=230400" in text) == faster
+
+
+def test_a_decoder_beyond_the_linker_file_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    tight = replace(BOARDS["cortex-m"], flash=1024)
+    monkeypatch.setitem(BOARDS, "cortex-m", tight)
+    with pytest.warns(LargeDecoderWarning, match="linker file"):
+        embed(small(2, 3), microphone_noise=0.02, converter=Converter(full_scale=10.0))

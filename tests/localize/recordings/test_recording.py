@@ -285,6 +285,27 @@ def test_a_pressure_that_no_microphone_takes_is_told(tmp_path, level, told):
     assert [f"loud.npz: reaches {level / 2:.3g} Pa, more than the 1000 Pa" in note for note in notes] == told * [True]
 
 
+@pytest.mark.parametrize("kind", ["lost samples", "touches without noise", "quantised silence", "one channel"])
+def test_zeros_in_place_of_lost_samples_are_told(tmp_path, kind):
+    signals = np.random.default_rng(0).standard_normal((2, 4000))
+    if kind == "lost samples":
+        signals[:, 1200:1248] = signals[:, 3000:3016] = 0.0
+    elif kind == "touches without noise":
+        time = np.arange(4000) / 1000
+        signals = np.sin(2 * np.pi * time).clip(0) ** 2 * np.sin(40 * np.pi * time) * [[1.0], [0.7]]
+    elif kind == "quantised silence":
+        signals = np.where(np.arange(4000) % 1000 < 30, signals, np.round(0.12 * signals))
+    else:
+        signals[0, 1200:1248] = 0.0
+    np.savez(tmp_path / "take.npz", signals=signals)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        read_recording(tmp_path / "take.npz", NAMES)
+    notes = [str(each.message) for each in caught if each.category is RecordingWarning]
+    assert len(notes) == (kind == "lost samples"), notes
+    assert all("2 gaps, 0.064 s in all, the first at 1.200 s" in note for note in notes)
+
+
 def test_channels_that_are_quiet_now_and_then_are_of_one_time(tmp_path):
     signals = np.random.default_rng(0).standard_normal((2, 8000))
     signals[1, :3000] = signals[1, 4000:6000] = 0.0  # below the steps of the format until it is touched

@@ -208,6 +208,15 @@ def test_arguments_that_a_refusal_names_are_options_on_the_command_line(tmp_path
     assert found.value.sentence(option_names("locate")).startswith("--ambient")
 
 
+@pytest.mark.parametrize(
+    ("given", "option"), [({"volts": 9999.0}, "--converter-volts"), ({"bits": 77}, "--converter-bits")]
+)
+def test_a_converter_is_refused_by_the_options_of_embed(given: dict[str, Any], option: str) -> None:
+    with pytest.raises(geometry.Refusal) as found:
+        localize.embedded.Converter(**given)
+    assert found.value.sentence(option_names("embed")).startswith(f"{option} = ")
+
+
 # -- the same files ----------------------------------------------------------------------------------------
 def test_designs_and_libraries_in_python_are_those_of_the_verbs(command: Callable[..., str], place: Path) -> None:
     command("prototypes", "glove", "--out", "verb.toml")

@@ -15,6 +15,7 @@ from acoustic_fem.library import exchange
 from acoustic_fem.library.exchange import export
 from acoustic_fem.library.transfer_functions import MEASURED, Library
 from acoustic_fem.sound.sound_file import SoundFileWarning
+from geometry.ground.refusal import Kind, Refusal
 from localize.signals.array_response import UncoveredWarning
 from studies.cli.app import app
 
@@ -109,3 +110,22 @@ def test_what_is_there_is_read_once(library: Library, tmp_path: Path, monkeypatc
     monkeypatch.setattr("studies.run.library_files.load", load)
     assert CliRunner().invoke(app, ["convert", str(source), "--out", str(target)]).exit_code == 0
     assert sorted(read) == [source, target, target]  # what is replaced is looked at again by the only writer
+
+
+@pytest.mark.parametrize(
+    ("out", "option", "field"),
+    [
+        ("x.cir", ("--tolerance", "0.01"), "tolerance"),
+        ("x.mat", ("--output", "voltage"), "output"),
+        ("x.nc", ("--touch", "force"), "touch"),
+    ],
+)
+def test_options_of_a_state_space_are_refused_beside_anything_else(
+    library: Library, tmp_path: Path, out: str, option: tuple[str, str], field: str
+) -> None:
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    words = ["convert", str(tmp_path / "library.nc"), "--out", str(tmp_path / out), *option]
+    result = CliRunner().invoke(app, words)
+    assert isinstance(result.exception, Refusal)
+    assert (result.exception.kind, result.exception.field) == (Kind.CONFLICT, field)
+    assert not (tmp_path / out).exists()
