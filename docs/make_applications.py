@@ -149,9 +149,10 @@ class Sensors:
             "| figure | value |",
             "|---|---:|",
             f"| recordings of {SECONDS:g} s | {len(rates)} |",
+            f"| recordings in which a pulse is found (%) | {100 * np.mean(np.isfinite(rates)):.1f} |",
             f"| beats found within {1000 * FOUND:.0f} ms (%) | {100 * np.mean(waves):.1f} |",
-            f"| rms error of the heart rate (beats per minute) | {np.sqrt(np.mean(np.square(rates))):.2f} |",
-            f"| largest error of the heart rate (beats per minute) | {np.abs(rates).max():.2f} |",
+            f"| rms error of the heart rate (beats per minute) | {np.sqrt(np.nanmean(np.square(rates))):.2f} |",
+            f"| largest error of the heart rate (beats per minute) | {np.nanmax(np.abs(rates)):.2f} |",
             f"| point found if you do not give it (%) | {100 * np.mean(located):.1f} |",
         ]
 

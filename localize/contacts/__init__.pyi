@@ -20,11 +20,15 @@ from .draws import Stream as Stream
 from .finger_gestures import (
     double_tap as double_tap,
     press as press,
-    pulse_times as pulse_times,
-    pulse_wave as pulse_wave,
     slide as slide,
     tap as tap,
 )
 from .large_presses import LargePresses as LargePresses
 from .overload import loudest_outputs as loudest_outputs
+from .pulses import (
+    PulseShape as PulseShape,
+    Rhythm as Rhythm,
+    pulse_times as pulse_times,
+    pulse_wave as pulse_wave,
+)
 from .simulated_recording import ContactRecorder as ContactRecorder, Take as Take, record as record

@@ -13,7 +13,8 @@ import numpy as np
 
 from geometry.ground.typed import Array
 from localize.contacts.contact_shapes import FINGER
-from localize.contacts.finger_gestures import DOUBLE_TAP_SECONDS, HOLD_SECONDS, PRESS_SECONDS, TAP_SECONDS, pulse_wave
+from localize.contacts.finger_gestures import DOUBLE_TAP_SECONDS, HOLD_SECONDS, PRESS_SECONDS, TAP_SECONDS
+from localize.contacts.pulses import pulse_wave
 from localize.recognition.power_maps import WINDOW
 from localize.signals.stimulus import SAMPLE_RATE
 

@@ -5,6 +5,9 @@ fast, in frames of a second, with the spectrum of a pulse for that of a touch. T
 membrane: the Wiener filter of :mod:`localize.decoders.reconstruct`, with the responses to a force in place of those to
 a pressure. Its waves are where it is bent most: minima of the second derivative, as in the acceleration
 plethysmogram (Takazawa et al. 1998, Hypertension 32, 365).
+
+Noise has peaks too. They are a pulse only if the waveform around them is alike from beat to beat: each beat is compared
+with the mean of the others. This does not need a regular heart.
 """
 
 from __future__ import annotations
@@ -45,15 +48,30 @@ class PulseReading:
     waveform: Array
     """Force on the membrane, N, or pressure in the cavity, Pa, of an array without a design; NaN at the ends;
     (n_sample,) float64, at 1 kHz."""
+    missing: str
+    """Reason why there is no pulse, in words; empty where there is one."""
+    likeness: float
+    """Likeness of the beats: correlation of each with the mean of the others, the median over the beats, from -1 to 1;
+    NaN with less than two beats."""
     waves: dict[str, Array]
     """Times of the percussion, tidal and dicrotic wave of each beat, NaN for a wave that is not found; (n_beat,)
-    float64, s."""
+    float64, s; without a pulse there is no beat."""
     rate: float
-    """Heart rate, beats a minute; NaN where there are no two beats."""
+    """Heart rate, beats a minute; NaN without a pulse."""
     rate_deviation: float
     """Standard deviation of that mean, from how beats differ, beats a minute; NaN with less than three beats."""
     options: PulseOptions = field(default_factory=PulseOptions)
     """Options of the reading."""
+
+    @property
+    def found(self) -> bool:
+        """True if there is a pulse: beats that are alike, at a rate of a heart."""
+        return not self.missing
+
+    @property
+    def rms(self) -> float:
+        """Variation of the waveform about its mean, rms, in its unit."""
+        return float(np.nanstd(self.waveform))
 
 
 class PulseDecoder:
@@ -176,12 +194,66 @@ class PulseReader:
         felt = int(probability.argmax()) + 1 if point is None else point
         waveform = self._filters.waveform(given, felt).pressure[0]
         waves = waves_of(waveform, self.options)
+        likeness, compared = likeness_of(waveform, waves["percussion"], self.options)
         between = np.diff(waves["percussion"])
         rate = 60 / float(between.mean()) if len(between) else float("nan")
         spread = float(between.std(ddof=1) / np.sqrt(len(between))) if len(between) > 1 else float("nan")
+        missing = _missing(likeness, compared, between, self.options)
+        if missing:
+            waves, rate, spread = {name: np.zeros(0) for name in waves}, float("nan"), float("nan")
         return PulseReading(
-            felt, float(probability[felt - 1]), waveform, waves, rate, rate**2 / 60 * spread, self.options
+            felt,
+            float(probability[felt - 1]),
+            waveform,
+            missing,
+            likeness,
+            waves,
+            rate,
+            rate**2 / 60 * spread,
+            self.options,
         )
+
+
+def _missing(likeness: float, compared: int, between: Array, options: PulseOptions) -> str:
+    """Reason why beats are no pulse; empty if they are one."""
+    if compared < 2 or not len(between):
+        return "there are no two beats"
+    least = options.least_alike if compared > 3 else options.least_alike_of_few
+    if likeness < least:
+        return f"{compared} peaks are alike to {likeness:.2f}, beats must be to {least:g}"
+    slowest, fastest = options.rates
+    rate, uneven = 60 / float(between.mean()), float(between.std() / between.mean())
+    if not slowest <= rate <= fastest:
+        return f"{rate:.1f} peaks a minute are no heart's {slowest:g} to {fastest:g}"
+    if uneven > options.most_uneven:
+        return (
+            f"the time between peaks varies by {100 * uneven:.0f} %, that of a heart by {100 * options.most_uneven:g}"
+        )
+    return ""
+
+
+def likeness_of(waveform: Array, percussion: Array, options: PulseOptions = PulseOptions()) -> tuple[float, int]:
+    """Likeness of the beats of a waveform.
+
+    Args:
+        waveform: (n_sample,) float64 at 1 kHz, of any unit; NaN where it is not known.
+        percussion: (n_beat,) float64, times of the percussion waves, s.
+        options: numbers that tune the reading.
+
+    Returns:
+        Correlation of the second derivative around each percussion wave with the mean of that around the others, the
+        median over the beats, NaN with less than two; and the number of beats that lie within the waveform.
+    """
+    begin, bend = _bend(waveform, options)
+    before, after = (round(each * SAMPLE_RATE) for each in options.around)
+    at = np.round(percussion * SAMPLE_RATE).astype(int) - begin
+    whole = [bend[each - before : each + after + 1] for each in at if before <= each < len(bend) - after]
+    if len(whole) < 2:
+        return float("nan"), len(whole)
+    beats = np.array(whole) - np.mean(whole, axis=1, keepdims=True)
+    others = beats.sum(0) - beats
+    sizes = np.linalg.norm(beats, axis=1) * np.linalg.norm(others, axis=1)
+    return float(np.median((beats * others).sum(1) / np.maximum(sizes, np.finfo(float).tiny))), len(whole)
 
 
 def waves_of(waveform: Array, options: PulseOptions = PulseOptions()) -> dict[str, Array]:
@@ -194,14 +266,9 @@ def waves_of(waveform: Array, options: PulseOptions = PulseOptions()) -> dict[st
     Returns:
         (n_beat,) float64 each, s, by name; NaN where a wave is not there.
     """
-    known = np.flatnonzero(np.isfinite(waveform))
-    begin = int(known[0])
-    reach = round(4 * options.smooth * SAMPLE_RATE)
-    lag = np.arange(-reach, reach + 1) / SAMPLE_RATE / options.smooth
-    bend = -np.convolve(waveform[known] - waveform[known].mean(), (lag**2 - 1) * np.exp(-0.5 * lag**2), "same")
-    bend[:reach], bend[-reach:] = 0.0, 0.0  # the ends are steps
+    begin, bend = _bend(waveform, options)
     beat = _beat(bend, options.rates)
-    first, _ = scipy.signal.find_peaks(bend, distance=round(0.6 * beat), height=0.4 * np.quantile(bend, 0.995))
+    first, _ = scipy.signal.find_peaks(bend, distance=round(0.55 * beat), height=0.4 * _usual_height(bend, beat))
     found = {"percussion": (begin + first) / SAMPLE_RATE}
     lengths = np.append(np.diff(first), beat) if len(first) else np.zeros(0)
     for name, limits in (("tidal", options.tidal), ("dicrotic", options.dicrotic)):
@@ -214,6 +281,22 @@ def waves_of(waveform: Array, options: PulseOptions = PulseOptions()) -> dict[st
         found[name] = np.array(own)
     beats = _between_ends(found["percussion"], options.end_apart)
     return {name: own[beats] for name, own in found.items()}
+
+
+def _bend(waveform: Array, options: PulseOptions) -> tuple[int, Array]:
+    """First sample that is known, and the second derivative from there on, its sign changed; 0 at the ends."""
+    known = np.flatnonzero(np.isfinite(waveform))
+    reach = round(4 * options.smooth * SAMPLE_RATE)
+    lag = np.arange(-reach, reach + 1) / SAMPLE_RATE / options.smooth
+    bend = -np.convolve(waveform[known] - waveform[known].mean(), (lag**2 - 1) * np.exp(-0.5 * lag**2), "same")
+    bend[:reach], bend[-reach:] = 0.0, 0.0  # the ends are steps
+    return int(known[0]), bend
+
+
+def _usual_height(bend: Array, beat: float) -> float:
+    """Median of the largest bend within a beat and a half: one knock does not hide all beats."""
+    count = max(1, int(len(bend) / (1.5 * beat)))
+    return float(np.median([each.max() for each in np.array_split(bend, count)]))
 
 
 def _between_ends(percussion: Array, apart_from: float) -> slice:
@@ -235,5 +318,5 @@ def _beat(bend: Array, rates: tuple[float, float]) -> float:
     peaks, _ = scipy.signal.find_peaks(like[shortest:])
     if not len(peaks):
         return float(shortest + like[shortest:].argmax())
-    strong = peaks[like[shortest + peaks] > 0.8 * like[shortest + peaks].max()]
+    strong = peaks[like[shortest + peaks] > 0.65 * like[shortest + peaks].max()]
     return float(shortest + strong[0])  # not two beats at once

@@ -173,6 +173,14 @@ class PulseOptions:
     end is left out."""
     least_bend: float = 0.02
     """Bend of a wave, as a fraction of that of the percussion wave, from which it is there."""
+    around: tuple[float, float] = (0.15, 0.35)
+    """Time before and after the percussion wave over which beats are compared, s."""
+    least_alike: float = 0.88
+    """Likeness of the beats from which they are a pulse. Noise, whose peaks are put under each other, reaches 0.6."""
+    least_alike_of_few: float = 0.94
+    """The same of two or three beats, which noise makes alike now and then."""
+    most_uneven: float = 0.4
+    """Deviation of the intervals, by their mean, up to which beats are those of a heart: an irregular one has 0.3."""
     tidal: tuple[float, float] = (0.07, 0.22)
     """Time after the percussion wave in which the tidal wave is looked for, at 75 beats a minute, s; it goes with the
     root of the beat's length."""

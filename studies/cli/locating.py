@@ -463,6 +463,10 @@ def pulse(
 
 def _show_pulse(found: RecordedPulse) -> None:
     reading = found.reading
+    if not reading.found:
+        varies = f"the force there varies by {1e6 * reading.rms:.3g} uN rms"
+        tell(f"no pulse at point {reading.point}: {reading.missing}; {varies}")
+        return
     table = table_of("beat", *(f"{name} (s)" for name in reading.waves), numbers=(0, 1, 2, 3))
     for number, times in enumerate(zip(*reading.waves.values(), strict=True), 1):
         table.add_row(str(number), *("" if each != each else f"{each:.3f}" for each in times))

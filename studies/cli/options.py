@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
@@ -159,12 +159,12 @@ def channel_map(text: str | None) -> dict[str, int] | None:
 
 def noise_choice(given: str | None) -> NoiseChoice:
     """Noise of the microphones from an option; without it, the noise of the design's microphone."""
-    if given is None:
+    if given is None or given == "design":
         return "design"
     try:
         return float(given)
     except ValueError:
-        return cast("NoiseChoice", given)  # the call refuses all words but "design"
+        raise typer.BadParameter(f"--noise = {given!r} must be a number or design") from None
 
 
 def display_on_stderr() -> Display:

@@ -117,7 +117,8 @@ def draw_pulse(reading: localize.PulseReading, path: str | os.PathLike[str]) -> 
                 there, 1e6 * np.interp(there, time, reading.waveform), "o", color=colour, markersize=4, label=name
             )
         axes.set(xlabel="time  (s)", ylabel="force on the membrane  (uN)")
-        axes.set_title(f"point {reading.point}, {reading.rate:.1f} beats a minute")
+        found = f"{reading.rate:.1f} beats a minute" if reading.found else "no pulse found"
+        axes.set_title(f"point {reading.point}, {found}")
         figure.legend(loc="outside lower center", ncols=3)
         return save_figure(figure, path)
 

@@ -86,6 +86,8 @@ IMPOSSIBLE = {
     "speed of each piece": (lambda: contacts.feather(PATH, [1.0, 2.0, 3.0]), Kind.WRONG_TYPE),
     "place": (lambda: contacts.tap((1, 2, 3)), Kind.WRONG_TYPE),
     "rate": (lambda: contacts.pulse_wave((0, 0), 300.0), Kind.OUT_OF_RANGE),
+    "shape": (lambda: contacts.pulse_wave((0, 0), shape="square"), Kind.OUT_OF_RANGE),
+    "rhythm": (lambda: contacts.pulse_wave((0, 0), rhythm="waltz"), Kind.OUT_OF_RANGE),
     "contacts": (lambda: contacts.joined([]), Kind.MISSING),
 }
 

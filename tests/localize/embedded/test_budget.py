@@ -82,7 +82,8 @@ def test_the_speed_of_a_line_that_is_too_slow_for_samples_is_stated(microphones:
     # Ten bits for each of 62.5 frames a second: 30 bytes, and 16 samples of two bytes of each microphone.
     assert raw_rate(microphones) == 625 * (30 + 32 * microphones)
     response = small(microphones, microphones)
-    text = embed(response, microphone_noise=0.02, board="zephyr", converter=Converter(full_scale=10.0)).files["README.md"]
+    made = embed(response, microphone_noise=0.02, board="zephyr", converter=Converter(full_scale=10.0))
+    text = made.files["README.md"]
     assert ("-DTOUCH_BAUD=230400" in text) == faster
 
 

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from importlib.util import find_spec
+from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -11,8 +14,9 @@ from refusals import refused
 
 import localize
 from geometry import Kind
-from localize.contacts import pulse_times, pulse_wave
-from localize.recognition.pulse import PulseDecoder, waves_of
+from localize.contacts import PulseShape, Rhythm, pulse_times, pulse_wave
+from localize.contacts.pulses import WAVES
+from localize.recognition.pulse import PulseDecoder, likeness_of, waves_of
 from localize.recognition.takes import prepared, simulated_signals
 from localize.signals.noise_model import NoiseSpectrum
 
@@ -78,3 +82,59 @@ def test_a_second_of_a_pulse_names_its_point_better_than_frames_of_touches() -> 
     # White noise is one by its number and by its spectrum.
     told = replace(ARRAY, own_noise=NoiseSpectrum(np.full(500, 1e-6 / 500), "white"))
     np.testing.assert_allclose(PulseDecoder(told, "design").named(signals), pulses.named(signals), atol=0.01)
+
+
+@pytest.mark.parametrize("rhythm", get_args(Rhythm))
+@pytest.mark.parametrize("shape", WAVES)
+def test_hearts_of_every_shape_and_rhythm_are_a_pulse_with_their_beats(shape: PulseShape, rhythm: Rhythm) -> None:
+    right, told = [], []
+    for sample in range(4):
+        force = pulse_wave((0.0, 0.0), 55 + 12 * sample, 10.0, shape=shape, rhythm=rhythm, seed=8, sample=sample).force
+        truth = pulse_times(55 + 12 * sample, 10.0, shape=shape, rhythm=rhythm, seed=8, sample=sample)
+        waves = waves_of(force)
+        assert likeness_of(force, waves["percussion"])[0] > 0.88
+        beats = truth["percussion"]
+        beats = beats[(beats > 1) & (beats < 9)]
+        right += [abs(waves["percussion"] - at).min() < 0.04 for at in beats]
+        told.append(np.isfinite(waves["tidal"]).mean())
+        assert np.isnan(truth["tidal"]).all() == ("tidal" not in WAVES[shape])
+    assert np.mean(right) > 0.9
+    assert np.median(told) < 0.1 or "tidal" in WAVES[shape]
+
+
+@pytest.mark.parametrize("what", ["noise", "sway", "tremor"])
+def test_what_has_no_beats_is_no_pulse(what: str) -> None:
+    random = np.random.default_rng(3)
+    for _ in range(3):
+        white = random.standard_normal(9000)
+        source = {
+            "noise": white * 1e-4,
+            "sway": np.cumsum(white) / np.abs(np.cumsum(white)).max() * 0.05,
+            "tremor": np.convolve(white, np.exp(-0.5 * (np.arange(-60, 61) / 20) ** 2), "same") * 2e-3,
+        }[what]
+        reading = localize.PulseReader(ARRAY, 1e-3).read(simulated_signals(ARRAY, 2, source, 1e-3, random))
+        assert not reading.found
+        assert reading.missing
+        assert reading.likeness < 0.8
+        assert np.isnan(reading.rate)
+        assert all(len(times) == 0 for times in reading.waves.values())
+
+
+@pytest.mark.skipif(
+    find_spec("heartpy") is None, reason="heartpy, whose recordings of real pulses these are, is missing"
+)
+@pytest.mark.parametrize("piece", [0, 1])
+def test_a_real_pulse_is_found_at_its_rate_and_shows_no_tidal_wave(piece: int) -> None:
+    place = find_spec("heartpy")
+    assert place is not None
+    assert place.origin is not None
+    recorded = np.loadtxt(Path(place.origin).parent / "data" / "data.csv", skiprows=1)[1000 * piece :][:1000]  # 100 Hz
+    volume = np.interp(np.arange(10_000) / 1000, np.arange(1000) / 100, recorded - recorded.mean())
+    signals = simulated_signals(ARRAY, 2, 0.2 * volume / np.abs(volume).max(), 1e-3, np.random.default_rng(piece))
+    reading = localize.PulseReader(ARRAY, 1e-3).read(signals)
+    assert reading.found
+    line = np.abs(np.fft.rfft(volume * np.hanning(len(volume)), 2**18))
+    beats = slice(round(40 / 60 * 2**18 / 1000), round(120 / 60 * 2**18 / 1000))
+    strongest = 60 * (beats.start + line[beats].argmax()) * 1000 / 2**18
+    assert reading.rate == pytest.approx(strongest, abs=3.0)
+    assert np.isnan(reading.waves["tidal"]).mean() > 0.8

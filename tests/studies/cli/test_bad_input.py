@@ -155,7 +155,7 @@ def test_a_wrong_command_line_ends_with_code_2(
     [
         ("locate l.nc r.wav --ambient 500", "--ambient = 500 must be between 0 and 140"),
         ("locate l.nc r.wav --ambient x", "--ambient = 'x' must be a number between 0 and 140"),
-        ("locate l.nc r.wav --noise x", "--noise = 'x' must be a number"),
+        ("locate l.nc r.wav --noise x", "--noise = 'x' must be a number or design"),
         ("rig array-2x6 --out x --seed 1.5", "--seed = 1.5 must be a whole number at least 0"),
         ("rig array-2x6 --out x --seed -1", "--seed = -1 must be at least 0"),
         (
