@@ -162,8 +162,8 @@ def verbs_page() -> str:
     parts = [_title("Verbs of the command line", "=")]
     parts.append(
         "One verb per job. ``acoustic-fem VERB --help`` says the same in the terminal. Exit codes: 0; 1 with one line "
-        "on stderr for what was refused; 2 for a wrong command line; 3 where ``check`` finds a design marginal. Each is "
-        "one call of :doc:`studies <studies>`.\n"
+        "on stderr for what was refused; 2 for a wrong command line; 3 for a marginal design of ``check``. Each "
+        "is one call of :doc:`studies <studies>`.\n"
     )
     for name in VERBS:
         verb = command_of(name)
