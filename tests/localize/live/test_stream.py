@@ -291,7 +291,7 @@ def test_a_network_and_an_onnx_file_listen_to_a_stream_as_well(array, tmp_path, 
     assert [event.state for event in of_network] == [event.state for event in of_file]
     for a, b in zip(of_network, of_file, strict=True):
         if a.state == "touch":
-            assert np.abs(a.distribution - b.distribution).max() < 1e-5
+            assert np.abs(a.distribution - b.distribution).max() < 5e-5  # single precision, of a network hardly trained
 
 
 @pytest.mark.parametrize(("window", "latency"), [(250, 16), (40, 0), (300, 60)])
