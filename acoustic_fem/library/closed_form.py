@@ -17,6 +17,7 @@ import acoustic_fem
 from acoustic_fem.library.network_responses import array_responses
 from acoustic_fem.library.touch_pressure import injected_flow, membranes_in_vacuo
 from acoustic_fem.numerics.frequency_splines import interpolated, interpolated_from_zero
+from acoustic_fem.quantities.audible import audible_ratio
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import Array, ComplexArray
@@ -96,7 +97,7 @@ class ClosedForm:
         found = {}
         for name, values in known.items():
             if name == "transfer_function":
-                ratio = values / there[name][:, heard]
+                ratio = audible_ratio(values, there[name][:, heard])
                 of_zero = interpolated_from_zero(ratio, grid, frequency, self.sealed)
                 found[name] = wanted[name][:, heard] * of_zero
             elif name == "microphone_impedance":

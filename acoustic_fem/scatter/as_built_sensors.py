@@ -16,6 +16,7 @@ from acoustic_fem.batch.openings import check_openings
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import vent_ratio
+from acoustic_fem.quantities.audible import audible_ratio
 from acoustic_fem.quantities.checks import FrequencyLike, frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import AirLike, medium_of
@@ -166,4 +167,4 @@ def scatter_factors(
         drawn = air_and_rubber.draws(first, count, seed, scattered.design, air)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelLimitWarning)
-        return np.asarray(sensors.transfer_functions(draws, drawn) / sensors.nominal)
+        return audible_ratio(sensors.transfer_functions(draws, drawn), sensors.nominal)

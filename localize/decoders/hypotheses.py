@@ -138,7 +138,7 @@ def _ratios(
     inside = np.flatnonzero((nodes >= BAND[0]) & (nodes <= BAND[1]))
     at = inside[np.linspace(0, len(inside) - 1, options.ratio_frequencies).round().astype(int)]
     loudest = int(loudness[:, at].sum(1).argmax())
-    weight = 1 / np.hypot(1, options.quiet_ratio / loudness[:, at])
+    weight = _above_noise(loudness[:, at], options)
     each = (values[..., at] - values[:, loudest, None][..., at] for values in (level, phase))
     return np.concatenate([(weight * ratio).reshape(len(ratio), -1) for ratio in each], axis=1).astype(np.float64)
 
@@ -159,13 +159,18 @@ def _shapes(
     """
     ratio = draws - draws[:, [loudness.sum(1).argmax()]]
     ratio = ratio - ratio.mean(0)
-    weight = np.where(nodes <= BAND[1], 1.0, options.weight_above_band) / np.hypot(1, options.quiet_ratio / loudness)
+    weight = np.where(nodes <= BAND[1], 1.0, options.weight_above_band) * _above_noise(loudness, options)
     weighed = (ratio * weight).reshape(len(ratio), -1)
     amplitude = _leading(np.concatenate([weighed.real, weighed.imag], axis=1), options.shapes) * np.sqrt(len(ratio))
     shapes = np.zeros((options.shapes, *ratio.shape[1:]), np.complex64)
     found = amplitude.T @ ratio.reshape(len(ratio), -1) / len(ratio)
     shapes[: len(found)] = found.reshape(-1, *ratio.shape[1:])
     return shapes
+
+
+def _above_noise(loudness: Array, options: HypothesisOptions) -> Array:
+    """Weight of transfer functions of that size, of the same shape: near 1 above the noise, 0 where nothing arrives."""
+    return np.asarray(loudness / np.hypot(loudness, options.quiet_ratio))
 
 
 def _leading(values: Array, most: int) -> Array:

@@ -15,6 +15,7 @@ from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.network.microphone import vent_ratio
+from acoustic_fem.quantities.audible import audible_ratio
 from acoustic_fem.quantities.local_air import LocalAir, medium_of
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
@@ -100,7 +101,7 @@ class FaultLibraries:
         """Frequencies that are compared, (n_freq,) Hz."""
         response = response_of(library)
         known = response.between(self.frequency.astype(np.float64))[0]
-        self._correction = known / self._closed_forms([None], np.zeros((1, self.size)))[0]
+        self._correction = audible_ratio(known, self._closed_forms([None], np.zeros((1, self.size)))[0])
 
     @cached_property
     def faults(self) -> tuple[tuple[SensorFault, ...], ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import replace
 from pathlib import Path
 
@@ -160,3 +161,19 @@ def test_air_and_rubber_that_nobody_gave_cost_it_no_touches() -> None:
     )
     assert drawn.top1 > 0.98
     assert fixed.top1 < 0.95
+
+
+@pytest.mark.slow
+def test_a_line_so_long_that_nothing_arrives_has_a_decoder() -> None:
+    """Transfer functions underflow to zero at 500 Hz, and were divided by."""
+    narrow = {f"{tube}.{field}": value for tube in ("tube", "microphone_tube")
+              for field, value in (("length", 500.0), ("inner_diameter", 0.06))}  # fmt: skip
+    wide = {"resonator.cavity_diameter": 12.0, "resonator.cavity_height": 8.0, "lines.0.points": 24}
+    design = geometry.prototype("line-2").with_values({**narrow, **wide})
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", RuntimeWarning)
+        long = acoustic_fem.solve(design, np.arange(1.0, 501.0), "lumped")
+        assert (long.transfer_function == 0).any()
+        decoder = localize.TolerantDecoder(long, options=TolerantOptions(hypotheses=HypothesisOptions(draws=30)))
+        probability = decoder.locate(np.random.default_rng(0).normal(0, 0.01, (3, 2, 250)))
+    assert probability.sum(1) == pytest.approx(1.0)
