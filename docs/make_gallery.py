@@ -70,9 +70,9 @@ the noise of the design's microphone and for the tolerance-aware [decoder](decod
 [tolerances](tolerances.md) and are not calibrated. Other pages give different mean accuracies for the same design,
 because they use other touches, more sensors, another fidelity or another decoder. [Calibrate](calibration.md) each
 sensor if the mean of the as-built sensors is low because calibration removes most of the loss. The cost covers the
-materials of one array at assumed prices. Molds are not included. In the pictures each point is coloured by its own
-accuracy, and rings mark the *hardest pair*, the two points that are hardest to tell apart. It is given with the level
-and phase by which the points differ (rms over 1 to 100 Hz).
+materials of one array at assumed prices, as if no spring were bent, so a kit's bill may differ by 0.5 %. Molds are not
+included. In the pictures each point is coloured by its own accuracy, and rings mark the *hardest pair*, the two points
+that are hardest to tell apart. It is given with the level and phase by which the points differ (rms over 1 to 100 Hz).
 """
 
 
