@@ -17,7 +17,7 @@ from studies.test_rig.virtual_rig import HiddenScatter, Recorder, Rig
 
 #: Stream of the random numbers of a session, beside those of the rig's other recordings.
 _PURPOSE = 5
-#: Corner of the leak by which held presses let go, Hz: what lies below is not recorded.
+#: Corner of the high-pass by which held presses let go, Hz: a finger gives way.
 _LET_GO = 0.5
 
 

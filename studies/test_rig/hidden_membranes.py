@@ -1,4 +1,4 @@
-"""Membranes of a virtual rig's sensor: mounted with strain and on glue, and bulged by its enclosed air."""
+"""Membranes of a virtual rig's sensor: mounted with strain and on glue, bulged by its enclosed air, and relaxing."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.enclosed import enclosed_air
 from acoustic_fem.membrane import design_bulge_ratio, design_mounting_ratio
@@ -13,6 +14,9 @@ from acoustic_fem.quantities.local_air import LocalAir
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
+
+#: Hz, about which the rubber of a batch rises more steeply or less; and where its relaxations lie.
+_MIDDLE, _RELAXATIONS = 10.0, 10.0 ** np.arange(-1.0, 4.0)
 
 
 def bulged_sensor(
@@ -66,6 +70,33 @@ def mounted_sensor(
     alike = [design.of_kind(kind) for kind in design.kinds]
     ratio = [design_mounting_ratio(each, prestrain, glue_thickness) / design_mounting_ratio(each) for each in alike]
     return softened(hidden, np.array(ratio)[list(design.kind_of_point)])
+
+
+def relaxing_sensor(parameters: ArrayParameters, slope: float) -> ArrayParameters:
+    """Membranes whose modulus rises with frequency by a further exponent about 10 Hz, where it stays as it is.
+
+    One relaxation a decade, all of one strength: a causal law whatever the slope (Ferry 1980, chapter 3).
+
+    Args:
+        parameters: of the sensor.
+        slope: further exponent, from 0.
+    """
+    if slope == 0:
+        return parameters
+    before = np.abs(membrane_modulus(parameters, np.array([_MIDDLE])))[..., 0]
+    strength = slope * np.log(10) * before[..., None] * np.ones(len(_RELAXATIONS))
+    times = np.broadcast_to(1 / (2 * np.pi * _RELAXATIONS), strength.shape)
+    joined = replace(
+        parameters,
+        membrane_relaxation=np.concatenate([parameters.membrane_relaxation, strength], axis=2),
+        membrane_relaxation_time=np.concatenate([parameters.membrane_relaxation_time, times], axis=2),
+    )
+    stiffer = np.abs(membrane_modulus(joined, np.array([_MIDDLE])))[..., 0] / before
+    return replace(
+        joined,
+        membrane_compliance=joined.membrane_compliance * stiffer,
+        membrane_frequency=joined.membrane_frequency / np.sqrt(stiffer)[..., None],
+    )
 
 
 def softened(parameters: ArrayParameters, ratio: Array) -> ArrayParameters:

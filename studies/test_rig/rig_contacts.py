@@ -5,21 +5,19 @@ from __future__ import annotations
 import csv
 import io
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import scipy.signal
 from numpy.typing import NDArray
 
 from acoustic_fem.library.solving import solve
-from acoustic_fem.numerics.frequency_splines import interpolated
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.ground.whole_files import write_text
-from localize.contacts import Contact, LargePresses, covered_force
-from localize.signals.array_response import response_of
+from localize.contacts import Contact, ContactRecorder, covered_force
+from localize.signals.array_response import ArrayResponse, response_of
 from studies.output.folders import check_new_file
-from studies.test_rig.rig_touches import LEAK
-from studies.test_rig.virtual_rig import EXCITATION_BAND, HEARD, LENGTHS, Recorder, Rig
+from studies.test_rig.virtual_rig import HEARD, LENGTHS, Recorder, Rig
 
 #: Columns of the file of what is true.
 COLUMNS = ("time_s", "x_mm", "y_mm", "force_N", "point")
@@ -58,25 +56,27 @@ def record_contact(
     count = round(max(contact.seconds, LENGTHS[0]) * recorder.rate) + 1
     time = contact.time[0] + np.arange(count) / recorder.rate
     heard = contact.at(time).roughened(rig.seed, "evaluation", sample)
-    nominal = response_of(solve(rig.design, np.geomspace(*HEARD, 150), "lumped"))
-    pressed = covered_force(heard, nominal)
-    total = count + 2 * recorder.rate  # silence keeps the end from running into the beginning
-    grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
-    displacing = LargePresses(nominal, recorder.rate).light_forces(pressed)
-    inside = (grid >= EXCITATION_BAND[0]) & (grid <= EXCITATION_BAND[1])
-    assert nominal.cavity_response is not None
-    cavity = interpolated(nominal.cavity_response, nominal.frequency, grid[inside])
-    leak = scipy.signal.butter(2, LEAK, "highpass", fs=recorder.rate, output="sos")
-    drives = {}
-    for point in np.flatnonzero(pressed.any(axis=0)):
-        drive = np.zeros(len(grid), np.complex128)
-        drive[inside] = np.fft.rfft(scipy.signal.sosfilt(leak, displacing[:, point]), total)[inside] * cavity[point]
-        drives[int(point) + 1] = drive
+    response = made_response(rig)
+    pressed = covered_force(heard, response)
+    pressures = ContactRecorder(response, recorder.rate, microphone_noise=0.0).take(heard).signals
     random = np.random.default_rng(np.random.SeedSequence(rig.seed, spawn_key=(_PURPOSE, sample)))
-    signals = rig.recorded(drives or {1: np.zeros(len(grid), np.complex128)}, total, 0, count, recorder, random)[1:]
+    # silence keeps the end from running into the beginning
+    padded = np.pad(pressures, ((0, 0), (0, 2 * recorder.rate)))
+    signals = rig.recorded({}, padded.shape[1], 0, count, recorder, random, padded)[1:]
     write_wav(wav, signals / recorder.full_scale, recorder.rate, recorder.bits)
     _write_truth(truth, heard, pressed, round(STEP * recorder.rate))
     return truth
+
+
+def made_response(rig: Rig) -> ArrayResponse:
+    """Response of the sensor as it was made to contacts: its own transfer functions, the cavities as designed.
+
+    Args:
+        rig: the made sensor.
+    """
+    grid = np.geomspace(*HEARD, 150)
+    nominal = response_of(solve(rig.design, grid, "lumped"))
+    return replace(nominal, transfer_function=rig.transfer_function(grid), ambient_response=None)
 
 
 def _write_truth(path: Path, heard: Contact, pressed: NDArray[np.float64], step: int) -> None:

@@ -21,7 +21,6 @@ import scipy.signal
 import tomlkit
 from numpy.typing import NDArray
 
-from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
@@ -41,7 +40,7 @@ from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
 from studies.output.folders import check_folder, make_folder
-from studies.test_rig.hidden_membranes import bulged_sensor, mounted_sensor
+from studies.test_rig.hidden_membranes import bulged_sensor, mounted_sensor, relaxing_sensor
 
 Complex = NDArray[np.complex128]
 
@@ -52,12 +51,11 @@ EXCITATION_BAND = (0.8, 125.0)
 #: Length of a recording, s.
 LENGTHS = (4.0, 86400.0)
 #: Band in which the hidden sensor is solved, Hz, and where in it; between these frequencies it is interpolated.
-HEARD = (0.4, 160.0)
-_NODES = np.geomspace(*HEARD, 72)
+HEARD = (1e-3, 160.0)
+_SLOW = 0.4
+_NODES = np.concatenate([np.geomspace(HEARD[0], _SLOW, 32)[:-1], np.geomspace(_SLOW, HEARD[1], 72)])
 #: Seconds of a recording that are played before it begins, so that the sensor has settled.
 _BEFORE = 3.0
-#: Hz, about which the rubber of a batch rises more steeply or less; and where its relaxations lie.
-_MIDDLE, _RELAXATIONS = 10.0, 10.0 ** np.arange(-1.0, 4.0)
 #: Frequency that stands for 0 Hz in responses that fall to zero there, Hz.
 _LEAST = 1e-3
 #: File of the response of the calibration microphone, and its frequencies, Hz.
@@ -254,7 +252,7 @@ class Rig:
             membrane_compliance=self.hidden.membrane_compliance / stiffer,
             membrane_frequency=self.hidden.membrane_frequency * np.sqrt(stiffer),
         )
-        self.hidden = _relaxing(self.hidden, abs(float(steeper)) * scatter.slope)
+        self.hidden = relaxing_sensor(self.hidden, abs(float(steeper)) * scatter.slope)
         self.hidden = mounted_sensor(self.hidden, self.design, scatter.prestrain, metres(scatter.glue))
         rested = LocalAir(pressure, None, air.temperature + warmer)
         self.overpressure = 0.0
@@ -276,7 +274,7 @@ class Rig:
         """Transfer functions that recordings without noise give: microphones with their gains and high-passes.
 
         Args:
-            frequency: (n_freq,) Hz, 0.4 to 160, or FIRST:LAST:COUNT.
+            frequency: (n_freq,) Hz, 0.001 to 160, or FIRST:LAST:COUNT.
 
         Returns:
             (n_point, n_microphone, n_freq) complex128, Pa/Pa, by the nominal microphone's response.
@@ -291,14 +289,26 @@ class Rig:
     def _curves(self) -> scipy.interpolate.CubicSpline:
         h = batch_transfer_function(self.hidden, self.topology, _NODES, self.medium)[0]
         if self.fidelity != "lumped":
-            ratio = [solve(self.design, _NODES, name).transfer_function.values for name in (self.fidelity, "lumped")]
-            h = h * ratio[0] / ratio[1]
+            h = h * self._of_fidelity
         microphone, air = self.design.microphone, design_air(self.design)
         for k, (gain, corner) in enumerate(zip(self.gain, self.corner, strict=True)):
             made = microphone.model_copy(update={"vent_corner": microphone.vent_corner * corner})
             h[:, k] *= gain * response(made, _NODES, self.medium) / response(microphone, _NODES, air)
         logarithm = np.stack([np.log(np.abs(h)), np.unwrap(np.angle(h), axis=-1)])
         return scipy.interpolate.CubicSpline(np.log(_NODES), logarithm, axis=-1)
+
+    @cached_property
+    def _of_fidelity(self) -> Complex:
+        """Transfer functions of the nominal design by those of the closed forms, (n_point, n_microphone, n_node); below
+        the slowest excitation, where air only pushes back, the ratio no longer changes.
+        """
+        faster = _NODES[_NODES >= _SLOW]
+        solved, closed = (
+            solve(self.design, faster, name).transfer_function.values for name in (self.fidelity, "lumped")
+        )
+        ratio = solved / closed
+        before = np.repeat(ratio[..., :1], len(_NODES) - len(faster), axis=-1)
+        return np.asarray(np.concatenate([before, ratio], axis=-1))
 
     def record(self, folder: Path, points: Sequence[int], recorder: Recorder | None = None) -> Path:
         """Write a WAV recording of each point, the nominal design and a manifest.
@@ -368,28 +378,34 @@ class Rig:
         count: int,
         recorder: Recorder,
         random: np.random.Generator,
+        beside: Array | None = None,
     ) -> Array:
         """Signals that are recorded of pressures in cavities, with all that a recorder adds.
 
         Args:
             drives: by the number of the point, from 1: (n_line,) complex128, spectrum of the pressure in its cavity,
-                Pa, as of np.fft.rfft, n_line = total // 2 + 1; lines outside :data:`EXCITATION_BAND` are ignored. The
-                reference channel records the first.
+                Pa, as of np.fft.rfft, n_line = total // 2 + 1; lines above 125 Hz are ignored. The reference channel
+                records the first, if there is one.
             total: number of samples of the pressure, at the rate of the recorder.
             before: number of them that come before the recording.
             count: number of samples of the recording.
             recorder: how.
             random: draws what the recorder adds.
+            beside: further pressures in front of the microphones, of a contact, (n_microphone, n_sample)
+                float64, Pa, already with the gains and high-passes of :meth:`transfer_function`.
 
         Returns:
             (1 + n_microphone, count) float64, Pa, the reference first, before the recorder clips and rounds them.
         """
         grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
-        inside = (grid >= EXCITATION_BAND[0]) & (grid <= EXCITATION_BAND[1])
+        inside = grid <= EXCITATION_BAND[1]
         spectra = np.zeros((1 + len(self.design.microphones), len(grid)), np.complex128)
-        spectra[0] = next(iter(drives.values())) * np.exp(2j * np.pi * grid * recorder.late)
-        spectra[0] *= recorder.reference_response(grid)
-        heard_at = self.transfer_function(grid[inside])
+        if beside is not None:
+            spectra[1:] += np.fft.rfft(beside)
+        if drives:
+            spectra[0] = next(iter(drives.values())) * np.exp(2j * np.pi * grid * recorder.late)
+            spectra[0] *= recorder.reference_response(grid)
+            heard_at = self.transfer_function(np.maximum(grid[inside], HEARD[0]))
         for point, drive in drives.items():
             spectra[1:, inside] += drive[inside] * heard_at[point - 1]
         # noise of the microphones as a pressure in their chambers, above 0.5 Hz
@@ -421,29 +437,6 @@ def _response_table(recorder: Recorder) -> str:
     columns = _REFERENCE_TABLE, 20 * np.log10(np.abs(known)), np.degrees(np.angle(known))
     rows = (",".join(f"{value:.6g}" for value in row) for row in zip(*columns, strict=True))
     return "\n".join(("frequency,dB,degrees", *rows, ""))
-
-
-def _relaxing(parameters: ArrayParameters, slope: float) -> ArrayParameters:
-    """Membranes whose modulus rises with frequency by a further exponent about 10 Hz, where it stays as it is.
-
-    One relaxation a decade, all of one strength: a causal law whatever the slope (Ferry 1980, chapter 3).
-    """
-    if slope == 0:
-        return parameters
-    before = np.abs(membrane_modulus(parameters, np.array([_MIDDLE])))[..., 0]
-    strength = slope * np.log(10) * before[..., None] * np.ones(len(_RELAXATIONS))
-    times = np.broadcast_to(1 / (2 * np.pi * _RELAXATIONS), strength.shape)
-    joined = replace(
-        parameters,
-        membrane_relaxation=np.concatenate([parameters.membrane_relaxation, strength], axis=2),
-        membrane_relaxation_time=np.concatenate([parameters.membrane_relaxation_time, times], axis=2),
-    )
-    stiffer = np.abs(membrane_modulus(joined, np.array([_MIDDLE])))[..., 0] / before
-    return replace(
-        joined,
-        membrane_compliance=joined.membrane_compliance * stiffer,
-        membrane_frequency=joined.membrane_frequency / np.sqrt(stiffer)[..., None],
-    )
 
 
 def _excitation(recorder: Recorder, total: int, random: np.random.Generator) -> Complex:
