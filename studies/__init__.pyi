@@ -39,7 +39,9 @@ from .findings.reporting import (
     sweep_report as sweep_report,
 )
 from .findings.searching import Search as Search, optimize as optimize
+from .inference.batch_diagnosing import diagnose_batch as diagnose_batch
 from .inference.board_recording import RecordedBoard as RecordedBoard, record_board as record_board
+from .inference.diagnosed_sensors import BatchDiagnosis as BatchDiagnosis, DiagnosedSensor as DiagnosedSensor
 from .inference.diagnosing import diagnose_recording as diagnose_recording
 from .inference.embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder as embed_decoder
 from .inference.exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder

@@ -25,7 +25,7 @@ WORDS = {
     "calibration": ("calibrate the sensor", "calibration", "calibration microphone", "recalibrate"),
     "decoder": ("decoder without training",),
     "embed": ("Arduino", "C code", "ESP32", "firmware", "microcontroller", "run on a microcontroller", "STM32"),
-    "diagnosis": ("broken sensor", "fault", "leak"),
+    "diagnosis": ("broken sensor", "fault", "leak", "production test"),
     "evidence/speed": ("processor time",),
     "formats": ("CSV files", "MATLAB", "Octave", "SOFA"),
     "gallery": ("examples of designs", "prototypes"),

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from itertools import zip_longest
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
+import scipy.special
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem import Library
@@ -16,6 +18,7 @@ from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array, ComplexArray
 from localize.decoders.hypotheses import bare_library
+from localize.diagnosis.as_built_estimates import AsBuiltEstimate, as_built_estimates
 from localize.diagnosis.bench_advice import bench_advice, most_telling_point
 from localize.diagnosis.diagnosis_options import DiagnosisOptions
 from localize.diagnosis.fault_libraries import FaultLibraries, Tables
@@ -47,6 +50,11 @@ class Diagnosis:
     """Sound, one fault, one of several faults that cannot be told apart, or touches that no single fault explains."""
     faults: tuple[SensorFault, ...]
     """Faults that explain the touches, the likeliest first, each with its likeliest amount; none if it is sound."""
+    probabilities: tuple[float, ...]
+    """Probability of each of these faults, if the sensor has one fault at most; none if no fault explains the
+    touches."""
+    probability: float | None
+    """Probability that the verdict is right, if the sensor has one fault at most; None if it is unexplained."""
     not_excluded: tuple[SensorFault, ...]
     """Faults that explain the touches of a sound sensor as well as no fault does."""
     gain: float
@@ -63,6 +71,8 @@ class Diagnosis:
     """Point, from 1, whose touch would best distinguish what is left; None if nothing is left to distinguish."""
     advice: tuple[str, ...]
     """Work at the bench, in sentences."""
+    parameters: tuple[AsBuiltEstimate, ...]
+    """As-built parameters with 95 % intervals, as the likeliest explanation has them."""
     design: ArrayDesign
     """Design of the sensor."""
 
@@ -108,12 +118,17 @@ class Diagnosis:
             "design": self.design.name,
             "verdict": self.verdict,
             "text": self.text,
-            "faults": [plain(fault) for fault in self.faults],
+            "faults": [
+                plain(fault) | {"probability": probability}
+                for fault, probability in zip_longest(self.faults, [round(each, 4) for each in self.probabilities])
+            ],
+            "probability": None if self.probability is None else round(self.probability, 4),
             "not_excluded": [plain(fault) for fault in self.not_excluded],
             "gain": round(self.gain, 2),
             "misfit": round(self.misfit, 4),
             "next_point": self.next_point,
             "advice": list(self.advice),
+            "parameters": [asdict(each) for each in self.parameters],
             "touches": [{"start": round(start, 3), "point": point, "known": known} for start, point, known in touches],
         }
 
@@ -213,6 +228,8 @@ class Diagnoser:
         if fit.misfit > options.explained:
             verdict, alike = "unexplained", others[:1]
         faults = tuple(_with_found_amount(*each) for each in alike)
+        of_sound, of_faults = _probabilities(as_designed, [each for _, each in others], options)
+        listed = () if verdict == "unexplained" else tuple(of_faults[: len(alike)].tolist())
         left = [(sound, as_designed), *near[:3]] if is_sound else near if len(near) > 1 else others[:2]
         next_point = None
         if verdict != "unexplained" and len(left) > 1:
@@ -220,6 +237,8 @@ class Diagnoser:
         return Diagnosis(
             verdict=verdict,
             faults=faults,
+            probabilities=listed,
+            probability=None if verdict == "unexplained" else of_sound if is_sound else float(sum(listed)),
             not_excluded=tuple(_with_found_amount(*each) for each in near) if is_sound else (),
             gain=gain,
             misfit=fit.misfit,
@@ -228,6 +247,7 @@ class Diagnoser:
             known=known >= 0,
             next_point=next_point,
             advice=tuple(bench_advice(self.libraries, fault) for fault in faults if verdict != "unexplained"),
+            parameters=as_built_estimates(self.libraries, fit),
             design=design,
         )
 
@@ -304,6 +324,19 @@ def _at(grid: NDArray[np.int64], frequency: Array, values: Array | ComplexArray)
 def times(start: Array) -> str:
     """Times as a list, s."""
     return ", ".join(f"{each:.1f}" for each in start)
+
+
+def _probabilities(
+    as_designed: Fitted, faults: Sequence[Fitted], options: DiagnosisOptions
+) -> tuple[float, NDArray[np.float64]]:
+    """Probabilities of a sound sensor, and of each fault, (n_fault,) float64; together they are 1.
+
+    The evidence counts residuals of all frequencies and touches as independent, which they are not, so it is divided
+    by a temperature.
+    """
+    evidence = np.array([as_designed.evidence + options.believed, *(each.evidence for each in faults)])
+    found = scipy.special.softmax(evidence / options.evidence_temperature)
+    return float(found[0]), found[1:]
 
 
 def _with_found_amount(tables: Tables, fit: Fitted) -> SensorFault:

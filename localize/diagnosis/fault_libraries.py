@@ -26,7 +26,7 @@ from localize.diagnosis.diagnosis_options import DiagnosisOptions
 from localize.diagnosis.faults import SensorFault, single_faults
 from localize.signals.array_response import response_of
 
-_QUANTITIES = (
+FITTED = (
     "bore",
     "cavity_height",
     "modulus_of_part",
@@ -35,7 +35,9 @@ _QUANTITIES = (
     "microphone_gain",
     "microphone_corner",
 )
-_AROUND = ("pressure", "temperature", "slope")
+"""Quantities whose deviations are fitted, if the tolerances have them."""
+AROUND = ("pressure", "temperature", "rubber_slope")
+"""Deviations of the air and of the rubber, in the order of their columns."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +82,8 @@ class FaultLibraries:
 
     def __init__(self, library: Library, options: DiagnosisOptions) -> None:
         self.design, self.options = library.design, options
-        self._medium: Medium = library.medium
+        self.medium: Medium = library.medium
+        """Air about which the deviations of the air are."""
         self._scattered = ScatteredDesign(library.design, options.tolerances)
         named = {each.quantity for each in options.tolerances}
         sizes = {
@@ -89,10 +92,9 @@ class FaultLibraries:
             "array": 1,
             "microphone": len(library.design.microphones),
         }
-        self._entries = [
-            (name, part) for name in _QUANTITIES if name in named for part in range(sizes[QUANTITIES[name]])
-        ]
-        self.size = len(self._entries) + len(_AROUND) + 1
+        self.entries = [(name, part) for name in FITTED if name in named for part in range(sizes[QUANTITIES[name]])]
+        """Quantity and index of the part of each deviation but those of the air, of the rubber and of the fault."""
+        self.size = len(self.entries) + len(AROUND) + 1
         """Number of deviations; the last is that of the amount of the fault."""
         self._kept: dict[SensorFault | None, Tables] = {}
         self._step = options.calibrated_fraction if library.fidelity == MEASURED else 1.0
@@ -102,6 +104,13 @@ class FaultLibraries:
         response = response_of(library)
         known = response.between(self.frequency.astype(np.float64))[0]
         self._correction = audible_ratio(known, self._closed_forms([None], np.zeros((1, self.size)))[0])
+
+    @property
+    def deviation_sizes(self) -> Array:
+        """Standard deviation of every deviation, (n_deviation,) float64: of ratios, Pa, K; 1 for the last."""
+        size = {each.quantity: each.deviation * self._step for each in self.options.tolerances}
+        around = (self.options.pressure, self.options.temperature, self.options.slope, 1.0)
+        return np.array([*(size[name] for name, _ in self.entries), *around])
 
     @cached_property
     def faults(self) -> tuple[tuple[SensorFault, ...], ...]:
@@ -137,7 +146,7 @@ class FaultLibraries:
     def batch_deviation(self) -> Array:
         """Deviations of a sensor whose membranes are all one standard deviation stiffer, (n_deviation,) float64."""
         found = np.zeros(self.size)
-        found[: len(self._entries)] = [name == "modulus_of_batch" for name, _ in self._entries]
+        found[: len(self.entries)] = [name == "modulus_of_batch" for name, _ in self.entries]
         return found
 
     @cached_property
@@ -176,15 +185,15 @@ class FaultLibraries:
         faults = list(faults) * (count if len(faults) == 1 else 1)
         steps = np.broadcast_to(deviations * self._step, (count, self.size))
         draws = {name: np.zeros((count, 1)) for name in QUANTITIES}
-        for name in {name for name, _ in self._entries}:
-            draws[name] = steps[:, [k for k, entry in enumerate(self._entries) if entry[0] == name]]
-        around = self._around(np.broadcast_to(deviations, (count, self.size))[:, len(self._entries) : -1])
+        for name in {name for name, _ in self.entries}:
+            draws[name] = steps[:, [k for k, entry in enumerate(self.entries) if entry[0] == name]]
+        around = self._around(np.broadcast_to(deviations, (count, self.size))[:, len(self.entries) : -1])
         amounts = np.broadcast_to(deviations, (count, self.size))[:, -1]
         faults = [None if each is None else each.with_amount(float(z)) for each, z in zip(faults, amounts, strict=True)]
         whole = around.changed(_rows(self._scattered.parameters(draws), count))
         frequency = self.frequency.astype(np.float64)
         parts: list[ArrayParameters] = [
-            _row(whole, k) if fault is None else fault.of_parts(_row(whole, k), self._medium)
+            _row(whole, k) if fault is None else fault.of_parts(_row(whole, k), self.medium)
             for k, fault in enumerate(faults)
         ]
         joined = ArrayParameters(
@@ -194,7 +203,7 @@ class FaultLibraries:
             warnings.simplefilter("ignore", ModelLimitWarning)
             h = np.asarray(batch_transfer_function(joined, self._scattered.topology, frequency, around.medium))
         gain, corner = np.moveaxis(self._scattered.microphones(draws), 1, 0)[:, :, None, :, None]
-        vent = vent_ratio(self.design.microphone, frequency, self._medium)
+        vent = vent_ratio(self.design.microphone, frequency, self.medium)
         h = h * gain * (1 + 1 / vent) / (1 + corner / vent)
         return np.stack([each if fault is None else fault.of_microphones(each)
                          for each, fault in zip(h, faults, strict=True)])  # fmt: skip
@@ -203,20 +212,20 @@ class FaultLibraries:
         """Air and slope of the rubber of sensors, by deviations (n, 3)."""
         options, media = self.options, []
         air = self.design.air
-        base = LocalAir(self._medium.pressure, temperature_c=air.temperature)
+        base = LocalAir(self.medium.pressure, temperature_c=air.temperature)
         exact = medium_of(base, self.design)
         for pressure, temperature, _ in steps:
             if not pressure and not temperature:
-                media.append(self._medium)
+                media.append(self.medium)
                 continue
             moved = medium_of(
                 LocalAir(
-                    float(np.clip(self._medium.pressure + pressure * options.pressure, 5e4, 1.2e5)),
+                    float(np.clip(self.medium.pressure + pressure * options.pressure, 5e4, 1.2e5)),
                     temperature_c=float(np.clip(air.temperature + temperature * options.temperature, -19.0, 59.0)),
                 ),
                 self.design,
             )
-            media.append(Medium(**{name: getattr(self._medium, name) * getattr(moved, name) / getattr(exact, name)
+            media.append(Medium(**{name: getattr(self.medium, name) * getattr(moved, name) / getattr(exact, name)
                                    for name in vars(exact)}))  # fmt: skip
         slope = np.maximum(1 + options.slope * steps[:, 2], 0.0)
         return DrawnAirAndRubber(MediumParameters.from_media(media), slope, np.ones(len(steps)))

@@ -36,6 +36,8 @@ class Fitted:
     """Index of the likeliest point of each touch, (n_touch,) int64."""
     misfit: float
     """Mean square of the residual over its expected variance, a ratio."""
+    precision: Array
+    """Inverse of the covariance of the deviations, (n_deviation, n_deviation) float64."""
 
 
 class TouchLikelihood:
@@ -138,7 +140,7 @@ class TouchLikelihood:
         change = np.linalg.solve(precision, slope)
         evidence = score - 0.5 * float(deviations @ deviations) + 0.5 * float(slope @ change)
         evidence -= 0.5 * float(np.linalg.slogdet(precision)[1])
-        return Fitted(evidence, deviations, point, misfit), np.asarray(change, np.float64)
+        return Fitted(evidence, deviations, point, misfit, precision), np.asarray(change, np.float64)
 
 
 def across(h: ComplexArray) -> ComplexArray:

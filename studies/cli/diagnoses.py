@@ -21,24 +21,46 @@ from studies.cli.options import (
     Pressure,
     Temperature,
     channel_map,
+    display_on_stderr,
     noise_choice,
 )
-from studies.cli.terminal_tables import show, table_of, tell
+from studies.cli.terminal_tables import say, show, table_of, tell
 
 if TYPE_CHECKING:
     from localize.diagnosis import Diagnosis
+    from studies.inference.diagnosed_sensors import BatchDiagnosis
+
+#: Exit code of a batch in which a sensor does not pass.
+_NOT_ALL_PASS = 3
 
 
 def diagnose(
     library: LibraryFile,
     recording: Annotated[
-        Path,
+        Path | None,
         typer.Argument(
             metavar="RECORDING",
             help="Recording of 20 to 30 touches, one at a time, spread over all points, with quiet between them.",
         ),
-    ],
-    out: Annotated[Path | None, typer.Option(help="File of JSON for the diagnosis.")] = None,
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="File of JSON for the diagnosis; with --batch, the folder for the results.")
+    ] = None,
+    batch: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="Folder with a recording of each of many sensors, named after the sensor, in place of RECORDING. A "
+            "file NAME.toml beside NAME.wav may hold points of its own: points = [1, 2, 3].",
+        ),
+    ] = None,
+    limits: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.toml",
+            help="With --batch: limits within which a sensor passes: docs/diagnosis.md. Default: no fault passes.",
+        ),
+    ] = None,
     points: Annotated[
         str | None,
         typer.Option(
@@ -63,24 +85,43 @@ def diagnose(
     what to do at the bench and which touch would tell more. You need no calibration microphone. If you know some of the
     touched points, give --points. Exchanged microphones show only then.
 
+    With --batch the command diagnoses many sensors of one design. It writes a page and tables with the fault, the
+    as-built parameters and the result of each sensor against your limits into the folder --out. A run that was stopped
+    goes on where it was. A recording that cannot be used is a row of the table. The exit code is 0 if all sensors pass
+    and 3 if one does not.
+
     Example: [bold]acoustic-fem diagnose library.nc touches.wav --points 2.5=9,8.1=3[/bold]
     """
+    _check_forms(recording, out, batch, limits)
     decoding = studies.Decoding(
         noise_choice(noise),
         air=acoustic_fem.LocalAir(pressure, altitude, temperature),
         microphone_output=microphone_output,
         lowest=lowest,
     )
-    found = studies.diagnose_recording(
-        library,
-        recording,
-        out,
-        points=_known(points),
-        full_scale=full_scale,
-        decoding=decoding,
-        channels=channel_map(channels),
-    )
-    _show(found, recording)
+    known, chosen = _known(points), channel_map(channels)
+    if batch is not None and out is not None:
+        with display_on_stderr() as display:
+            several = studies.diagnose_batch(
+                library, batch, out, limits=limits, points=known, full_scale=full_scale, decoding=decoding,
+                channels=chosen, display=display,
+            )  # fmt: skip
+        _show_batch(several)
+    elif recording is not None:
+        found = studies.diagnose_recording(
+            library, recording, out, points=known, full_scale=full_scale, decoding=decoding, channels=chosen
+        )
+        _show(found, recording)
+
+
+def _check_forms(recording: Path | None, out: Path | None, batch: Path | None, limits: Path | None) -> None:
+    """Refuse words that belong to one recording and to many, or to neither."""
+    if (recording is None) == (batch is None):
+        raise typer.BadParameter("give a RECORDING, or --batch with a folder of recordings")
+    if batch is not None and out is None:
+        raise typer.BadParameter("--batch needs --out, a folder for the results")
+    if batch is None and limits is not None:
+        raise typer.BadParameter("--limits belongs to --batch")
 
 
 def _known(text: str | None) -> list[int] | dict[float, int] | None:
@@ -96,6 +137,32 @@ def _known(text: str | None) -> list[int] | dict[float, int] | None:
     except ValueError:
         problem = f"--points = {text!r} must be TIME=POINT,... or POINT,..., such as 2.5=9,8.1=3"
         raise typer.BadParameter(problem) from None
+
+
+def _show_batch(found: BatchDiagnosis) -> None:
+    """Print the table of the sensors and the paths of the files, then end with exit code 3 if one does not pass."""
+    table = table_of("sensor", "result", "finding", "probability", "modulus", numbers=(3,))
+    for each in found.sensors:
+        modulus, probability = each.batch_modulus, each.probability
+        table.add_row(
+            each.sensor,
+            each.result,
+            each.text,
+            "" if probability is None else f"{100 * probability:.1f} %",
+            "" if modulus is None else f"{modulus.value:.2f} ({modulus.low:.2f} to {modulus.high:.2f})",
+        )
+    show(table)
+    for each in found.sensors:
+        if each.objections:
+            tell(f"{each.sensor} fails: {'; '.join(each.objections)}")
+    counts = found.counts
+    tell(
+        f"{counts['pass']} of {counted(len(found.sensors), 'sensor')} pass, {counts['fail']} fail, "
+        f"{counts['no diagnosis']} could not be diagnosed"
+    )
+    say(found.page)
+    if not found.passed:
+        raise typer.Exit(_NOT_ALL_PASS)
 
 
 def _show(found: Diagnosis, recording: Path) -> None:

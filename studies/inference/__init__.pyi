@@ -1,3 +1,5 @@
+from .batch_diagnosing import diagnose_batch as diagnose_batch
+from .diagnosed_sensors import BatchDiagnosis as BatchDiagnosis, DiagnosedSensor as DiagnosedSensor
 from .diagnosing import diagnose_recording as diagnose_recording
 from .embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder as embed_decoder
 from .exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder

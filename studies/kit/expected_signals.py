@@ -51,12 +51,17 @@ class ExpectedSignal:
     where the network of closed forms does not take the cavity."""
 
 
-def expected_signals(design: ArrayDesign) -> tuple[ExpectedSignal, ...]:
-    """Expected signal of every point of a design."""
+def expected_signals(design: ArrayDesign, built: Array | None) -> tuple[ExpectedSignal, ...]:
+    """Expected signal of every point of a design.
+
+    Args:
+        design: the array.
+        built: levels of as-built sensors, see :func:`as_built_levels`.
+    """
     nominal = acoustic_fem.solve(design, np.array([FREQUENCY]), fidelity="lumped").transfer_function
     h = np.abs(nominal.transpose("point", "microphone", "frequency").values[..., 0])
     order = np.asarray(np.argsort(-h, axis=1, kind="stable"), np.int64)
-    spread, leak = _spread(design, order), _leak(design, order[:, 0])
+    spread, leak = _spread(built, order), _leak(design, order[:, 0])
     names, signals = design.microphones, []
     for point, (first, *others) in enumerate(order.tolist()):
         second = others[0] if others else None
@@ -96,8 +101,12 @@ def _leak(design: ArrayDesign, louder: NDArray[np.int64]) -> Array | None:
     return np.asarray(20 * np.log10(levels[1][own] / levels[0][own]))
 
 
-def _spread(design: ArrayDesign, order: NDArray[np.int64]) -> Array | None:
-    """Two standard deviations of the difference of the two loudest microphones, (n_point,) float64, dB."""
+def as_built_levels(design: ArrayDesign) -> Array | None:
+    """Levels of touches on as-built sensors at :data:`FREQUENCY`, relative to the touched cavity, dB.
+
+    Returns:
+        (n_sensor, n_point, n_microphone) float64; None for a single microphone, or where the scatter is not known.
+    """
     if len(design.microphones) < 2:
         return None
     try:
@@ -105,6 +114,13 @@ def _spread(design: ArrayDesign, order: NDArray[np.int64]) -> Array | None:
     except UnknownScatterError:
         return None
     sensors = AsBuiltSensors(scattered, np.array([FREQUENCY]))
-    h = np.abs(sensors.transfer_functions(scattered.draws(0, _SENSORS, 0))[..., 0])
-    first, second = (np.take_along_axis(h, order[None, :, number, None], axis=2)[..., 0] for number in (0, 1))
-    return np.asarray(2 * np.std(20 * np.log10(first / second), axis=0))
+    h = sensors.transfer_functions(scattered.draws(0, _SENSORS, 0))[..., 0]
+    return np.asarray(20 * np.log10(np.abs(h)))
+
+
+def _spread(built: Array | None, order: NDArray[np.int64]) -> Array | None:
+    """Two standard deviations of the difference of the two loudest microphones, (n_point,) float64, dB."""
+    if built is None:
+        return None
+    first, second = (np.take_along_axis(built, order[None, :, number, None], axis=2)[..., 0] for number in (0, 1))
+    return np.asarray(2 * np.std(first - second, axis=0))

@@ -24,11 +24,12 @@ from studies.kit import step_drawings, step_pictures
 from studies.kit.build_facts import casts_of, dangers_of, glue_of, wiring_of
 from studies.kit.casting_sheet import casting_words, closing_words, opening_words
 from studies.kit.cutting_template import template_strips
-from studies.kit.expected_signals import FREQUENCY, HOLE, LEAK_FREQUENCY, expected_signals
+from studies.kit.expected_signals import FREQUENCY, HOLE, LEAK_FREQUENCY, as_built_levels, expected_signals
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 from studies.kit.leak_testing import GAUGE_BORE, WATCHED, leak_tests
 from studies.kit.ordering import OrderList
 from studies.kit.questions import Facts, answers_of
+from studies.kit.touch_leak_test import READABLE, TOUCHED_HOLE, leak_signs, touch_order
 from studies.kit.work_hours import COUNTED
 from studies.output.display import Report
 
@@ -72,6 +73,7 @@ def write_manual(
     environment.filters |= {"chunks": _chunks, "g3": lambda value: f"{value:.3g}", "signed": _signed}
     text = (resources.files(studies) / "templates" / "manual.html").read_text(encoding="utf-8")
     report("expected signals", 0.0)
+    built = as_built_levels(model.design)
     facts = Facts(
         model,
         plates,
@@ -81,7 +83,8 @@ def write_manual(
         casts_of(model, order.bill),
         template_strips(model.design, model.layout),
         leak_tests(model.design),
-        expected_signals(model.design),
+        expected_signals(model.design, built),
+        leak_signs(model.design, built),
         wiring_of(model.design),
     )
     page = environment.from_string(text).render(**_content(facts, shapes, report))
@@ -119,6 +122,9 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "frequency": FREQUENCY,
         "leak_frequency": LEAK_FREQUENCY,
         "hole": 1e3 * HOLE,
+        "touched_hole": TOUCHED_HOLE,
+        "touches": touch_order(design),
+        "readable": READABLE,
         "volts": 10 ** (design.microphone.sensitivity / 20),
         "radius": membrane_radius(design.resonator, design.membrane),
         "resin": facts.process.name in ("sla-resin", "dlp-fine"),

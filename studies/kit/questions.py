@@ -19,6 +19,7 @@ from studies.kit.expected_signals import FREQUENCY, ExpectedSignal
 from studies.kit.jobs import BUILD, CUT, PRINT
 from studies.kit.leak_testing import WATCHED, LeakTest
 from studies.kit.ordering import OrderList
+from studies.kit.touch_leak_test import LeakSign
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,8 @@ class Facts:
     """Leak tests."""
     signals: tuple[ExpectedSignal, ...]
     """Expected signals."""
+    leak_signs: tuple[LeakSign, ...]
+    """Changes by which touches show leaks."""
     wiring: Wiring
     """Wiring of the microphones."""
 

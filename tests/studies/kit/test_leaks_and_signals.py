@@ -11,9 +11,12 @@ import acoustic_fem
 import geometry
 from acoustic_fem.duct.leak import leak_conductance
 from acoustic_fem.membrane import bulge, design_membrane
+from localize.diagnosis import SensorFault
 from studies.kit import leak_tests
-from studies.kit.expected_signals import FREQUENCY, HOLE, HOLE_LENGTH, LEAK_FREQUENCY, expected_signals
+from studies.kit.expected_signals import FREQUENCY, HOLE, HOLE_LENGTH, LEAK_FREQUENCY, as_built_levels, expected_signals
 from studies.kit.leak_testing import GAUGE_BORE, LARGEST_CORNER, WATCHED
+from studies.kit.touch_leak_test import FEWEST_TOUCHES, TOUCHED_HOLE, leak_signs, touch_order
+from studies.test_rig.faulty_rig import FaultyRig
 
 DESIGN = geometry.prototype("array-2x6")
 
@@ -47,7 +50,7 @@ def test_every_kind_of_point_has_its_test() -> None:
 
 
 def test_expected_levels_are_those_of_the_library() -> None:
-    signals = expected_signals(DESIGN)
+    signals = expected_signals(DESIGN, as_built_levels(DESIGN))
     h = acoustic_fem.solve(DESIGN, np.array([FREQUENCY]), fidelity="lumped").transfer_function
     for signal in signals:
         level = np.abs(h.sel(point=h.point[signal.point - 1]).values[..., 0]).ravel()
@@ -65,7 +68,40 @@ def test_a_hole_lowers_the_signal_of_its_point_as_the_design_with_that_leak_says
         np.abs(acoustic_fem.solve(each, np.array([LEAK_FREQUENCY]), fidelity="lumped").source_response.values).max()
         for each in (one, leaky)
     ]
-    (signal,) = expected_signals(one)
+    (signal,) = expected_signals(one, None)
     assert signal.leak == pytest.approx(20 * np.log10(levels[1] / levels[0]), abs=0.02)
     assert signal.leak is not None
     assert signal.leak < -0.1
+
+
+def test_touches_go_over_all_points_until_there_are_enough() -> None:
+    assert touch_order(DESIGN) == (*range(1, 13), *range(1, 13))
+    assert touch_order(geometry.prototype("line-2")) == tuple(range(1, 37))
+    assert len(touch_order(DESIGN.with_values({"lines.0.points": 5, "layout.columns": 5}))) >= FEWEST_TOUCHES
+
+
+@pytest.mark.physics
+def test_the_signs_of_a_leak_are_those_of_a_sensor_that_leaks() -> None:
+    """Rigs have other bores, cavities, rubber and air than the design, and the change of the level stays."""
+    signs = leak_signs(DESIGN, as_built_levels(DESIGN))
+    assert [sign.point for sign in signs] == list(range(1, 13))
+    for sign in signs[1::5]:
+        assert sign.touched != sign.point
+        assert sign.smallest_hole is not None
+        index = [DESIGN.microphones.index(name) for name in (sign.one, sign.other)]
+        changes = []
+        for seed in (46931, 46932):
+            levels = []
+            for fault in (None, SensorFault("leak", (sign.point,), TOUCHED_HOLE)):
+                h = FaultyRig(DESIGN, seed, fault, fidelity="lumped").transfer_function([FREQUENCY])
+                level = 20 * np.log10(np.abs(h[sign.touched - 1, index, 0]))
+                levels.append(level[0] - level[1])
+            changes.append(levels[1] - levels[0])
+        assert np.mean(changes) == pytest.approx(sign.leaking - sign.tight, rel=0.25)
+        assert abs(sign.leaking - sign.tight) > sign.spread
+
+
+def test_a_larger_hole_than_the_smallest_shows_and_a_smaller_one_does_not() -> None:
+    signs = leak_signs(DESIGN, as_built_levels(DESIGN))
+    assert all(sign.smallest_hole is not None and 0.03 <= sign.smallest_hole < TOUCHED_HOLE for sign in signs)
+    assert leak_signs(DESIGN, None) == ()
