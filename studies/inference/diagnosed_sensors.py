@@ -134,7 +134,8 @@ class BatchDiagnosis:
     @property
     def frequent_faults(self) -> list[tuple[str, int]]:
         """Faults that fail sensors with the number of these sensors, the most frequent first: a step of the
-        production goes wrong where one part fails often. Of several faults that cannot be told apart each counts.
+        production goes wrong where one part fails often. Each of several faults
+        that cannot be told apart counts.
         """
         found = Counter(name for each in self.sensors if each.result == "fail" for name in each.fault_names)
         return found.most_common()

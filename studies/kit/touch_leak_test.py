@@ -1,8 +1,8 @@
 """Leak test of a finished sensor by touches: order of the touches, and what a leak of each point would change.
 
 A leak lets the pressure out that passes its cavity. So a touch on one side of it reaches the microphone on the other
-side with less level, and the difference of the levels of two microphones changes. That difference does not depend on
-how hard the finger touches. The change is computed with the closed forms of the network, and compared with the spread
+side with less level, and the difference of the levels of two microphones changes. The difference does not depend on
+how hard the finger touches. Its change is computed with the closed forms of the network, and compared with the spread
 of sensors that have the tolerances of a workshop: a smaller change cannot be distinguished from the spread by hand.
 """
 
