@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from geometry.printing.bleed import open_bores
 from geometry.printing.finding import Finding, by_rule, with_note
-from geometry.printing.overhangs import sealed_cup
+from geometry.printing.overhangs import Cups
 from geometry.printing.pose import MARGIN, Pose
 from geometry.printing.slices import Slices
 from geometry.schema.print_processes import PrintProcess, Rule
@@ -31,7 +31,12 @@ BORDER = Rule(0.0, MARGIN, "assumed: room for a brim and for the feet of support
 
 
 def judge_layers(
-    name: str, facets: Tessellation, process: PrintProcess, bores: list[Round], pose: Pose
+    name: str,
+    facets: Tessellation,
+    process: PrintProcess,
+    bores: list[Round],
+    pose: Pose,
+    cups: Cups | None,
 ) -> list[Finding]:
     """Findings on the layers of one printed part.
 
@@ -41,6 +46,7 @@ def judge_layers(
         process: with its rules and the height of its layers.
         bores: round holes of the part.
         pose: as it lies on the plate.
+        cups: of the part; None where the process seals none.
     """
     slices = Slices(facets, pose.rotation, process.layer, process.pixel)
     findings = [*_hanging(name, slices, process), _thin(name, slices, process)]
@@ -57,8 +63,8 @@ def judge_layers(
     if process.overhang_angle > 0 and pose.fits:
         border = min((room - own) / 2 for room, own in zip(process.build_volume[:2], pose.size[:2], strict=True))
         findings.append(by_rule(name, "free border of the plate", border, "mm", BORDER, None))
-    if pose.upside_down:
-        findings += _single_file(name, facets, process, bores)
+    if pose.upside_down and cups is not None:
+        findings.append(_single_file(name, process, cups))
     return findings
 
 
@@ -93,10 +99,8 @@ def _thin(name: str, slices: Slices, process: PrintProcess) -> Finding:
     return with_note(found, "no wall is narrower than two pixels")
 
 
-def _single_file(name: str, facets: Tessellation, process: PrintProcess, bores: list[Round]) -> list[Finding]:
-    """Findings on the part's own file, which stands as drawn, where the plate has it upside down."""
-    if not math.isfinite(process.cup_volume.advised):
-        return []
-    cup = sealed_cup(facets, narrowest_vent(process, bores))
+def _single_file(name: str, process: PrintProcess, cups: Cups) -> Finding:
+    """Finding on the part's own file, which stands as drawn, where the plate has it upside down."""
+    cup = cups.largest()
     found = by_rule(name, "sealed cup of its own file", cup.value, "mm^3", process.cup_volume, cup.place)
-    return [with_note(found, "the file of the single part stands as drawn; turn it upside down as on the plate")]
+    return with_note(found, "the file of the single part stands as drawn; turn it upside down as on the plate")

@@ -143,8 +143,8 @@ def _distances(points: Array, segments: Array) -> Array:
 
 
 # -- cups -----------------------------------------------------------------------------------------------------
-def sealed_cup(facets: Tessellation, narrowest_hole: float, upside_down: bool = False) -> Spot:
-    """Largest volume that the part and the film under the resin enclose at some layer of the print, mm^3.
+class Cups:
+    """Volumes that a part and the film under the resin enclose while it is printed.
 
     The part hangs from the plate and grows towards the film; what of its air has no way out sideways is held by
     the film like a sucker. Found on a grid that resolves the narrowest hole, as far as the memory allows.
@@ -152,31 +152,43 @@ def sealed_cup(facets: Tessellation, narrowest_hole: float, upside_down: bool = 
     Args:
         facets: of the part.
         narrowest_hole: vents narrower than this need not be seen, mm.
-        upside_down: built from its top.
     """
-    skin = Skin(facets)
-    low, size = skin.vertices.min(axis=0), np.ptp(skin.vertices, axis=0)
-    finest = min(narrowest_hole / _STEPS_PER_HOLE, float(size.min()) / _STEPS_ACROSS)
-    step = max(finest, float(np.prod(size) / _MOST_CELLS) ** (1 / 3))
-    solid = _grid(skin, low, size, step)
-    order = range(solid.shape[2])
-    groups = _Groups()
-    before = np.zeros(solid.shape[:2], dtype=np.int64)
-    largest, place = 0.0, None
-    for layer in reversed(order) if upside_down else order:
-        labels, count = ndimage.label(~solid[:, :, layer])
-        labels, shown = groups.add(labels, count)
-        touching = (labels > 0) & (before > 0)
-        bound = shown.stop  # more than any group before: two numbers as one, which sorts much faster than pairs
-        for pair in np.unique(labels[touching] * bound + before[touching]).tolist():
-            groups.join(*divmod(pair, bound))
-        cells, root = groups.largest_closed(shown)
-        if cells * step**3 > largest:
-            i, j = np.argwhere(labels > 0)[np.flatnonzero([groups.root(k) == root for k in labels[labels > 0]])[0]]
-            x, y, z = (low + (np.array([i - 1, j - 1, layer]) + 0.5) * step).tolist()
-            largest, place = cells * step**3, (x, y, z)
-        before = labels
-    return Spot(largest, place)
+
+    def __init__(self, facets: Tessellation, narrowest_hole: float) -> None:
+        skin = Skin(facets)
+        self._low, size = skin.vertices.min(axis=0), np.ptp(skin.vertices, axis=0)
+        finest = min(narrowest_hole / _STEPS_PER_HOLE, float(size.min()) / _STEPS_ACROSS)
+        self._step = max(finest, float(np.prod(size) / _MOST_CELLS) ** (1 / 3))
+        self._solid = _grid(skin, self._low, size, self._step)
+
+    def largest(self, upside_down: bool = False) -> Spot:
+        """Largest volume that is enclosed at some layer of the print, mm^3.
+
+        Args:
+            upside_down: built from its top.
+        """
+        order = range(len(self._solid))
+        groups = _Groups()
+        labels, shown = np.zeros(self._solid.shape[1:], dtype=np.int64), range(0)
+        most, place, last = 0, None, None
+        for layer in reversed(order) if upside_down else order:
+            if last is not None and np.array_equal(self._solid[layer], self._solid[last]):
+                groups.grow(shown)
+            else:
+                before = labels
+                labels, shown = groups.add(*ndimage.label(~self._solid[layer]))
+                touching = (labels > 0) & (before > 0)
+                bound = shown.stop  # more than any group before: two numbers as one, which sorts faster than pairs
+                for pair in np.unique(labels[touching] * bound + before[touching]).tolist():
+                    groups.join(*divmod(pair, bound))
+            cells, root = groups.largest_closed(shown)
+            if cells > most:
+                own = [group for group in shown if groups.root(group) == root]
+                i, j = np.argwhere(np.isin(labels, own))[0]
+                x, y, z = (self._low + (np.array([i - 1, j - 1, layer]) + 0.5) * self._step).tolist()
+                most, place = cells, (x, y, z)
+            last = layer
+        return Spot(most * self._step**3, place)
 
 
 class _Groups:
@@ -185,15 +197,22 @@ class _Groups:
     def __init__(self) -> None:
         self._parent = [0]
         self._cells = [0]
+        self._shown_cells: list[int] = []
 
     def add(self, labels: NDArray[Any], count: int) -> tuple[NDArray[np.int64], range]:
         """New groups for the labels of a layer, in it and in all; what touches its border or corner is outside."""
         shift = len(self._parent) - 1
         self._parent += range(shift + 1, shift + 1 + count)
-        self._cells += np.bincount(labels.ravel(), minlength=count + 1)[1:].tolist()
+        self._shown_cells = np.bincount(labels.ravel(), minlength=count + 1)[1:].tolist()
+        self._cells += self._shown_cells
         placed = np.where(labels > 0, labels.astype(np.int64) + shift, 0)
         self.join(int(placed[0, 0]), 0)
         return placed, range(shift + 1, shift + 1 + count)
+
+    def grow(self, shown: range) -> None:
+        """Count the groups of the last layer once more: the next layer is like it."""
+        for group, cells in zip(shown, self._shown_cells, strict=True):
+            self._cells[self.root(group)] += cells
 
     def root(self, group: int) -> int:
         """The group that a group was joined to."""
@@ -216,13 +235,18 @@ class _Groups:
 
 
 def _grid(skin: Skin, low: Array, size: Array, step: float) -> NDArray[np.bool_]:
-    """Mask of the cells of a grid around a part that are solid at their centres, with one empty cell at its sides."""
+    """Mask, (layer, column, row), of the cells about a part that are solid at their centres.
+
+    One empty cell is at each side, none below and above.
+    """
     counts = np.maximum(np.ceil(size / step).astype(int), 1)
-    change = np.zeros((counts[0] + 2, counts[1] + 2, counts[2] + 1), dtype=np.int32)
+    shape = (counts[2] + 1, counts[0] + 2, counts[1] + 2)
+    change = np.zeros(shape, dtype=np.int32)
     for i, j, z, enters in _crossings(skin, low, step, counts):
         layer = np.clip(np.ceil((z - low[2]) / step - 0.5), 0, counts[2]).astype(int)
-        np.add.at(change, (i + 1, j + 1, layer), np.where(enters, 1, -1))
-    return np.asarray(np.cumsum(change, axis=2)[:, :, :-1] > 0)
+        at = np.ravel_multi_index((layer, i + 1, j + 1), shape)
+        np.add.at(change.reshape(-1), at, np.where(enters, np.int32(1), np.int32(-1)))
+    return np.asarray(np.cumsum(change, axis=0, dtype=np.int32)[:-1] > 0)
 
 
 def _crossings(
@@ -237,22 +261,27 @@ def _crossings(
     last = np.minimum(np.floor(flat.max(axis=1)), counts[:2] - 1).astype(int)
     spans = np.maximum(last - first + 1, 0)
     pairs = spans.prod(axis=1)
+    u, v = _barycentric(flat, first)
+    rise = corners[:, 1:, 2] - corners[:, :1, 2]
     kept = np.flatnonzero(pairs)
     blocks = np.split(kept, np.flatnonzero(np.diff(np.cumsum(pairs[kept]) // _BLOCK)) + 1)
     for block in blocks:
         which = np.repeat(block, pairs[block])
         rank = np.arange(len(which)) - np.repeat(np.cumsum(pairs[block]) - pairs[block], pairs[block])
-        i, j = first[which, 0] + rank // spans[which, 1], first[which, 1] + rank % spans[which, 1]
-        a, b, c = (flat[which, k] for k in range(3))
-        whole = _turn(a, b, c)
-        here = np.column_stack([i, j]).astype(float)
-        u, v = _turn(a, here, c) / whole, _turn(a, b, here) / whole
-        hit = (u >= 0) & (v >= 0) & (u + v <= 1)
-        z = corners[which, :, 2][hit]
-        height = z[:, 0] + u[hit] * (z[:, 1] - z[:, 0]) + v[hit] * (z[:, 2] - z[:, 0])
-        yield i[hit], j[hit], height, enters[which][hit]
+        across, along = np.divmod(rank, spans[which, 1])
+        here_u, here_v = (each[0][which] + each[1][which] * across + each[2][which] * along for each in (u, v))
+        hit = np.flatnonzero((here_u >= 0) & (here_v >= 0) & (here_u + here_v <= 1))
+        which = which[hit]
+        height = corners[which, 0, 2] + here_u[hit] * rise[which, 0] + here_v[hit] * rise[which, 1]
+        yield first[which, 0] + across[hit], first[which, 1] + along[hit], height, enters[which]
 
 
-def _turn(a: Array, b: Array, c: Array) -> Array:
-    """Twice the signed area of (n, 2) triangles."""
-    return np.asarray((b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0]))
+def _barycentric(flat: Array, at: NDArray[np.int_]) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
+    """Coordinates along the first and the last side of (n, 3, 2) triangles: at (n, 2), and their rise per column, row.
+
+    Six (n,) arrays.
+    """
+    (bx, by), (cx, cy) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
+    x, y = (at - flat[:, 0]).T
+    whole = bx * cy - by * cx
+    return tuple((g * x + h * y, g, h) for g, h in ((cy / whole, -cx / whole), (-by / whole, bx / whole)))

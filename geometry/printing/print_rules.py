@@ -11,7 +11,7 @@ import numpy as np
 import geometry
 from geometry.printing.finding import Finding, by_rule, with_note
 from geometry.printing.layer_rules import judge_layers, narrowest_vent
-from geometry.printing.overhangs import overhangs, sealed_cup
+from geometry.printing.overhangs import Cups, overhangs
 from geometry.printing.pose import Pose, find_pose
 from geometry.schema.print_processes import PrintProcess, Rule, Verdict
 
@@ -64,8 +64,10 @@ def judge_printed(
         if isinstance(parameters.get(key), float):
             findings.append(by_rule(name, called, parameters[key], "mm", process.clearance, None))
     pose = find_pose(facets, process)
-    findings += _built(name, facets, process, holes, pose)
-    findings += judge_layers(name, facets, process, holes, pose)
+    is_cup_judged = math.isfinite(process.cup_volume.advised)
+    cups = Cups(facets, narrowest_vent(process, holes)) if is_cup_judged else None
+    findings += _built(name, facets, process, cups, pose)
+    findings += judge_layers(name, facets, process, holes, pose, cups)
     voids = geometry.solids.inner_voids(solid)
     reason = "voids from which liquid resin or powder cannot escape"
     findings.append(Finding(name, "trapped volumes", voids, 0, "", "fail" if voids else "ok", reason, None, "at most"))
@@ -89,7 +91,7 @@ def judge_shims(name: str, step: float, process: PrintProcess) -> Finding:
     return by_rule(name, "step of shims", step, "mm", Rule(0.0, 2 * tolerance, source), None)
 
 
-def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[Round], pose: Pose) -> list[Finding]:
+def _built(name: str, facets: Tessellation, process: PrintProcess, cups: Cups | None, pose: Pose) -> list[Finding]:
     """Findings that depend on the direction of building."""
     findings = []
     if process.overhang_angle > 0:
@@ -97,8 +99,8 @@ def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[R
         finding = by_rule(name, "widest overhang", hang.span, "mm", process.overhang_span, hang.place)
         note = f"built {pose.words}, {hang.area:.3g} mm^2 in all are flatter than {process.overhang_angle:g} degrees"
         findings.append(with_note(finding, note))
-    if math.isfinite(process.cup_volume.advised):
-        cup = sealed_cup(facets, narrowest_vent(process, holes), pose.upside_down)
+    if cups is not None:
+        cup = cups.largest(pose.upside_down)
         findings.append(by_rule(name, "sealed cup", cup.value, "mm^3", process.cup_volume, cup.place))
     return findings
 

@@ -16,8 +16,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import mutable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 
-from geometry.printing.coaxial_faces import Stretches, coaxial_distance
 from geometry.printing.overhangs import Skin, Spot, inside
+from geometry.printing.round_faces import Stretches, round_distance, round_face
 from geometry.solids.measure import Tessellation
 
 #: Facets that face each other within this angle (degrees) have a wall between them; others meet in an edge.
@@ -47,6 +47,7 @@ class Faces:
         self.faces, self.skin, self.deviation = solid.Faces(), Skin(facets), facets.deviation
         self.material = BRepClass3d_SolidClassifier(solid.wrapped)
         self.joined = _joined(self.faces)
+        self.round_faces = [round_face(face) for face in self.faces]
         order = np.argsort(self.skin.faces, kind="stable")
         ends = np.searchsorted(self.skin.faces[order], np.arange(1, len(self.faces)))
         self.sides = [_Side(self.skin, own) for own in np.split(order, ends)]
@@ -74,7 +75,7 @@ def narrowest_gap(faces: Faces) -> Spot:
 def _narrowest(part: Faces, sense: float) -> Spot:
     seen = _seen(part, sense)
     bound = min((spot.value for spot in seen.values()), default=math.inf)
-    faces, sides = part.faces, part.sides
+    sides = part.sides
     best, measured = Spot(math.inf, None), set()
     for apart, pair in _near(sides, bound + 2 * part.deviation, part.deviation):
         if pair in part.joined:
@@ -83,7 +84,7 @@ def _narrowest(part: Faces, sense: float) -> Spot:
             first, second = pair
             if not sides[first].may_face(sides[second], sense):
                 continue
-            found = _between(part.material, faces[first], faces[second], sense, best.value)
+            found = _between(part, pair, sense, best.value)
             if found is None:
                 continue  # where they are closest they do not face each other: what rays saw of them stands
             best = min(best, found, key=_value)
@@ -135,11 +136,12 @@ def _joined(faces: list[cq.Face]) -> set[Pair]:
     return {pair for indices in owners.values() for pair in combinations(sorted(set(indices)), 2)}
 
 
-def _between(
-    material: BRepClass3d_SolidClassifier, first: cq.Face, second: cq.Face, sense: float, least: float
-) -> Spot | None:
+def _between(part: Faces, pair: Pair, sense: float, least: float) -> Spot | None:
     """The smallest distance of two faces where they face each other there; sense -1 through material, 1 through air."""
-    value, stretches = coaxial_distance(first, second) or _distance(first, second)
+    first, second = (part.faces[index] for index in pair)
+    one, two = (part.round_faces[index] for index in pair)
+    in_closed_form = None if one is None or two is None else round_distance(one, two)
+    value, stretches = in_closed_form or _distance(first, second)
     if value < _CONTACT:
         return None
     for start, end in stretches:
@@ -150,8 +152,8 @@ def _between(
         # On the surface is well: across the end of a fin the shortest way runs along it, between the mouths of two
         # bores in a round wall just outside.
         if value < least:  # else whatever lies between does not matter, and to ask takes longest
-            material.Perform(middle.toPnt(), _OUTSIDE * value)
-        if value >= least or material.State() != (TopAbs_OUT if sense < 0 else TopAbs_IN):
+            part.material.Perform(middle.toPnt(), _OUTSIDE * value)
+        if value >= least or part.material.State() != (TopAbs_OUT if sense < 0 else TopAbs_IN):
             return Spot(value, middle.toTuple())
     return None
 

@@ -16,7 +16,7 @@ from rings import triangle
 import geometry
 from geometry import Kind
 from geometry.assembly.part_list import PartSet
-from geometry.printing.overhangs import overhangs, sealed_cup
+from geometry.printing.overhangs import Cups, overhangs
 from geometry.printing.plates import export_plates
 from geometry.printing.pose import find_pose
 from geometry.printing.printability import print_report
@@ -179,15 +179,15 @@ def test_a_table_hangs_as_drawn_and_not_upside_down():
 
 def test_a_cup_is_sealed_by_the_film_up_to_its_vent():
     cup = cut_box(((8, 8, 5), (1, 1, 1)))
-    assert sealed_cup(facets_of(cup), 0.5).value == pytest.approx(8 * 8 * 4, rel=0.05)
+    assert Cups(facets_of(cup), 0.5).largest().value == pytest.approx(8 * 8 * 4, rel=0.05)
     vented = cup.cut(cq.Solid.makeCylinder(0.4, 3, cq.Vector(-1, 5, 2), cq.Vector(1, 0, 0)))
     # Up to the lowest layer in which the vent, 0.8 wide at z = 2, is open.
-    assert sealed_cup(facets_of(vented), 0.8).value == pytest.approx(8 * 8 * 0.75, rel=0.45)
-    assert sealed_cup(facets_of(vented), 0.8).value < 0.35 * 8 * 8 * 4
+    assert Cups(facets_of(vented), 0.8).largest().value == pytest.approx(8 * 8 * 0.75, rel=0.45)
+    assert Cups(facets_of(vented), 0.8).largest().value < 0.35 * 8 * 8 * 4
     dish = {"dish": cq.Workplane().circle(7).extrude(3).faces(">Z").workplane().circle(5.5).cutBlind(-1)}
     assert finding(print_report(dish), "dish", "sealed cup").value == pytest.approx(math.pi * 5.5**2, rel=0.1)
     trough = cut_box(((8, 10, 5), (1, 0, 1)))
-    assert sealed_cup(facets_of(trough), 0.5).value == 0
+    assert Cups(facets_of(trough), 0.5).largest().value == 0
 
 
 def test_holes_are_concave_cylinders_only():

@@ -9,10 +9,11 @@ from prusa_slicer import slice_file
 
 import geometry
 from geometry.printing.bleed import open_bores
-from geometry.printing.coaxial_faces import coaxial_distance
 from geometry.printing.layer_rules import judge_layers
+from geometry.printing.overhangs import Cups
 from geometry.printing.pose import find_pose
 from geometry.printing.printability import print_report
+from geometry.printing.round_faces import round_distance, round_face
 from geometry.printing.slices import Slices
 from geometry.printing.walls import _distance
 from geometry.schema.print_processes import PROCESSES, with_rules
@@ -127,8 +128,9 @@ def test_layers_that_only_upright_faces_cross_are_cut_once():
 def test_a_part_on_its_head_is_also_judged_as_its_own_file_stands():
     dish = cq.Workplane().circle(7).extrude(3).faces("<Z").workplane().circle(5.5).cutBlind(-1.5)
     dish = dish.union(cq.Workplane().workplane(offset=3).rect(16, 16).extrude(1))
-    pose = find_pose(tessellate(dish.val(), 0.005), SLA)
-    found = {one.rule: one for one in judge_layers("dish", tessellate(dish.val(), 0.005), SLA, [], pose)}
+    facets = tessellate(dish.val(), 0.005)
+    pose = find_pose(facets, SLA)
+    found = {one.rule: one for one in judge_layers("dish", facets, SLA, [], pose, Cups(facets, 0.5))}
     assert pose.upside_down == ("sealed cup of its own file" in found)
     assert pose.upside_down
     assert found["free border of the plate"].value == pytest.approx((145 - 16) / 2)
@@ -143,14 +145,15 @@ def test_thin_plates_are_mostly_first_layers():
     assert powder.isdisjoint({"islands", "height in first layers", "bore after overcure", "free border of the plate"})
 
 
+@pytest.mark.parametrize("apart", [0.0, 6.5])
 @pytest.mark.parametrize("tilt", [0.0, 20.0])
-def test_the_distance_of_coaxial_faces_is_that_of_the_cad_kernel(tilt):
+def test_the_distance_of_round_faces_of_parallel_axes_is_that_of_the_cad_kernel(tilt, apart):
     random = np.random.default_rng(7)
     for _ in range(12):
         solids = []
-        for _ in range(2):
+        for at in (0.0, apart):
             low, high, base, height = random.uniform([0.5, 0.5, -3, 0.5], [3, 3, 3, 4])
-            solids.append(cq.Solid.makeCone(low, high, height, cq.Vector(0, 0, base)))
+            solids.append(cq.Solid.makeCone(low, high, height, cq.Vector(0, at, base)))
         faces = [
             next(
                 face
@@ -159,11 +162,17 @@ def test_the_distance_of_coaxial_faces_is_that_of_the_cad_kernel(tilt):
             )
             for solid in solids
         ]
-        value, ends = coaxial_distance(*faces)
+        value, ends = round_distance(*map(round_face, faces))
         assert value == pytest.approx(_distance(*faces)[0], abs=1e-6)
         assert all((end - start).Length == pytest.approx(value, abs=1e-9) for start, end in ends)
-    apart = cq.Solid.makeCylinder(1, 2, cq.Vector(3, 0, 0)).Faces()[0]
-    assert coaxial_distance(apart, cq.Solid.makeCylinder(1, 2).Faces()[0]) is None
+
+
+def test_round_faces_have_no_closed_form_where_one_may_be_in_the_other_or_their_axes_cross():
+    upright = round_face(cq.Solid.makeCylinder(1, 2).Faces()[0])
+    for place, direction in (((1.5, 0, 0), (0, 0, 1)), ((3, 0, 0), (0, 1, 0))):
+        other = cq.Solid.makeCylinder(1, 2, cq.Vector(*place), cq.Vector(*direction)).Faces()[0]
+        assert round_distance(upright, round_face(other)) is None
+    assert round_face(cq.Solid.makeBox(1, 1, 1).Faces()[0]) is None
 
 
 @pytest.mark.slow
