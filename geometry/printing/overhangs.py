@@ -284,4 +284,5 @@ def _barycentric(flat: Array, at: NDArray[np.int_]) -> tuple[tuple[Array, ...], 
     (bx, by), (cx, cy) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
     x, y = (at - flat[:, 0]).T
     whole = bx * cy - by * cx
+    whole[whole == 0] = np.nan  # all but upright: no line goes through it
     return tuple((g * x + h * y, g, h) for g, h in ((cy / whole, -cx / whole), (-by / whole, bx / whole)))

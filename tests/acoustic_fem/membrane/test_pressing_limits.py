@@ -26,6 +26,7 @@ def test_limits_are_where_the_response_reaches_them():
     assert limits.dynamic_range(limits.usable_force / 1000) == pytest.approx(60)
 
 
+@pytest.mark.slow
 def test_a_blunt_finger_saturates_long_before_a_patch():
     assert press_limits("array-2x6", Sphere(8e-3)).usable_force < 0.3 * press_limits("array-2x6").usable_force
 

@@ -63,8 +63,12 @@ def test_a_drift_is_followed_from_the_tenth_touch(modulus: float) -> None:
 
 @pytest.mark.parametrize(
     "there",
-    [{"temperature_c": 32.0, "humidity": 0.85, "hours": 0.25}, {"altitude": 1000.0, "hours": 0.0}],
-    ids=["worn and sweating", "climbed"],
+    [
+        pytest.param(
+            {"temperature_c": 32.0, "humidity": 0.85, "hours": 0.25}, id="worn and sweating", marks=pytest.mark.slow
+        ),
+        pytest.param({"altitude": 1000.0, "hours": 0.0}, id="climbed"),
+    ],
 )
 def test_a_sealed_sensor_that_is_worn_or_climbs_is_followed_from_the_tenth_touch(there: dict[str, float]) -> None:
     moved = response_of(calibrated().in_air(**there))

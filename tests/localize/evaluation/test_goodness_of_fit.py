@@ -94,7 +94,9 @@ def with_margins(response: ArrayResponse) -> np.ndarray:
 
 
 @pytest.mark.parametrize("fault", [
-    ConnectionFault("reversed", ("A",)), ConnectionFault("late", ("A",), 0.02), ConnectionFault("late", ("A",), -0.0075)
+    ConnectionFault("reversed", ("A",)),
+    pytest.param(ConnectionFault("late", ("A",), 0.02), marks=pytest.mark.slow),
+    ConnectionFault("late", ("A",), -0.0075),
 ], ids=str)  # fmt: skip
 def test_a_fault_of_the_connection_is_found_without_a_calibration(
     decoder: localize.TolerantDecoder, made: ArrayResponse, fault: ConnectionFault

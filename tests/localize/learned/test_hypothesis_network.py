@@ -104,6 +104,7 @@ def test_a_bare_array_has_one_hypothesis_of_each_point_and_is_learnt():
     assert trained.training["held_out_accuracy"][-1] > 0.8
 
 
+@pytest.mark.slow
 def test_a_library_of_a_design_is_trained_on_as_built_sensors_and_saved(library, tmp_path):
     trained = localize.train(library, SHORT)
     assert trained.training["sensors"] == 48  # a fifth is held out

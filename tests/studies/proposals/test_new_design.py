@@ -92,7 +92,7 @@ def test_a_design_whose_drawn_parts_do_not_go_together_is_not_proposed(monkeypat
     assert only.verdict.values["buildable"].value == 1
 
 
-@pytest.mark.physics
+@pytest.mark.slow
 def test_findings_on_drawn_parts_are_those_of_a_check():
     design = geometry.prototype("array-2x6")
     assert drawn_findings(design) == Drawn()
@@ -125,7 +125,7 @@ def test_a_new_design_works_can_be_built_and_bought_and_fits(tmp_path):
     assert list(done) == sorted(done)
 
 
-@pytest.mark.physics
+@pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_proposals_are_the_same_every_time_and_a_number_chooses(tmp_path):
     found, again = (studies.propose_designs("mine", size="50x25", points=8) for _ in range(2))
@@ -137,7 +137,7 @@ def test_proposals_are_the_same_every_time_and_a_number_chooses(tmp_path):
         write_proposal(found, tmp_path / "other.toml", 4)
 
 
-@pytest.mark.physics
+@pytest.mark.slow
 def test_what_cannot_work_says_why_and_what_would(tmp_path, monkeypatch):
     monkeypatch.setattr(proposing, "thorough", lambda points: SMALL)
     with refused(Kind.CONFLICT, "points", 36) as found:

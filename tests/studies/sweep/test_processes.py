@@ -368,6 +368,7 @@ print("computed", summary.computed)
 """
 
 
+@pytest.mark.slow
 def test_a_script_without_a_main_guard_may_use_workers(tmp_path: Path) -> None:
     (tmp_path / "study.toml").write_text(
         'base = "array-2x6"\nfidelity = "lumped"\nfrequency = "1:100:12"\nmetrics = ["distance_smallest"]\n'
