@@ -285,4 +285,5 @@ def _barycentric(flat: Array, at: NDArray[np.int_]) -> tuple[tuple[Array, ...], 
     x, y = (at - flat[:, 0]).T
     whole = bx * cy - by * cx
     whole[whole == 0] = np.nan  # all but upright: no line goes through it
-    return tuple((g * x + h * y, g, h) for g, h in ((cy / whole, -cx / whole), (-by / whole, bx / whole)))
+    u, v = (cy / whole, -cx / whole), (-by / whole, bx / whole)
+    return (u[0] * x + u[1] * y, *u), (v[0] * x + v[1] * y, *v)
