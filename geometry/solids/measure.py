@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from dataclasses import dataclass
 
@@ -28,6 +29,10 @@ from geometry.ground.typed import Array
 FACET_ANGLE = 0.055
 #: A round face that goes this far round (rad) is a hole or a pin; less is a fillet or a trough.
 _ROUND = 1.5 * math.pi
+#: Triangulations of the kernel. The first takes a tenth of the time for a mold, because the other one is quadratic in
+#: the corners of a face. It gives up on some faces along splines, for which the other one is taken.
+_SWEEPING = IMeshTools_MeshAlgoType.IMeshTools_MeshAlgoType_Delabella
+_INSERTING = IMeshTools_MeshAlgoType.IMeshTools_MeshAlgoType_Watson
 
 
 @dataclass(frozen=True)
@@ -66,7 +71,21 @@ def tessellate(
     Raises:
         Refusal: a face cannot be tessellated.
     """
-    copy = _with_facets(solid, tolerance, facet_angle)
+    with contextlib.suppress(Refusal):
+        found = _facets(solid, tolerance, facet_angle, measured, _SWEEPING)
+        if _is_closed(found.triangles):
+            return found
+    return _facets(solid, tolerance, facet_angle, measured, _INSERTING)
+
+
+def _facets(
+    solid: cq.Shape, tolerance: float, facet_angle: float, measured: bool, algorithm: IMeshTools_MeshAlgoType
+) -> Tessellation:
+    """Facets of a copy of a solid, made by one of the kernel's algorithms."""
+    copy, options = solid.copy(), IMeshTools_Parameters()
+    options.Deflection, options.Angle, options.Relative = tolerance, facet_angle, False
+    options.MeshAlgo = algorithm
+    BRepMesh_IncrementalMesh(copy.wrapped, options, Message_ProgressRange())
     vertices, triangles, faces = [], [], []
     count, deviation = 0, 0.0 if measured else math.nan
     for index, face in enumerate(copy.Faces()):
@@ -97,17 +116,11 @@ def tessellate(
     return Tessellation(joined, joined_triangles[real], np.concatenate(faces)[real], deviation)
 
 
-def _with_facets(solid: cq.Shape, tolerance: float, facet_angle: float) -> cq.Shape:
-    """A copy of a solid with its facets.
-
-    The kernel's sweeping triangulation takes a tenth of the time of its default, whose insertion of points is
-    quadratic in the corners of a face: that of a mold has thousands.
-    """
-    copy, options = solid.copy(), IMeshTools_Parameters()
-    options.Deflection, options.Angle, options.Relative = tolerance, facet_angle, False
-    options.MeshAlgo = IMeshTools_MeshAlgoType.IMeshTools_MeshAlgoType_Delabella
-    BRepMesh_IncrementalMesh(copy.wrapped, options, Message_ProgressRange())
-    return copy
+def _is_closed(triangles: NDArray[np.int64]) -> bool:
+    """True where every edge of (n, 3) triangles has a triangle at both sides."""
+    edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    _, count = np.unique(edges @ [int(triangles.max()) + 1, 1], return_counts=True)
+    return bool((count % 2 == 0).all())
 
 
 def _deviation(face: cq.Face, mesh: Poly_Triangulation, points: Array, corners: NDArray[np.int64]) -> float:
