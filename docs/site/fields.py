@@ -18,6 +18,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.schema.declared_fields import DesignField, fields_of
 from geometry.stock import (
     Glue,
+    Logger,
     Resin,
     Sheet,
     Silicone,
@@ -40,7 +41,10 @@ _STUDY: dict[str, type[BaseModel]] = {"study": StudyFields, "range": RangeFields
 #: Models of the parts of a file of parts.
 _PARTS: dict[str, type[StockPart]] = {
     "part": StockPart,
-    **{model.kind: model for model in (Spring, Sleeve, Tubing, Sheet, Silicone, Resin, Glue, Sundry, StockMicrophone)},
+    **{
+        model.kind: model
+        for model in (Spring, Sleeve, Tubing, Sheet, Silicone, Resin, Glue, Sundry, StockMicrophone, Logger)
+    },
 }
 _HEAD = "| field | allowed | default | what it is |\n|---|---|---|---|\n"
 

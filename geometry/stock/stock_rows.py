@@ -6,15 +6,23 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.field_errors import Hertz, Millimetre, Number, Section
+from geometry.stock.land_patterns import find_land_pattern
 
 #: Kinds of parts, which are also the keys of a file of parts.
-PartKind = Literal["spring", "sleeve", "tubing", "sheet", "silicone", "resin", "glue", "sundry", "microphone"]
+PartKind = Literal["spring", "sleeve", "tubing", "sheet", "silicone", "resin", "glue", "sundry", "microphone", "logger"]
 Unit = Literal["m", "ml", "dm^2", "piece"]
 Price = Annotated[Number, Field(ge=0, le=1e5)]
+Voltage = Annotated[Number, Field(gt=0, le=1000)]
+#: Signals of a microphone by its output, in the order of the connector of its board.
+SIGNALS: dict[str, tuple[str, ...]] = {
+    "analog": ("VDD", "OUT", "GND"),
+    "PDM": ("VDD", "CLOCK", "DATA", "SELECT", "GND"),
+    "I2S": ("VDD", "SCK", "WS", "SD", "LR", "GND"),
+}
 #: Bandwidth of white noise with the power that the A-weighting of IEC 61672-1 leaves of it, 20 Hz to 20 kHz, Hz.
 A_WEIGHTED_BANDWIDTH = 12467.0
 #: Sound pressure of 0 dB SPL, Pa rms.
@@ -291,6 +299,32 @@ class StockMicrophone(StockPart):
     length: Millimetre = Field(le=20, description="length of the package")
     width: Millimetre = Field(le=20, description="width of the package")
     height: Millimetre = Field(le=10, description="height of the package")
+    land_pattern: str | None = Field(
+        default=None, description="name of its land pattern; no board is drawn for a microphone without one"
+    )
+    pins: tuple[str, ...] = Field(default=(), description="signal of each pin, that of pin 1 first")
+    pins_source: str = Field(default="", description="source of the land pattern and of the pins")
+
+    @field_validator("land_pattern")
+    @classmethod
+    def _is_known(cls, name: str | None) -> str | None:
+        if name is not None:
+            find_land_pattern(name)
+        return name
+
+    @model_validator(mode="after")
+    def _has_a_signal_for_each_pad(self) -> StockMicrophone:
+        if self.land_pattern is None:
+            return self
+        pattern = find_land_pattern(self.land_pattern)
+        given, count = ", ".join(self.pins), len(pattern.pads) + 1
+        if len(self.pins) != count:
+            allowed = f"a signal for each of the {count} pins of the land pattern"
+            raise Refusal(kind=Kind.CONFLICT, field="pins", value=given, allowed=allowed)
+        if {*self.pins} != {*SIGNALS[self.output]}:
+            allowed = f"the signals of an output {self.output}: {', '.join(SIGNALS[self.output])}"
+            raise Refusal(kind=Kind.CONFLICT, field="pins", value=given, allowed=allowed)
+        return self
 
     @property
     def noise_density(self) -> float:
@@ -326,6 +360,43 @@ class StockMicrophone(StockPart):
         return ", ".join(filter(None, (self.output, f"{self.sensitivity:g} dB", noise, corner, loudest, package)))
 
 
+class Logger(StockPart):
+    """Data logger or audio interface that records analog microphones, by the piece."""
+
+    kind: ClassVar[PartKind] = "logger"
+    part_number: str = Field(min_length=1, max_length=80, description="model")
+    channels: int = Field(ge=1, le=1024, description="analog inputs")
+    bits: int = Field(ge=8, le=32, description="bits of a sample")
+    full_scales: tuple[Voltage, ...] = Field(
+        min_length=1,
+        description="peak voltages of the largest sample, one per range, or the largest and the smallest of a knob",
+        json_schema_extra={"unit": "V"},
+    )
+    gain: Literal["ranges", "knob"] = Field(description="ranges that are chosen, or a knob between two ends")
+    dynamic_range: Number = Field(ge=20, le=160, description="full scale over noise", json_schema_extra={"unit": "dB"})
+    input_resistance: Number = Field(
+        gt=0,
+        le=1e12,
+        description="resistance of an input, or of the resistor to ground that it needs",
+        json_schema_extra={"unit": "ohm"},
+    )
+    coupling: Literal["AC", "DC"] = Field(description="AC if the input has a capacitor of its own")
+    low_corner: Hertz | None = Field(
+        default=None, gt=0, le=1000, description="frequency below which the inputs are not specified"
+    )
+    terminals: tuple[str, str] = Field(
+        description="names of the terminals of channel N, signal and ground, with {n} for its number"
+    )
+    first_terminal: int = Field(default=1, ge=0, le=1, description="number that the maker gives to the first channel")
+
+    @property
+    def size(self) -> str:
+        """Channels, bits, full scales and coupling."""
+        span = " to " if self.gain == "knob" else ", "
+        scales = span.join(f"{value:g}" for value in self.full_scales)
+        return f"{self.channels} inputs, {self.bits} bit, full scale {scales} V peak, {self.coupling} coupled"
+
+
 #: Least difference of a sleeve's bore as supplied from a spring that goes into it, and widest gap of a tubing, mm.
 _CLEARANCE, _WIDEST_GAP = 0.05, 0.12
 
@@ -345,6 +416,7 @@ class StockFile(Section):
     glue: tuple[Glue, ...] = Field(default=(), description="glues")
     sundry: tuple[Sundry, ...] = Field(default=(), description="small parts")
     microphone: tuple[StockMicrophone, ...] = Field(default=(), description="microphones")
+    logger: tuple[Logger, ...] = Field(default=(), description="data loggers")
 
     def parts(self) -> Iterator[StockPart]:
         """Every part of the file, by kind."""

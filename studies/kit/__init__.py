@@ -1,6 +1,6 @@
 """Kit of an array: what to buy, print, cast, cut and build, in one folder with a manual.
 
-Stands on: output.
+Stands on: output, verdict.
 """
 
 import lazy_loader

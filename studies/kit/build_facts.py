@@ -1,4 +1,4 @@
-"""Facts that the manual states about one design: casts, glues with their dangers, wiring of the microphones."""
+"""Facts that the manual states about one design: casts, and glues with their dangers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from geometry.molds.ejector_pins import Ejector
 from geometry.molds.mold_filling import closed_film, overflow
 from geometry.molds.mold_forces import OpeningForces
 from geometry.schema.print_processes import PrintProcess
-from geometry.stock import Glue, Silicone, StockMicrophone, catalogue
+from geometry.stock import Glue, Silicone, catalogue
 from studies.kit.work_hours import count_casts
 
 #: Dangers of a glue by a word of its chemistry: what it does, and what to wear.
@@ -47,29 +47,6 @@ _SLEEVE = (
     "The nozzle of a heat gun burns skin at once. Hold short pieces with tweezers and heat outdoors or at a window."
 )
 _SPRING = "Cut ends of spring wire fly and pierce. Wear safety glasses and cut inside a bag or under a cloth."
-#: Signals of a microphone by its output, with the place that each goes to.
-_SIGNALS = {
-    "analog": (
-        ("VDD", "the supply that the data sheet states, with 100 nF to GND beside the package"),
-        ("GND", "ground; the metal of the package is ground too"),
-        ("OUT", "the input of the recorder, through a capacitor of at least 10 uF so that 3 Hz passes into 10 kOhm"),
-    ),
-    "PDM": (
-        ("VDD", "the supply that the data sheet states, with 100 nF to GND beside the package"),
-        ("GND", "ground"),
-        ("CLOCK", "the clock of the controller, common to all microphones"),
-        ("DATA", "a data input; two microphones share one line"),
-        ("SELECT", "GND for one microphone of a pair, VDD for the other"),
-    ),
-    "I2S": (
-        ("VDD", "the supply that the data sheet states, with 100 nF to GND beside the package"),
-        ("GND", "ground"),
-        ("SCK", "the bit clock of the controller, common to all microphones"),
-        ("WS", "the word clock, common to all microphones"),
-        ("SD", "a data input; two microphones share one line"),
-        ("L/R", "GND for one microphone of a pair, VDD for the other"),
-    ),
-}
 
 
 @dataclass(frozen=True)
@@ -114,22 +91,6 @@ class Danger:
     """Name of the material."""
     words: str
     """Its dangers, and what to do."""
-
-
-@dataclass(frozen=True)
-class Wiring:
-    """Wiring of the microphones as far as the design and the catalogue state it."""
-
-    model: str
-    """Part number."""
-    output: str
-    """Output; empty if the catalogue lacks the part."""
-    port: str
-    """Side of the sound hole; empty if the catalogue lacks the part."""
-    signals: tuple[tuple[str, str], ...]
-    """Signals and where each goes."""
-    source: str
-    """Source of the figures of the microphone."""
 
 
 def casts_of(model: ArrayModel, bill: Bill) -> tuple[Cast, ...]:
@@ -198,11 +159,3 @@ def _dangers(model: ArrayModel, bill: Bill, process: PrintProcess) -> Iterator[D
     for glue in glues:
         words = next((text for word, text in _GLUE_DANGERS.items() if word in glue.chemistry), _OTHER_GLUE)
         yield Danger(f"{glue.name} ({glue.chemistry})", words)
-
-
-def wiring_of(design: ArrayDesign) -> Wiring:
-    """Wiring of the microphones of a design."""
-    part = catalogue().microphone(design.microphone.model)
-    if not isinstance(part, StockMicrophone):
-        return Wiring(design.microphone.model, "", "", _SIGNALS["analog"], design.microphone.source)
-    return Wiring(part.part_number, part.output, part.port, _SIGNALS[part.output], part.source)

@@ -23,6 +23,7 @@ from geometry.stock import Silicone, catalogue
 from studies.kit.body_files import BodyFiles, write_body
 from studies.kit.casting_sheet import write_casting
 from studies.kit.cutting_template import write_cutting
+from studies.kit.electronics_files import electronics_of, write_electronics
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 from studies.kit.manual import write_manual
 from studies.kit.ordering import OrderList, order_list
@@ -108,6 +109,8 @@ def write_kit(
     report("array.html", 0.64)
     geometry.pictures.write_viewer(model, build / "array.html", shown)
     write_record(design, order.bill, build)
+    electronics = electronics_of(model)
+    write_electronics(electronics, folder)
     report("pictures", 0.68)
     geometry.pictures.top_view(model, build / "top-view.png")
     geometry.pictures.exploded_view(model, build / "exploded-view.png")
@@ -115,7 +118,15 @@ def write_kit(
     geometry.pictures.open_mold(model, folder / CAST / "mold-open.png")
     write_casting(model, order.bill, folder / CAST)
     manual = write_manual(
-        model, folder, plates, shapes, printing, order, process, lambda what, done: report(what, 0.75 + 0.25 * done)
+        model,
+        folder,
+        plates,
+        shapes,
+        printing,
+        order,
+        process,
+        electronics,
+        lambda what, done: report(what, 0.75 + 0.25 * done),
     )
     write_text(folder / FIRST, _first_words(design.name, on_body is not None))
     report("done", 1.0)

@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 import studies
 from geometry.assembly.model import ArrayModel
 from geometry.assembly.order_table import AssemblyStep, assembly_steps
+from geometry.boards import board_drawing
 from geometry.formats.part_files import SharedShape
 from geometry.ground.whole_files import write_text
 from geometry.printing.plates import Plates
@@ -21,12 +22,14 @@ from geometry.schema.print_processes import PrintProcess
 from geometry.solids.membrane import membrane_radius
 from geometry.stock import Silicone, Sleeve, catalogue
 from studies.kit import step_drawings, step_pictures
-from studies.kit.build_facts import casts_of, dangers_of, glue_of, wiring_of
+from studies.kit.build_facts import casts_of, dangers_of, glue_of
 from studies.kit.casting_sheet import casting_words, closing_words, opening_words
 from studies.kit.cutting_template import template_strips
+from studies.kit.electronics_files import BOARD_FOLDER, Electronics
 from studies.kit.expected_signals import FREQUENCY, HOLE, LEAK_FREQUENCY, as_built_levels, expected_signals
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 from studies.kit.leak_testing import GAUGE_BORE, WATCHED, leak_tests
+from studies.kit.logger_levels import FIRM_TAP
 from studies.kit.ordering import OrderList
 from studies.kit.questions import Facts, answers_of
 from studies.kit.touch_leak_test import READABLE, TOUCHED_HOLE, leak_signs, touch_order
@@ -48,6 +51,7 @@ def write_manual(
     printing: PrintReport,
     order: OrderList,
     process: PrintProcess,
+    electronics: Electronics,
     report: Report,
 ) -> Path:
     """Write ``5-build/manual.html`` into the folder of a kit.
@@ -60,6 +64,7 @@ def write_manual(
         printing: report of the print rules.
         order: order list.
         process: printing process.
+        electronics: its electronics.
         report: shows progress.
 
     Returns:
@@ -85,7 +90,7 @@ def write_manual(
         leak_tests(model.design),
         expected_signals(model.design, built),
         leak_signs(model.design, built),
-        wiring_of(model.design),
+        electronics,
     )
     page = environment.from_string(text).render(**_content(facts, shapes, report))
     path = folder / BUILD / "manual.html"
@@ -125,7 +130,8 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "touched_hole": TOUCHED_HOLE,
         "touches": touch_order(design),
         "readable": READABLE,
-        "volts": 10 ** (design.microphone.sensitivity / 20),
+        "board_folder": BOARD_FOLDER,
+        "firm": FIRM_TAP,
         "radius": membrane_radius(design.resonator, design.membrane),
         "resin": facts.process.name in ("sla-resin", "dlp-fine"),
         "casting_words": casting_words,
@@ -162,8 +168,9 @@ def _pictures(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> di
 
 def _drawings(facts: Facts) -> dict[str, str]:
     """Drawings of steps as SVG."""
-    design = facts.model.design
-    return {
+    design, board = facts.model.design, facts.electronics.wiring.board
+    drawings = {} if board is None else {"board": board_drawing(board, f"Board of microphone {board.microphone}")}
+    return drawings | {
         "membrane": step_drawings.membrane_drawing(design),
         "cutting": step_drawings.cutting_drawing(facts.strips),
         "socket": step_drawings.socket_drawing(

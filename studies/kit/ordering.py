@@ -1,11 +1,11 @@
-"""Order list of a kit: every line of the bill with spares, and the tools and consumables that the bill leaves out."""
+"""Order list of a kit: every line of the bill with spares, and electronics, tools and consumables beside the bill."""
 
 from __future__ import annotations
 
 import csv
 import io
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from typing import Literal
 
@@ -13,11 +13,13 @@ from geometry.assembly.bill import Bill, BillItem
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_range
 from geometry.schema.print_processes import PrintProcess
-from geometry.stock import Resin, StockPart, catalogue
+from geometry.stock import Resin, StockMicrophone, StockPart, catalogue
+from studies.kit.logger_levels import expected_levels
 from studies.kit.work_hours import COUNTED, Work
 
 #: What a line of the list is for.
-Purpose = Literal["array", "molds", "consumable", "tool"]
+Purpose = Literal["array", "molds", "electronics", "consumable", "tool"]
+_WITHOUT_ELECTRONICS: tuple[Purpose, ...] = ("array", "molds", "consumable", "tool")
 #: Smallest packs that shops sell, in the unit of the part; assumed. Printing services sell by the ml.
 PACKS = {"resin": 1000.0, "silicone": 900.0, "glue": 20.0, "spring": 1.0, "sleeve": 1.0, "tubing": 1.0}
 #: Processes whose material is a service's, so that nobody buys a pack of it.
@@ -29,7 +31,9 @@ CONSUMABLES = (
 #: Consumables of a process that prints with resin.
 OF_RESIN = ("isopropanol",)
 #: Tools by their name in the catalogue.
-TOOLS = ("tweezers", "scalpel", "side-cutter", "caliper", "scale", "loupe", "soldering-iron", "audio-interface")
+TOOLS = ("tweezers", "scalpel", "side-cutter", "caliper", "scale", "loupe", "soldering-iron")
+#: Electronics of each microphone by their name in the catalogue, and in addition those of an analog one.
+OF_MICROPHONE, OF_ANALOG = ("decoupling-capacitor", "connector", "cable"), ("coupling-capacitor",)
 #: Tools for heat-shrink sleeves, and for resin.
 OF_SLEEVES, OF_RESIN_TOOLS = ("heat-gun",), ("cure-lamp", "wash-pot")
 
@@ -101,22 +105,25 @@ class OrderList:
     bill: Bill
     """Bill of materials, without spares."""
     lines: tuple[OrderLine, ...]
-    """All lines: array, molds, consumables, tools."""
+    """All lines: array, molds, electronics, consumables, tools."""
     work: tuple[Work, ...]
     """Work that the array takes."""
     spares: Spares
     """Fractions of spares."""
 
     def cost(self, *purposes: Purpose) -> float:
-        """Cost of the lines of some purposes, by default of all."""
-        return math.fsum(line.cost for line in self.lines if not purposes or line.purpose in purposes)
+        """Cost of the lines of some purposes, by default of all but the electronics.
+
+        Electronics are counted apart, because a laboratory has a data logger that costs more than the sensor.
+        """
+        return math.fsum(line.cost for line in self.lines if line.purpose in (purposes or _WITHOUT_ELECTRONICS))
 
     @property
     def cost_of_packs(self) -> float:
-        """Cost of all lines if everything that the packs of :data:`PACKS` hold is bought whole."""
+        """Cost of all lines but electronics if everything that the packs of :data:`PACKS` hold is bought whole."""
         amounts: dict[StockPart, float] = {}
         for line in self.lines:
-            if line.part is not None:
+            if line.part is not None and line.purpose in _WITHOUT_ELECTRONICS:
                 amounts[line.part] = amounts.get(line.part, 0.0) + line.ordered
         return math.fsum(_packed(part, amount) * part.price for part, amount in amounts.items())
 
@@ -180,8 +187,34 @@ def order_list(
         part = sold.sundry(role).part
         note = "not in the catalogue" if part is None else part.note
         lines.append(OrderLine(purpose, role.replace("-", " "), 1, 0, "piece", part, role.replace("-", " "), note))
-    order: dict[Purpose, int] = {"array": 0, "molds": 1, "consumable": 2, "tool": 3}
+    lines += _electronics(design, spares)
+    order: dict[Purpose, int] = {"array": 0, "molds": 1, "electronics": 2, "consumable": 3, "tool": 4}
     return OrderList(bill, tuple(sorted(lines, key=lambda line: order[line.purpose])), tuple(work), spares)
+
+
+def _electronics(design: ArrayDesign, spares: Spares) -> Iterator[OrderLine]:
+    """Parts that are soldered to the microphones, and data loggers, of which one is ordered."""
+    sold, count = catalogue(), len(design.microphones)
+    logger = expected_levels(design).loggers
+    first = logger[0].logger if logger else None
+    part = sold.microphone(design.microphone.model)
+    digital = isinstance(part, StockMicrophone) and part.output != "analog"
+    roles = OF_MICROPHONE if digital else (*OF_MICROPHONE, *OF_ANALOG)
+    if first is not None and first.coupling == "DC":
+        roles = (*roles, "input-resistor")
+    for role in roles:
+        yield _sundry(role, count, float(max(1, math.ceil(spares.bought * count))))
+    yield _sundry("controller" if digital else "battery-holder", 1, 0)
+    for number, each in enumerate(levels.logger for levels in logger):
+        if each is not None:
+            instead = f"in place of {first.name}; {each.note}" if number and first is not None else each.note
+            yield OrderLine("electronics", "data logger", 0 if number else 1, 0, "piece", each, each.name, instead)
+
+
+def _sundry(role: str, count: int, spare: float) -> OrderLine:
+    part = catalogue().sundry(role).part
+    note, name = "not in the catalogue" if part is None else part.note, role.replace("-", " ")
+    return OrderLine("electronics", name, count, spare, "piece", part, name, note)
 
 
 def _line(item: BillItem, spares: Spares) -> OrderLine:

@@ -13,8 +13,9 @@ from geometry.ground.text_files import parse_toml
 from geometry.printing.plates import Plates
 from geometry.schema.print_processes import PrintProcess
 from geometry.stock import Silicone, catalogue
-from studies.kit.build_facts import Cast, Wiring, glue_of
+from studies.kit.build_facts import Cast, glue_of
 from studies.kit.cutting_template import Strip
+from studies.kit.electronics_files import Electronics
 from studies.kit.expected_signals import FREQUENCY, ExpectedSignal
 from studies.kit.jobs import BUILD, CUT, PRINT
 from studies.kit.leak_testing import WATCHED, LeakTest
@@ -58,12 +59,12 @@ class Facts:
     """Expected signals."""
     leak_signs: tuple[LeakSign, ...]
     """Changes by which touches show leaks."""
-    wiring: Wiring
-    """Wiring of the microphones."""
+    electronics: Electronics
+    """Wiring, board and levels of the microphones."""
 
 
 def answers_of(facts: Facts) -> tuple[Answer, ...]:
-    """Thirty questions of a maker, in the order of work, with their answers."""
+    """Questions of a maker, in the order of work, with their answers."""
     text = (resources.files(studies) / "kit" / "questions.toml").read_text(encoding="utf-8")
     questions: dict[str, str] = parse_toml(text, "questions.toml", Refusal)
     answers = (*_buying(facts), *_printing(facts), *_casting(facts), *_building(facts))
@@ -72,14 +73,15 @@ def answers_of(facts: Facts) -> tuple[Answer, ...]:
 
 def _buying(facts: Facts) -> Sequence[tuple[str, str, str]]:
     order, money = facts.order, facts.order.bill.currency
-    model = facts.wiring.model
+    model = facts.electronics.wiring.model
     line = next(line for line in order.lines if line.item == facts.model.design.microphone.model)
     return (
         (
             "cost",
             f"Materials with spares {order.cost('array'):.2f} {money}, molds {order.cost('molds'):.2f} {money}, "
-            f"consumables {order.cost('consumable'):.2f} {money}, tools {order.cost('tool'):.2f} {money}. If you buy "
-            f"every bottle and metre whole, all costs {order.cost_of_packs:.2f} {money}.",
+            f"consumables {order.cost('consumable'):.2f} {money}, tools {order.cost('tool'):.2f} {money}. If "
+            f"you buy every bottle and metre whole, all costs {order.cost_of_packs:.2f} {money}. "
+            f"Electronics with one data logger cost {order.cost('electronics'):.2f} {money} more.",
             "buy",
         ),
         (
@@ -195,7 +197,7 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
 
 
 def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
-    bill, test, wiring = facts.order.bill, facts.leaks[0], facts.wiring
+    bill, test, electronics = facts.order.bill, facts.leaks[0], facts.electronics
     glues = {joint: glue_of(bill, joint) for joint in ("tube", "membrane", "board")}
     names = {joint: "a glue that the catalogue lacks" if glue is None else glue.name for joint, glue in glues.items()}
     first, design = facts.signals[0], facts.model.design
@@ -204,7 +206,7 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
     return (
         ("glue_membrane", names["membrane"] + ".", "step-8"),
         ("glue_tube", names["tube"] + ".", "step-10"),
-        ("glue_board", board + ".", "step-11"),
+        ("glue_board", board + ".", "step-12"),
         (
             "order",
             f"Membranes first, then line by line from microphone {line.between[0]} to microphone {line.between[1]}, as "
@@ -220,14 +222,43 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ("bulge", f"{test.bulge:.2g} mm in the middle.", "step-9"),
         (
             "pin",
-            f"The numbers of the pins of {wiring.model} are in no source that the program has, so no file states them. "
-            "Look up the name of pin 2 in its data sheet, then wire that name as the table of signals says.",
-            "step-11",
+            _pin_words(electronics),
+            "step-12",
         ),
+        ("logger", _logger_words(electronics), "step-13"),
+        ("overload", " ".join(electronics.levels.verdict), "step-13"),
         (
             "recording",
             f"For point 1, microphone {first.louder} is {first.difference:.1f} dB louder than "
             f"{first.softer or 'no other'} at {FREQUENCY:g} Hz; the table has every point.",
-            "step-12",
+            "step-13",
         ),
     )
+
+
+def _pin_words(electronics: Electronics) -> str:
+    """Way of pin 2 of the microphone, and of pin 2 of its board."""
+    wiring = electronics.wiring
+    pin = wiring.pins[1] if wiring.pins else None
+    words = (
+        f"The numbers of the pins of {wiring.model} are in no source that the program has, so no file states them. "
+        "Look up the name of pin 2 in its data sheet, then wire that name as the table of wires says."
+        if pin is None
+        else f"Pin 2 of {wiring.model} is {pin} ({wiring.source})."
+    )
+    wire = next((each for each in electronics.wires if each.pin == 2), None)
+    if wiring.board is None or wire is None:
+        return words
+    return f"{words} Pin 2 of the connector of its board is {wire.signal}, {wire.colour}: {wire.goes_to}."
+
+
+def _logger_words(electronics: Electronics) -> str:
+    """Most suitable logger, with its range."""
+    if not electronics.levels.loggers:
+        return "None of the catalogue has an input for each microphone: use one with enough inputs that reaches 3 Hz."
+    first = electronics.levels.loggers[0]
+    if first.volts is None:
+        return f"None: {first.name}. A controller reads it; embed writes the firmware."
+    others = ", ".join(each.name for each in electronics.levels.loggers[1:])
+    other = f" Also possible: {others}." if others else ""
+    return f"{first.name} with a largest sample of {first.volts:.3g} V.{other}"

@@ -46,11 +46,16 @@ def test_the_order_has_the_bill_with_spares_and_what_the_bill_leaves_out(order: 
     assert by_item["mold-base"].spare == 0  # a mold is made once
     membrane = next(item for item in order.bill.items if item.item == "membrane")
     assert by_item["membrane"].spare == pytest.approx(2 * membrane.quantity / 12)  # a tenth of twelve, rounded up
-    assert {line.purpose for line in order.lines} == {"array", "molds", "consumable", "tool"}
-    assert order.cost() == pytest.approx(math.fsum(line.ordered * line.part.price for line in order.lines if line.part))
+    assert {line.purpose for line in order.lines} == {"array", "molds", "electronics", "consumable", "tool"}
+    counted = [line for line in order.lines if line.part and line.purpose != "electronics"]
+    assert order.cost() == pytest.approx(math.fsum(line.ordered * line.part.price for line in counted if line.part))
+    loggers = [line for line in order.lines if line.item == "data logger"]
+    assert [line.ordered for line in loggers] == [1, 0]  # one of two is ordered
+    assert order.cost("electronics") > loggers[0].cost > 0
     assert order.cost_of_packs > order.cost() > order.bill.cost
     rows = list(csv.DictReader(order.to_csv().splitlines()))
-    assert math.fsum(float(row["cost"]) for row in rows) == pytest.approx(order.cost(), abs=0.01 * len(rows))
+    listed = order.cost() + order.cost("electronics")
+    assert math.fsum(float(row["cost"]) for row in rows) == pytest.approx(listed, abs=0.01 * len(rows))
 
 
 def test_hours_are_pieces_by_minutes(order: OrderList, model: ArrayModel) -> None:

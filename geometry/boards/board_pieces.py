@@ -1,0 +1,151 @@
+"""Pieces of a circuit board: pads, tracks, vias, holes and words, in the coordinates of the housing, mm.
+
+The axis of the chamber is the origin, the slot of the seat lies towards -x, and y points to the left of x when the
+board is seen from the side of the microphone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from geometry.solids.stroke_font import Point
+
+Layer = Literal["top", "bottom"]
+
+
+@dataclass(frozen=True)
+class BoardPad:
+    """Pad of a part, on the top or through the board."""
+
+    part: str
+    """Name of the part on the board."""
+    number: str
+    """Number of the pin."""
+    net: str
+    """Signal."""
+    centre: Point
+    """Its middle, mm."""
+    size: Point
+    """Sizes along x and y, mm."""
+    drill: float = 0.0
+    """Diameter of its plated hole, mm; 0 for a pad on the top alone."""
+    is_round: bool = False
+    """True for a disc."""
+
+
+@dataclass(frozen=True)
+class Ring:
+    """Ring around the sound hole, which seals it when it is soldered."""
+
+    number: str
+    """Number of the pin."""
+    net: str
+    """Signal."""
+    centre: Point
+    """Its middle, mm."""
+    inner: float
+    """Inner diameter, mm."""
+    outer: float
+    """Outer diameter, mm."""
+
+
+@dataclass(frozen=True)
+class Track:
+    """Track through some places."""
+
+    net: str
+    """Signal."""
+    layer: Layer
+    """Side of the board."""
+    places: tuple[Point, ...]
+    """Places that it joins, mm."""
+    width: float
+    """Width, mm."""
+
+
+@dataclass(frozen=True)
+class Via:
+    """Plated hole that joins both sides, under the solder mask."""
+
+    net: str
+    """Signal."""
+    centre: Point
+    """Its middle, mm."""
+    diameter: float
+    """Diameter of the copper, mm."""
+    drill: float
+    """Diameter of the hole, mm."""
+
+
+@dataclass(frozen=True)
+class Bore:
+    """Hole without copper."""
+
+    name: str
+    """Its use."""
+    centre: Point
+    """Its middle, mm."""
+    diameter: float
+    """Diameter, mm."""
+
+
+@dataclass(frozen=True)
+class BoardWord:
+    """Word printed on the top, upright when the slot of the seat points to the left."""
+
+    text: str
+    """Letters and digits."""
+    centre: Point
+    """Its middle, mm."""
+    height: float
+    """Height of a letter, mm."""
+
+
+@dataclass(frozen=True)
+class BoardPlan:
+    """Circuit board of one microphone: a part that lies in the seat, a neck through its slot, a head outside."""
+
+    microphone: str
+    """Part number of the microphone."""
+    title: str
+    """Land pattern in words."""
+    source: str
+    """Source of the land pattern and of the pins."""
+    outline: tuple[Point, ...]
+    """Corners of the board, anticlockwise, mm."""
+    thickness: float
+    """Thickness of the board, mm."""
+    sound_hole: Bore
+    """Sound hole."""
+    tie_hole: Bore
+    """Hole that ties the cable to the head."""
+    ring: Ring
+    """Ring around the sound hole."""
+    pads: tuple[BoardPad, ...]
+    """Pads of microphone (MK1), capacitor (C1) and connector (J1)."""
+    tracks: tuple[Track, ...]
+    """Tracks."""
+    vias: tuple[Via, ...]
+    """Vias."""
+    words: tuple[BoardWord, ...]
+    """Words."""
+    package: tuple[Point, Point]
+    """Two opposite corners of the package of the microphone, mm."""
+    head: tuple[Point, Point]
+    """Two opposite corners of the head, which lies outside the housing, mm."""
+    pins: tuple[str, ...]
+    """Signal of each pin of the microphone, pin 1 first."""
+    wires: tuple[str, ...]
+    """Signals of the connector, pin 1 first."""
+
+    @property
+    def nets(self) -> tuple[str, ...]:
+        """Signals, each once."""
+        return tuple(dict.fromkeys(self.wires))
+
+    @property
+    def size(self) -> Point:
+        """Length and width of the whole board, mm."""
+        across, along = ([corner[k] for corner in self.outline] for k in (1, 0))
+        return max(along) - min(along), max(across) - min(across)

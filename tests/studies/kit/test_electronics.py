@@ -1,0 +1,171 @@
+"""Electronics of a kit: levels at data loggers, wires, and what is said if there is no board."""
+
+from __future__ import annotations
+
+import csv
+import math
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+import geometry
+from geometry.assembly.model import ArrayModel, array_model
+from geometry.stock import Logger, StockMicrophone, catalogue
+from studies.kit.electronics_files import electronics_of, write_electronics
+from studies.kit.logger_levels import FIRM_TAP, ExpectedLevels, expected_levels
+from studies.kit.microphone_wiring import coupling_capacitor, head_clashes, wiring_of
+from studies.verdict.tap_levels import loudest_taps
+
+
+@pytest.fixture(scope="module")
+def model() -> ArrayModel:
+    return array_model("array-2x6")
+
+
+@pytest.fixture(scope="module")
+def levels() -> ExpectedLevels:
+    return expected_levels(geometry.prototype("array-2x6"))
+
+
+# -- levels -------------------------------------------------------------------------------------------
+def test_levels_are_those_of_check_in_volts_of_the_microphone(levels: ExpectedLevels) -> None:
+    design = geometry.prototype("array-2x6")
+    taps = loudest_taps([design])[0]
+    assert [point.touch for point in levels.points] == pytest.approx(taps.max(axis=1))
+    assert [point.firm for point in levels.points] == pytest.approx(taps.max(axis=1) * FIRM_TAP / design.target.force)
+    t7 = next(each for each in levels.loggers if each.logger is not None and each.logger.part_number == "T7")
+    # -38 dB re 1 V/Pa: 28.3 Pa are 0.356 V, above the range of 0.1 V, so the range is 1 V.
+    assert t7.volts == 1.0
+    assert t7.full_scale == pytest.approx(1 / 10 ** (-38 / 20))
+    assert t7.decibels(28.3) == pytest.approx(20 * math.log10(28.3 * 10 ** (-38 / 20)))
+    assert t7.step * 2**15 == pytest.approx(t7.full_scale)
+    # 96 dB below a sine of 1 V peak
+    assert t7.logger_noise * 10 ** (-38 / 20) == pytest.approx(1 / math.sqrt(2) / 10 ** (96 / 20))
+
+
+def test_the_range_is_above_the_overload_of_the_microphone(levels: ExpectedLevels) -> None:
+    assert levels.sensitivity is not None
+    assert len(levels.loggers) == 2
+    for each in levels.loggers:
+        assert each.volts is not None
+        assert each.full_scale >= levels.overload
+        assert each.noise_steps > 1 / 3
+    assert not levels.loggers[0].problems
+    assert "not specified below 20 Hz" in " ".join(levels.loggers[1].problems)
+
+
+def test_touches_above_the_overload_are_told_with_the_force_that_is_not_clipped(levels: ExpectedLevels) -> None:
+    loudest = max(point.touch for point in levels.points)
+    assert loudest > levels.overload  # 0.1 N on the prototype
+    assert levels.largest_force == pytest.approx(0.1 * levels.overload / loudest)
+    assert "clipped from 28.3 Pa" in levels.verdict[0]
+    assert f"{levels.largest_force:.2g} N" in levels.verdict[0]
+    soft = geometry.prototype("array-2x6").with_values({"target.force": 0.5 * levels.largest_force})
+    (line,) = expected_levels(soft).verdict
+    assert "stay below" in line
+
+
+def test_a_digital_microphone_is_its_own_logger() -> None:
+    part = catalogue().microphone("ICS-43434")
+    assert isinstance(part, StockMicrophone)
+    design = geometry.prototype("array-2x6").with_values(dict(part.values))
+    (only,) = expected_levels(design).loggers
+    assert only.logger is None
+    # -26 dB of full scale at 94 dB: 0 dB is a sine of 120 dB, whose peak is 28.2 Pa.
+    assert only.full_scale == pytest.approx(math.sqrt(2) * 20e-6 * 10 ** (120 / 20), rel=0.01)
+
+
+def test_loggers_with_too_few_inputs_are_left_out() -> None:
+    names = [f"M{k}" for k in range(9)]
+    lines = [{"between": [one, other], "points": 2} for one, other in pairwise(names)]
+    nine = geometry.prototype("array-2x6").with_values(
+        {"microphones": names, "lines": lines, "layout": {"kind": "ring"}}
+    )
+    assert [each.logger.part_number for each in expected_levels(nine).loggers if each.logger] == ["T7"]
+
+
+# -- wires --------------------------------------------------------------------------------------------
+def test_every_pin_of_every_microphone_has_a_wire_and_a_terminal() -> None:
+    design = geometry.prototype("array-2x6")
+    wiring = wiring_of(design)
+    loggers = {each.part_number.split()[0]: each for each in catalogue().of(Logger)}
+    wires = wiring.wires(design, loggers["T7"])
+    assert [(wire.microphone, wire.pin, wire.signal) for wire in wires] == [
+        (name, pin, signal) for name in "AB" for pin, signal in enumerate(("VDD", "OUT", "GND"), start=1)
+    ]
+    out = [wire for wire in wires if wire.signal == "OUT"]
+    assert [wire.channel for wire in out] == [1, 2]
+    assert [wire.goes_to.split(",")[0] for wire in out] == ["AIN0", "AIN1"]
+    assert "100 kOhm" in out[0].goes_to
+    first = wiring.wires(design, loggers["Scarlett"])[1]
+    assert first.goes_to.startswith("LINE 1 tip, through 10 uF")
+    for each in loggers.values():  # 3 Hz passes: the corner is a tenth of it at most
+        assert 1 / (2 * math.pi * each.input_resistance * 1e-6 * coupling_capacitor(each)) <= 0.3
+
+
+def test_two_digital_microphones_share_a_line_and_differ_in_their_select() -> None:
+    part = catalogue().microphone("IM69D130V01")
+    assert isinstance(part, StockMicrophone)
+    design = geometry.prototype("array-2x6").with_values(dict(part.values))
+    wires = wiring_of(design).wires(design, None)
+    select = [wire.goes_to for wire in wires if wire.signal == "SELECT"]
+    data = {wire.goes_to for wire in wires if wire.signal == "DATA"}
+    assert select == ["GND", "VDD"]
+    assert data == {"data input 1 of the controller"}
+
+
+# -- files --------------------------------------------------------------------------------------------
+def test_the_files_say_where_each_wire_goes_and_each_level(model: ArrayModel, tmp_path: Path) -> None:
+    electronics = electronics_of(model)
+    write_electronics(electronics, tmp_path)
+    board = {path.name for path in (tmp_path / "1-buy" / "electronics").iterdir()}
+    assert {"microphone-board.kicad_pcb", "microphone-board-gerber.zip", "order-board.txt", "gerber"} <= board
+    order = (tmp_path / "1-buy" / "electronics" / "order-board.txt").read_text(encoding="utf-8")
+    assert "0.4 mm thick" in order
+    assert "assumed" in order
+    rows = list(csv.DictReader((tmp_path / "5-build" / "levels.csv").open(encoding="utf-8")))
+    assert len(rows) == 12 * len(electronics.levels.loggers)
+    row = rows[0]
+    assert float(row["0.1 N (mV)"]) == pytest.approx(float(row["0.1 N (Pa)"]) * 12.589, rel=1e-3)
+    headroom = 20 * math.log10(28.3 / float(row["0.1 N (Pa)"]))
+    assert float(row["headroom to overload (dB)"]) == pytest.approx(headroom, abs=0.1)
+    wires = list(csv.DictReader((tmp_path / "5-build" / "wiring.csv").open(encoding="utf-8")))
+    assert len(wires) == 6
+    sheet = (tmp_path / "5-build" / "wiring.txt").read_text(encoding="utf-8")
+    assert "AIN0" in sheet
+    assert "clipped from 28.3 Pa" in " ".join(sheet.split())
+    assert max(map(len, sheet.splitlines())) <= 110
+
+
+def test_an_unknown_microphone_has_a_wiring_sheet_that_says_why_there_is_no_board(tmp_path: Path) -> None:
+    model = array_model(geometry.prototype("line-2").with_values({"lines.0.points": 2, "microphone.model": "my own"}))
+    electronics = electronics_of(model)
+    assert electronics.wiring.board is None
+    write_electronics(electronics, tmp_path)
+    assert not (tmp_path / "1-buy").exists()
+    sheet = " ".join((tmp_path / "5-build" / "wiring.txt").read_text(encoding="utf-8").split())
+    assert "No board is drawn: microphone.model = 'my own' is not in the catalogue" in sheet
+    assert "OUT" in sheet
+
+
+def test_the_head_of_a_board_that_meets_a_neighbour_is_told(model: ArrayModel) -> None:
+    board = wiring_of(model.design).board
+    assert board is not None
+    assert head_clashes(model, board) == ()  # the slots of the prototype point away from the points
+    # A housing turned by 180 degrees has its slot, and so the head, towards the first point; a head that is 4 mm longer
+    # reaches its shell, which begins 11.45 mm from the axis of the chamber.
+    placed = tuple(
+        replace(each, rotation=each.rotation + 180) if each.kind == "housing" else each for each in model.placed
+    )
+    (left, low), corner = board.head
+    assert 16.45 - 5 - 4 < -left < 16.45 - 5
+    longer = replace(board, head=((left - 4, low), corner))
+    assert head_clashes(model, longer) == ()
+    turned = replace(model, placed=placed)
+    assert head_clashes(turned, board) == ()
+    assert [line.partition(",")[0] for line in head_clashes(turned, longer)] == [
+        "microphone A: point 1",
+        "microphone B: point 12",
+    ]
