@@ -1,4 +1,8 @@
-from .closed_form_circuit import SensorCircuit as SensorCircuit, sensor_circuit as sensor_circuit
+from .closed_form_circuit import (
+    CircuitWarning as CircuitWarning,
+    SensorCircuit as SensorCircuit,
+    sensor_circuit as sensor_circuit,
+)
 from .spice_netlist import NETLIST_FORMAT as NETLIST_FORMAT, netlist as netlist, save_netlist as save_netlist
 from .state_space import (
     INPUTS as INPUTS,

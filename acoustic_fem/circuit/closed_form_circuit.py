@@ -8,6 +8,7 @@ its volume per force and its compliance soften by the same modulus.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -51,6 +52,12 @@ DECAY = 1e8
 _COMPARED = 24
 #: Resistance by the characteristic one of the inductor and the capacitor behind a force, so that it does not ring.
 _DAMPED = 0.01
+#: Difference of a circuit to its library, relative to each response, from which there is a warning.
+LARGEST_DIFFERENCE = 0.1
+
+
+class CircuitWarning(UserWarning):
+    """Warning of a circuit that differs from its library."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +111,8 @@ class SensorCircuit:
 def sensor_circuit(library: Library) -> SensorCircuit:
     """Circuit of the design of a library, in its air, and its difference to the library.
 
+    A difference above :data:`LARGEST_DIFFERENCE`, as of a library that was measured, gives a :class:`CircuitWarning`.
+
     Raises:
         Refusal: a design whose cells have no closed forms.
     """
@@ -117,6 +126,13 @@ def sensor_circuit(library: Library) -> SensorCircuit:
     pressure, _ = found.at(grid)
     exact = library.force_response.transpose("point", "microphone", "frequency").values[..., chosen]
     error = float(np.abs(pressure / exact - 1).max())
+    if error > LARGEST_DIFFERENCE:
+        warnings.warn(
+            f"the circuit differs from the library by up to {100 * error:.0f} % from {low:g} to {high:g} Hz, because it "
+            "is that of the design by closed forms; a state space follows the library itself",
+            CircuitWarning,
+            stacklevel=2,
+        )
     return SensorCircuit(made, library.design, library.medium, (low, high), error)
 
 

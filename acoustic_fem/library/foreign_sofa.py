@@ -127,6 +127,9 @@ def _responses(content: _Content, design: ArrayDesign) -> tuple[Array, ComplexAr
     parts = [_part(name, content, dimensions, len(frequency)) for name in _DATA]
     if parts[0].shape != parts[1].shape:
         raise mismatch("Data.Imag", f"has shape {parts[1].shape}; it must be {parts[0].shape}, as Data.Real")
+    if not parts[1].any():
+        problem = "is 0 everywhere, and a response of a sensor is complex"
+        raise Refusal(problem, kind=Kind.UNSUITABLE, field="Data.Imag")
     values = np.empty(parts[0].shape, np.complex128)
     values.real, values.imag = parts
     return frequency, _by_point(values, design)

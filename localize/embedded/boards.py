@@ -21,6 +21,8 @@ class Board:
     """How the firmware is built, in Markdown."""
     most_microphones: int | None = None
     """Largest number of microphones that its source reads; None for any."""
+    digital: bool = False
+    """True if its source reads PDM microphones, whose samples have 16 bits and no voltage."""
     flash: int | None = None
     """Flash in its linker file, bytes; None where the board's tools choose it."""
     has_bench: bool = True
@@ -42,9 +44,11 @@ arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -st
     touch_firmware.c touch_ring.c touch_decimator.c touch_serial.c touch_board_mps2.c \\
     touch_decoder.c touch_tables.c touch_tracker.c \\
     -nostartfiles -T touch_board_mps2.ld -lm -o firmware.elf
-qemu-system-arm -M mps2-an386 -nographic -monitor none -serial pty \\
+qemu-system-arm -M mps2-an386 -nographic -monitor none -serial tcp:127.0.0.1:5555,server=on,wait=on \\
     -semihosting-config enable=on,target=native -kernel firmware.elf     # reads samples.i16
 ```
+
+The emulator waits for a reader: `acoustic-fem live library.nc --serial socket://127.0.0.1:5555`.
 """
 _ZEPHYR = """`touch_board_zephyr.c` has the five functions for Zephyr, with PDM microphones on its DMIC driver. The
 device tree of your board must have a DMIC with the label `dmic_dev`, and choose a UART as `zephyr,console`. Choose the
@@ -66,7 +70,7 @@ BOARDS: dict[BoardName, Board] = {
     "cortex-m": Board(
         "a Cortex-M without an operating system", ("touch_board_mps2.c", "touch_board_mps2.ld"), _CORTEX_M, flash=2**22
     ),
-    "zephyr": Board("Zephyr", ("touch_board_zephyr.c", "CMakeLists.txt", "prj.conf"), _ZEPHYR),
-    "arduino": Board("Arduino", ("touch_board_arduino.cpp", "touch_arduino.ino"), _ARDUINO, 2, has_bench=False),
+    "zephyr": Board("Zephyr", ("touch_board_zephyr.c", "CMakeLists.txt", "prj.conf"), _ZEPHYR, digital=True),
+    "arduino": Board("Arduino", ("touch_board_arduino.cpp", "touch_arduino.ino"), _ARDUINO, 2, True, has_bench=False),
 }
 """Boards by name."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from acoustic_fem import Library
 from geometry.ground.argument_checks import check_choice
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 from localize.embedded.boards import BOARDS, BoardName
 from localize.embedded.budget import Budget, Cost, LargeDecoderWarning, cost_of, in_units
 from localize.embedded.converter import AT_OVERLOAD, Converter, SampleScale, sample_scale, warn_of_coarse
@@ -66,8 +66,8 @@ def embed(
 
     Raises:
         Refusal: over the budget, with the numbers; an unknown precision or board; more microphones than it reads;
-            a prefix that C does not allow; a converter in volts where the library has no design; or as
-            :class:`localize.BayesDecoder`.
+            volts or bits for a board of PDM microphones; a prefix that C does not allow; a converter in volts where
+            the library has no design; or as :class:`localize.BayesDecoder`.
     """
     check_prefix(prefix)
     check_choice("board", board, tuple(BOARDS))
@@ -75,7 +75,9 @@ def embed(
     if chosen.most_microphones is not None and microphones > chosen.most_microphones:
         problem = f"reads at most {chosen.most_microphones} microphones, and the array has {microphones}"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field="board", value=board)
-    scale = sample_scale(response_of(library), converter)
+    if chosen.digital:
+        _check_digital(board, converter)
+    scale = sample_scale(response_of(library), converter, digital=chosen.digital)
     warn_of_coarse(scale, converter)
     tables = embedded_tables(library, precision, microphone_noise)
     cost = cost_of(tables)
@@ -91,3 +93,14 @@ def embed(
         )
     texts = {**source_files(tables, scale, chosen), "README.md": readme(tables, cost, scale, chosen)}
     return EmbeddedDecoder(tables, cost, with_prefix(texts, prefix), scale)
+
+
+def _check_digital(board: BoardName, converter: Converter) -> None:
+    """Refuse what PDM microphones do not have."""
+    problem = f"is not allowed, because the source of the board {board} reads PDM microphones"
+    if converter.volts is not None:
+        scale = ("give ", Field("full_scale"), ", from their sensitivity in dBFS")
+        raise Refusal(problem, kind=Kind.CONFLICT, field="volts", value=converter.volts, unit="V", remedy=scale)
+    if converter.bits != AT_OVERLOAD.bits:
+        remedy = f"leave it out: their samples have {AT_OVERLOAD.bits} bits"
+        raise Refusal(problem, kind=Kind.CONFLICT, field="bits", value=converter.bits, remedy=remedy)

@@ -81,12 +81,13 @@ class SampleScale:
 AT_OVERLOAD = Converter()
 
 
-def sample_scale(response: ArrayResponse, converter: Converter = AT_OVERLOAD) -> SampleScale:
+def sample_scale(response: ArrayResponse, converter: Converter = AT_OVERLOAD, *, digital: bool = False) -> SampleScale:
     """Pressures of samples of an array.
 
     Args:
         response: of the array, with a design unless the converter has a pressure.
         converter: that samples its microphones.
+        digital: True for PDM microphones, which no amplifier can bring to a full scale.
 
     Raises:
         Refusal: a voltage, of an array whose design is not known.
@@ -117,6 +118,12 @@ def sample_scale(response: ArrayResponse, converter: Converter = AT_OVERLOAD) ->
         full_scale = converter.volts / sensitivity
         source = f"{converter.volts:g} V at the microphone, {about}"
         return SampleScale(full_scale, microphone.overload, largest, source, noise_at(microphone))
+    if digital:
+        source = (
+            f"the overload of {microphone.model}, assumed; that of your PDM microphone follows from its sensitivity in "
+            "dBFS: give it with --full-scale"
+        )
+        return SampleScale(microphone.overload, microphone.overload, largest, source, noise_at(microphone))
     volts = microphone.overload * sensitivity
     source = f"the overload of the microphone, {about}: amplify its {1e3 * volts:.3g} mV to the converter's full scale"
     return SampleScale(microphone.overload, microphone.overload, largest, source, noise_at(microphone))

@@ -5,6 +5,7 @@
 
 #include "touch_firmware.h"
 #include "touch_hal.h"
+#include "touch_serial.h"
 #include "touch_tables.h"
 
 #if TOUCH_MICROPHONES > 2
@@ -40,8 +41,13 @@ int touch_hal_start(void)
 
 size_t touch_hal_room(void)
 {
+#if defined(ARDUINO_ARCH_MBED) || defined(ARDUINO_ARCH_RENESAS)
+    /* Serial of these cores states no room, and write waits for the line. */
+    return Serial ? TOUCH_SERIAL_LARGEST : 0;
+#else
     const int room = Serial.availableForWrite();
     return room > 0 ? static_cast<size_t>(room) : 0;
+#endif
 }
 
 void touch_hal_send(const uint8_t *bytes, size_t count)

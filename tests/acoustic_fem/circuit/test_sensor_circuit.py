@@ -1,6 +1,7 @@
 """The circuit of a sensor is passive, is its lumped library, and is what ngspice makes of the netlist."""
 
 import re
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 
 import acoustic_fem
 import geometry
-from acoustic_fem.circuit import netlist, save_netlist, sensor_circuit
+from acoustic_fem.circuit import CircuitWarning, netlist, save_netlist, sensor_circuit
 from acoustic_fem.circuit.passive_circuit import Circuit
 from acoustic_fem.circuit.passive_fits import fit_falling, fit_grid, fit_rising
 from acoustic_fem.circuit.spice_netlist import pins
@@ -83,6 +84,13 @@ def test_leaks_soft_sheaths_and_soft_floors_are_in_the_circuit(changes):
     if "silicone" in changes.values():
         changes = dict.fromkeys(changes, design.membrane.material)
     assert sensor_circuit(solved(**changes)).error < 1.5e-3
+
+
+def test_a_circuit_of_another_sensor_than_the_library_is_told():
+    library = solved()
+    other = replace(library, source_response=library.source_response / 1.25)
+    with pytest.warns(CircuitWarning, match="differs from the library by up to 25 %"):
+        sensor_circuit(other)
 
 
 def test_the_netlist_has_the_pins_in_their_order_and_every_element(tmp_path):

@@ -84,7 +84,8 @@ def test_zephyr_sends_what_the_host_sends_and_a_block_that_is_lost_is_told(tmp_p
 
 @needs_compiler
 @needs_plus
-def test_arduino_sends_what_the_host_sends(tmp_path, library, samples, expected):
+@pytest.mark.parametrize("core", ["AVR", "MBED"])
+def test_arduino_sends_what_the_host_sends(tmp_path, library, samples, expected, core):
     folder = write(tmp_path / "touch_arduino", library, "arduino")
     names = {each.name for each in folder.iterdir()}
     assert "touch_arduino.ino" in names
@@ -93,7 +94,21 @@ def test_arduino_sends_what_the_host_sends(tmp_path, library, samples, expected)
     objects = [f"{Path(each).stem}.o" for each in RAW]
     strict = [each for each in STRICT if each != "-std=c99"]
     own = ["touch_board_arduino.cpp", STUBS / "arduino_host.cpp"]
-    run([PLUS, *strict, *SANITIZED, "-I.", f"-I{STUBS / 'arduino'}", *objects, *own, "-o", "program"], folder)
+    run(
+        [
+            PLUS,
+            *strict,
+            *SANITIZED,
+            f"-DARDUINO_ARCH_{core}",
+            "-I.",
+            f"-I{STUBS / 'arduino'}",
+            *objects,
+            *own,
+            "-o",
+            "program",
+        ],
+        folder,
+    )
     assert sent(folder, samples) == expected
 
 
@@ -128,3 +143,14 @@ def test_a_converter_that_cannot_be_is_refused(library):
         Converter(volts=0.0)
     with refused(Kind.OUT_OF_RANGE, "board", "stm32"):
         embed(library, board="stm32")
+
+
+@pytest.mark.filterwarnings("ignore::localize.embedded.CoarseConverterWarning")
+@pytest.mark.parametrize(("given", "field"), [({"volts": 0.5}, "volts"), ({"bits": 8}, "bits")])
+@pytest.mark.parametrize("board", ["zephyr", "arduino"])
+def test_boards_of_digital_microphones_take_no_voltage_and_no_bits(library, board, given, field):
+    with refused(Kind.CONFLICT, field):
+        embed(library, board=board, converter=Converter(**given))
+    source = embed(library, board=board).scale.source
+    assert "--full-scale" in source
+    assert "amplify" not in source

@@ -16,7 +16,11 @@ void SerialPort::begin(unsigned long baud)
 }
 int SerialPort::availableForWrite()
 {
+#ifdef ARDUINO_ARCH_MBED
+    return 0; /* as the core has it, which does not override that of Print */
+#else
     return 1024;
+#endif
 }
 size_t SerialPort::write(const uint8_t *bytes, size_t count)
 {

@@ -7,6 +7,7 @@
 struct SerialPort {
     void begin(unsigned long baud);
     int availableForWrite();
+    explicit operator bool() const { return true; }
     size_t write(const uint8_t *bytes, size_t count);
     void print(const char *text);
     void println(int number);
