@@ -128,8 +128,8 @@ def sensor_circuit(library: Library) -> SensorCircuit:
     error = float(np.abs(pressure / exact - 1).max())
     if error > LARGEST_DIFFERENCE:
         warnings.warn(
-            f"the circuit differs from the library by up to {100 * error:.0f} % from {low:g} to {high:g} Hz, because it "
-            "is that of the design by closed forms; a state space follows the library itself",
+            f"the circuit differs from the library by up to {100 * error:.0f} % from {low:g} to {high:g} Hz, because "
+            "it is that of the design by closed forms; a state space follows the library itself",
             CircuitWarning,
             stacklevel=2,
         )
