@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+import geometry
 from geometry.assembly.model import ArrayModel, plane_of
 from geometry.assembly.part_list import PlacedPart
 from geometry.ground.refusal import Kind, Refusal
@@ -143,6 +144,10 @@ def _near(model: ArrayModel, within: float) -> Iterator[tuple[int, int]]:
     """Pairs of placed parts whose boxes are no further apart than this, mm."""
     local = {}
     for name, shape in model.shapes.items():
+        if model.design.layout.frozen is not None:
+            # Tubes on a body are free curves, whose exact boxes take seconds each.
+            local[name] = geometry.solids.quick_box(shape)
+            continue
         box = shape.BoundingBox()
         local[name] = np.array([[box.xmin, box.ymin, box.zmin], [box.xmax, box.ymax, box.zmax]])
     lows, highs = [], []

@@ -83,10 +83,15 @@ def _counts(design: StatedArray, frozen: FrozenPlaces) -> Iterator[Refusal]:
         ("points", frozen.points, design.point_count, "point"),
         ("microphones", frozen.microphones, len(design.microphones), "microphone"),
         ("tubes", frozen.tubes, tubes if frozen.tubes else 0, "tube"),
+        ("cells", frozen.cells, design.point_count if frozen.cells else 0, "point"),
     ):
         if len(parts) != count:
             problem = f"has {counted(len(parts), 'place')} for {counted(count, what)}"
             yield conflict(f"layout.frozen.{field}", problem=problem, remedy=_AGAIN)
+    for number, cell in enumerate(frozen.cells):
+        if list(cell.distances) != sorted(cell.distances) or cell.distances[0] < 0:
+            problem = "must be zero or more, in ascending order"
+            yield conflict(f"layout.frozen.cells.{number}.distances", problem=problem)
     for number, point in enumerate(frozen.points):
         yield from _ports(f"layout.frozen.points.{number}.ports", point, 2, "a point")
     for number, (name, part) in enumerate(zip(design.microphones, frozen.microphones, strict=True)):
@@ -131,6 +136,38 @@ def sizes_of(design: StatedArray) -> dict[str, tuple[str, float]]:
         "seat_width": ("width of the microphones' seats", seat[1]),
         "tube_diameter": ("tubes", max(tube.outer_diameter for tube in design.tubes)),
     }
+
+
+#: Fields whose values fix the outside of parts, and so the places that a fit found for them.
+_FITTED = (
+    "layout.pitch",
+    "resonator.cavity_diameter",
+    "resonator.wall_thickness",
+    "microphone.chamber_diameter",
+    "microphone.wall_thickness",
+    "microphone.board_length",
+    "microphone.board_width",
+    "microphone.board_gap",
+)
+
+
+def check_variable(design: StatedArray, name: str) -> None:
+    """Refuse to vary a field of a design that frozen places or stated lengths have settled.
+
+    Args:
+        design: the array.
+        name: dotted name of one of its fields.
+
+    Raises:
+        Refusal: the places were fitted for the field's value, or lengths of the lines take its place.
+    """
+    group, _, field = name.rpartition(".")
+    if design.layout.frozen is not None and (name in _FITTED or group.partition(".")[0] == "surface"):
+        problem = "cannot vary, because the places of the array were fitted for its value"
+        raise conflict(name, problem=problem, remedy="change it in the design, and fit again for each value")
+    if field == "length" and all(line.lengths is not None for line in design.lines):
+        problem = "changes nothing, because every line states the lengths of its tubes"
+        raise conflict(name, problem=problem, remedy="leave it out")
 
 
 def inputs_of(stated: SurfaceFit) -> str:

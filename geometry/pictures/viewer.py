@@ -171,7 +171,8 @@ def _scene(model: ArrayModel, outer: np.ndarray, bodies: Mapping[str, Tessellati
     for part in model.placed:
         if part.part not in scene.geometry:
             shape = model.shapes[part.part]
-            fine = _DEVIATION * shape.BoundingBox().DiagonalLength
+            low, high = geometry.solids.quick_box(shape)
+            fine = _DEVIATION * float(np.linalg.norm(high - low))
             facets = geometry.solids.tessellate(shape, fine, _FACET_ANGLE, measured=False)
             scene.geometry[part.part] = _shaded(facets, _material(part.kind, *LOOKS[part.kind]))
         scene.graph.update(

@@ -29,6 +29,7 @@ from geometry.pictures.canvas import (
 )
 from geometry.plan.cylinder import Plane
 from geometry.plan.routing import unit
+from geometry.solids.measure import quick_box
 from geometry.solids.membrane import membranes_of
 
 _MOLD, _SCHEMATIC = "#d9c27a", "#b08fc7"
@@ -186,8 +187,7 @@ def _bounds(model: ArrayModel, kind: PartKind) -> tuple[Array, Array]:
     corners = []
     for part in model.placed:
         if part.kind == kind:
-            box = model.shapes[part.part].BoundingBox()
-            sides = itertools.product((box.xmin, box.xmax), (box.ymin, box.ymax), (box.zmin, box.zmax))
+            sides = itertools.product(*quick_box(model.shapes[part.part]).T)
             corners.append(np.array(list(sides)) @ part.matrix[:3, :3].T + part.matrix[:3, 3])
     points = np.vstack(corners)
     return points.min(axis=0), points.max(axis=0)

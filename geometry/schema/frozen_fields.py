@@ -47,6 +47,19 @@ class FrozenTube(Section):
     )
 
 
+class FrozenCell(Section):
+    """Part of the body's region that is nearer to one point than to the others."""
+
+    area: Number = Field(ge=0, description="its area", json_schema_extra={"unit": "mm^2"})
+    distances: tuple[Number, ...] = Field(
+        min_length=2,
+        max_length=200,
+        description="distances from the rim of the point's membrane, in ascending order: of its nearest place, of "
+        "places at equal steps of the area, and of its furthest place",
+        json_schema_extra={"unit": "mm"},
+    )
+
+
 class FrozenSizes(Section):
     """Sizes for which the places were made; a design with other sizes is refused."""
 
@@ -69,6 +82,14 @@ class FrozenPlaces(Section):
         default=(),
         max_length=2000,
         description="every tube, line by line from the first microphone to the second; default: all are smooth curves",
+    )
+    cells: tuple[FrozenCell, ...] = Field(
+        default=(), max_length=1000, description="the region of the body by its nearest point, one cell for every point"
+    )
+    furthest: Triple | None = Field(
+        default=None,
+        description="place of the region that is furthest from a membrane",
+        json_schema_extra={"unit": "mm"},
     )
     sizes: FrozenSizes = Field(default=FrozenSizes(), description="sizes for which the places were made")
     body: str = Field(default="", max_length=64, description="SHA-256 of the file of the body")

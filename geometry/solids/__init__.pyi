@@ -8,6 +8,7 @@ from .measure import (
     genus as genus,
     hole_diameters as hole_diameters,
     inner_voids as inner_voids,
+    quick_box as quick_box,
     rounds as rounds,
     tessellate as tessellate,
 )

@@ -9,8 +9,10 @@ from dataclasses import dataclass
 import cadquery as cq
 import numpy as np
 from numpy.typing import NDArray
+from OCP.Bnd import Bnd_Box
 from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepBndLib import BRepBndLib
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
 from OCP.GeomAbs import GeomAbs_Cone, GeomAbs_Cylinder, GeomAbs_Plane, GeomAbs_SurfaceType
 from OCP.gp import gp_Dir, gp_Pnt
@@ -53,6 +55,16 @@ class Tessellation:
         """Volume inside the facets, mm^3."""
         a, b, c = (self.vertices[self.triangles[:, k]] - self.vertices[0] for k in range(3))
         return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+
+def quick_box(shape: cq.Shape) -> Array:
+    """Lowest and highest corner of a box around a shape, (2, 3) float64, mm.
+
+    It is exact around planes and cylinders and may be larger around other faces, whose exact box can take seconds.
+    """
+    box = Bnd_Box()
+    BRepBndLib.Add_s(shape.wrapped, box, False)
+    return np.array(box.Get()).reshape(2, 3)
 
 
 def tessellate(

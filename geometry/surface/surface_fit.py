@@ -13,7 +13,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from geometry.body.reading import Body
-from geometry.body.samples import Samples, samples_of
+from geometry.body.samples import samples_of
 from geometry.design.array_design import ArrayDesign
 from geometry.design.shell_rules import membrane_top
 from geometry.ground.refusal import Kind, counted
@@ -25,6 +25,7 @@ from geometry.plan.routing import tightest_bend
 from geometry.schema.field_errors import DesignError
 from geometry.schema.part_fields import STUB_LENGTH_IN_RADII
 from geometry.schema.surface_fields import SurfaceFit
+from geometry.surface.covered_cells import cells_of
 from geometry.surface.frozen_arrays import Laid, frozen_design
 from geometry.surface.microphones import Seats, placed_microphone, room_for_microphones, wanted_places
 from geometry.surface.order import Order, crossings, steps_of
@@ -66,8 +67,12 @@ class FittedSurface:
     """Smallest radius of the tubes, mm."""
     stretch: float
     """Root mean square by which distances of neighbours differ in the unrolled plan, as a fraction."""
-    uncovered: float
-    """Largest distance of a place of the region from the rim of the nearest cavity, mm."""
+
+    @property
+    def uncovered(self) -> float:
+        """Largest distance of a place of the region from the rim of the nearest membrane, mm."""
+        assert self.design.layout.frozen is not None
+        return max(cell.distances[-1] for cell in self.design.layout.frozen.cells)
 
     @property
     def findings(self) -> tuple[str, ...]:
@@ -383,8 +388,14 @@ class _Fit:
         mean, scatter = float(spacing.mean()), float(spacing.std() / spacing.mean())
         kinds = len({point.turned[0] for point in laid.layout.points})
         bend = min(tightest_bend(tube.course) for tube in laid.layout.tubes)
-        inside = self.region.inside
-        gap = distance_from_points(self.samples, inside, laid.points) - self.cavity
+        top = membrane_top(self.design)
+        cells, furthest = cells_of(
+            self.ground.lifted(self.floor + top),
+            self.region.inside,
+            laid.points + (top - self.design.resonator.port_axis_height) * laid.normals,
+            laid.normals,
+            self.cavity,
+        )
         plan = unrolled(laid.all_places(), laid.all_normals(), laid.spacing)
         findings = [
             *self.findings,
@@ -397,14 +408,11 @@ class _Fit:
         frozen = laid.design.layout.frozen
         assert frozen is not None
         values = {
+            "layout.frozen.cells": cells,
+            "layout.frozen.furthest": furthest.round(2).tolist(),
             "layout.frozen.findings": findings,
             "layout.frozen.body": self.body.sha256,
             "layout.frozen.inputs": inputs,
         }
         design = laid.design.with_values(values)
-        return FittedSurface(design, laid.layout, (mean, scatter), kinds, bend, plan.stretch, float(gap.max()))
-
-
-def distance_from_points(samples: Samples, mask: Mask, points: Array) -> Array:
-    """Distance of samples of a region from the nearest of some points, (n,) float64, mm."""
-    return np.asarray(cKDTree(points).query(samples.places[mask])[0])
+        return FittedSurface(design, laid.layout, (mean, scatter), kinds, bend, plan.stretch)

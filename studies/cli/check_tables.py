@@ -77,6 +77,7 @@ def _sections(found: DesignCheck) -> Iterator[_Section]:
     """All findings beside the verdict, in the order in which a designer needs them."""
     quality, printing = found.quality, found.printing
     contact = f"{found.coverage:.0%} by a contact of {found.design.target.contact_radius:g} mm radius"
+    contact += "" if found.uncovered is None else f"; {found.uncovered.words}"
     yield _Section("coverage", contact, lambda: _show_layout(found))
     if quality is not None:
         yield _Section("accuracy in a run", quality.in_short, lambda: _show_quality(quality))

@@ -30,6 +30,7 @@ from studies.cli.terminal_tables import show, table_of, tell
 from studies.output.call_defaults import BOARD, CONVERTER_BITS, EMBEDDED_PREFIX, PRECISION
 
 if TYPE_CHECKING:
+    from geometry.surface import PlanInSpace
     from localize.embedded.boards import BoardName
     from localize.embedded.decoder_tables import Precision
     from localize.live.events import State
@@ -386,7 +387,8 @@ def track(
 ) -> None:
     """Follow a moving contact across the surface, from a recording.
 
-    Writes the position every 16 ms, between the points too, and prints the gesture that each path makes.
+    Writes the position every 16 ms, between the points too, and prints the gesture that each path makes. For an array
+    that fit laid on a body, the table also has the place on the body and the direction away from it.
 
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """
@@ -410,6 +412,8 @@ def track(
     )
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")
+    if found.body is not None:
+        _tell_plan(found.body)
     tell(f"the decoder assumes {found.assumptions}")
     if found.warning is not None:
         tell(f"warning: {found.warning}; the paths are wrong, so correct the wiring or the order of --channels")
@@ -475,6 +479,17 @@ def _show_pulse(found: RecordedPulse) -> None:
         f"point {reading.point} ({100 * reading.probability:.1f} %), {reading.rate:.1f} beats a minute, "
         f"+- {reading.rate_deviation:.1f}"
     )
+
+
+def _tell_plan(body: PlanInSpace) -> None:
+    off = f"the unrolled plan of the body, whose distances are off by {100 * body.stretch:.1f} % (rms)"
+    if body.is_flat:
+        tell(f"positions are in {off}; the table also has the places on the body")
+    else:
+        tell(
+            f"warning: positions are in {off}, so lengths, speeds and gestures are rough, and a path over the seam "
+            "jumps; use the places on the body in the table"
+        )
 
 
 def _show_paths(found: TrackedRecording) -> None:

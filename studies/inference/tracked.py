@@ -14,11 +14,13 @@ import numpy as np
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.whole_files import write_text
+from geometry.layout.arrangement import lay_out
+from geometry.surface import PlanInSpace, plan_in_space
 from localize.evaluation.connection_faults import ConnectionFault
 from localize.evaluation.goodness_of_fit import LoudFrames, sensor_fit
 from localize.live.stream_options import MOVING
 from localize.model.located_touches import RecordingResult
-from localize.model.opened_model import Decoding, ModelSource, files_of, opened_as_designed
+from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened_as_designed
 from localize.recordings.recording import read_recording
 from localize.signals.array_response import ArrayResponse
 from localize.tracking.path import Track
@@ -29,6 +31,8 @@ from studies.output.folders import check_new_file, is_own_table, new_picture
 
 #: Columns of the table.
 COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "detected")
+#: Further columns of the table of an array on a body: place on it, and the direction away from it.
+BODY_COLUMNS = ("body_x_mm", "body_y_mm", "body_z_mm", "normal_x", "normal_y", "normal_z")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -46,6 +50,8 @@ class TrackedRecording(RecordingResult):
     """Fault in how the microphones are connected, which explains the touches far better; None if none was found."""
     warning: str | None = None
     """Fault in words; None if none was found."""
+    body: PlanInSpace | None = None
+    """The body that the paths lie on, by the plan of their places; None for an array that is not laid on one."""
 
 
 def track_recording(
@@ -64,7 +70,8 @@ def track_recording(
     Args:
         library: library of the array, with its design: a path, a library or an open model.
         recording: see :func:`localize.read_recording`.
-        out: a CSV file with a row for every 16 ms of each path; an earlier file of paths is replaced.
+        out: a CSV file with a row for every 16 ms of each path; an earlier file of paths is replaced. For an array on a
+            body it also has the place on the body and the direction away from it.
         picture: a file for a picture of the paths on the array, ``.png`` by default; an earlier file is replaced.
         contact_radius_mm: radius of the contact, mm, 0.05 to 100.
         full_scale: see :func:`studies.locate_recording`.
@@ -77,7 +84,9 @@ def track_recording(
     """
     table = None if out is None else Path(out)
     reads = (*files_of(library), recording)
-    kept = None if table is None or is_own_table(table, COLUMNS) else "a table that does not come from track"
+    headers = COLUMNS, (*COLUMNS, *BODY_COLUMNS)
+    is_own = table is None or any(is_own_table(table, columns) for columns in headers)
+    kept = None if is_own else "a table that does not come from track"
     check_new_file(table, ".csv", reads=reads, kept=kept)
     drawn = new_picture(picture, reads=reads, option="picture")
     check_sound_there(recording)
@@ -87,8 +96,9 @@ def track_recording(
     stream, loud = model.stream(frames=True), LoudFrames()
     tracks = tuple(tracks_of(stream, tracker, read.signals, loud.take))
     fit = sensor_fit(stream.locator, loud.frames(), stream.noise, only_faults=True)
+    body = _body_of(model)
     if table is not None:
-        write_text(table, _rows(tracks))
+        write_text(table, _rows(tracks, body))
     if drawn is not None:
         draw_paths(tracks, tracker.response, drawn)
     return TrackedRecording(
@@ -100,21 +110,34 @@ def track_recording(
         force_is_known=array.provenance.get("fidelity") != MEASURED,
         fault=None if fit is None else fit.fault,
         warning=None if fit is None else fit.warning,
+        body=body,
     )
 
 
-def _rows(tracks: tuple[Track, ...]) -> str:
-    """The table as text."""
+def _body_of(model: Model) -> PlanInSpace | None:
+    """The body under an array, by its plan; None for an array that is not laid on one."""
+    design = None if model.library is None else model.library.design
+    if design is None or design.layout.kind != "surface":
+        return None
+    return plan_in_space(design, lay_out(design))
+
+
+def _rows(tracks: tuple[Track, ...], body: PlanInSpace | None) -> str:
+    """The table as text; of paths on a body with their places in space."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(COLUMNS)
+    writer.writerow(COLUMNS if body is None else (*COLUMNS, *BODY_COLUMNS))
     for number, track in enumerate(tracks, 1):
+        on_body = None if body is None else body.at(track.place)
         for k in range(len(track.time)):
             force = f"{track.force[k]:.4g}" if track.detected[k] else ""
             x, y = track.place[k]
             speed = f"{track.speed[k]:.2f}"
             place = (f"{track.time[k]:.3f}", f"{x:.3f}", f"{y:.3f}", f"{track.deviation[k]:.3f}", speed)
-            writer.writerow((number, *place, force, int(track.detected[k])))
+            row = [number, *place, force, int(track.detected[k])]
+            if on_body is not None:
+                row += [f"{each:.3f}" for each in (*on_body[0][k], *on_body[1][k])]
+            writer.writerow(row)
     return text.getvalue()
 
 

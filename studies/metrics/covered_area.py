@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from geometry.design.array_design import ArrayDesign
@@ -20,12 +22,38 @@ _SIDE = _CORNER + np.roll(_CORNER, -1, axis=0)
 _REACH = (_SIDE * _CORNER).sum(1)
 
 
+@dataclass(frozen=True)
+class Uncovered:
+    """Place of a body's region that is furthest from a membrane."""
+
+    place: tuple[float, float, float]
+    """In the coordinates of the body, mm."""
+    distance: float
+    """From the rim of the nearest membrane along the body, mm."""
+
+    @property
+    def words(self) -> str:
+        """Distance and place."""
+        x, y, z = self.place
+        return f"furthest from a membrane: {self.distance:.2g} mm, at ({x:.1f}, {y:.1f}, {z:.1f}) mm of the body"
+
+
+def most_uncovered(design: ArrayDesign) -> Uncovered | None:
+    """The place of a body that is furthest from a membrane; None unless a fit laid the array on it."""
+    frozen = design.layout.frozen
+    if frozen is None or frozen.furthest is None or not frozen.cells:
+        return None
+    return Uncovered(frozen.furthest, max(cell.distances[-1] for cell in frozen.cells))
+
+
 def coverage(design: ArrayDesign, contact_radius_mm: float | None = None, layout: ArrayLayout | None = None) -> float:
     """Share of an array's area in which the middle of a round contact may lie and it still touches a membrane.
 
     The area is the convex hull of all membranes, in plan; what lies between lines that are far apart counts, for
     whoever touches it is not felt. Summed over lines along x that are 1/720 of its height apart, within 1e-3; where one
     half of the array is the mirror image of the other, over those of one half.
+
+    The area of an array that was fitted to a body is the region of the body instead, and distances are along the body.
 
     Args:
         design: the array.
@@ -38,6 +66,10 @@ def coverage(design: ArrayDesign, contact_radius_mm: float | None = None, layout
     if contact_radius_mm is None:
         contact_radius_mm = design.target.contact_radius
     check_range("contact_radius_mm", contact_radius_mm, 0.0, 1000.0, "mm")
+    on_body = _cells_reached(design, contact_radius_mm)
+    if on_body is not None:
+        reached, area = on_body
+        return float(reached @ area / area.sum())
     place = point_axes(design) if layout is None else np.array([point.position for point in layout.points])
     kinds = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]
     own = np.array(kinds)[list(design.kind_of_point)]
@@ -71,6 +103,9 @@ def point_coverage(design: ArrayDesign, contact_radius_mm: float | None = None) 
     if contact_radius_mm is None:
         contact_radius_mm = design.target.contact_radius
     check_range("contact_radius_mm", contact_radius_mm, 0.0, 1000.0, "mm")
+    on_body = _cells_reached(design, contact_radius_mm)
+    if on_body is not None:
+        return on_body[0]
     place = point_axes(design)
     kinds = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]
     own = np.array(kinds)[list(design.kind_of_point)]
@@ -86,6 +121,27 @@ def point_coverage(design: ArrayDesign, contact_radius_mm: float | None = None) 
         inside = nearest[away.min(axis=1) <= contact_radius_mm]
         reached += np.bincount(inside, minlength=len(place)) * (end - begin) / count
     return np.asarray(np.divide(reached, area, out=np.ones(len(place)), where=area > 0))
+
+
+def _cells_reached(design: ArrayDesign, radius: float) -> tuple[Array, Array] | None:
+    """Of the cells of a body's region: the fraction that a contact reaches and the area, mm^2; each (n_point,)."""
+    frozen = design.layout.frozen
+    if frozen is None or sum(cell.area for cell in frozen.cells) <= 0:
+        return None
+    return (
+        np.array([_fraction_within(np.array(cell.distances), radius) for cell in frozen.cells]),
+        np.array([cell.area for cell in frozen.cells]),
+    )
+
+
+def _fraction_within(distances: Array, radius: float) -> float:
+    """Fraction of an area up to a distance, by the (n,) distances of equal steps of it."""
+    last = len(distances) - 1
+    behind = int(np.searchsorted(distances, radius, side="right"))
+    if behind == 0 or behind > last:
+        return float(behind > last)
+    low, high = distances[behind - 1 : behind + 1]
+    return float((behind - 1 + (radius - low) / (high - low)) / last)
 
 
 def _is_mirrored(place: Array, radius: Array) -> bool:

@@ -41,7 +41,7 @@ from geometry.schema.field_errors import DesignError
 from geometry.schema.part_fields import Tube
 from geometry.stock import StockFit, catalogue
 from localize.signals.stimulus import BAND
-from studies.metrics.covered_area import coverage
+from studies.metrics.covered_area import Uncovered, coverage, most_uncovered
 from studies.metrics.pairs import worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, new_picture, write_json
@@ -138,7 +138,13 @@ class DesignCheck(Shown):
     def covered(self) -> str:
         """Line on the fraction of the area in which a finger reaches a membrane."""
         radius = self.design.target.contact_radius
-        return f"coverage {self.coverage:.0%}: area where a contact of {radius:g} mm radius touches a membrane"
+        share = f"coverage {self.coverage:.0%}: area where a contact of {radius:g} mm radius touches a membrane"
+        return share if self.uncovered is None else f"{share}; {self.uncovered.words}"
+
+    @property
+    def uncovered(self) -> Uncovered | None:
+        """Place of the body that is furthest from a membrane; None unless a fit laid the array on one."""
+        return most_uncovered(self.design)
 
     @property
     def fidelities(self) -> tuple[str, ...]:
@@ -195,6 +201,7 @@ class DesignCheck(Shown):
             "wiring": asdict(self.wiring),
             "size_mm": list(self.size),
             "coverage": self.coverage,
+            "uncovered": None if self.uncovered is None else asdict(self.uncovered),
             "cells": [{"cell": cell.label, "places": count} for cell, count in self.cells],
             "kinds": [asdict(kind) for kind in self.kinds],
             "layout_notes": list(self.notes),

@@ -14,7 +14,7 @@ from geometry.design.design_file import write_design
 from geometry.ground.refusal import counted
 from geometry.layout.size import array_size
 from localize.signals.stimulus import BAND
-from studies.metrics.covered_area import coverage
+from studies.metrics.covered_area import coverage, most_uncovered
 from studies.metrics.pairs import attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
@@ -194,7 +194,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     *sides, height = array_size(design, result.layout)
     first, second = result.separability.equally_hard[0]
     level, phase, distance = result.separability.between(first, second)
-    network = result.network
+    network, furthest = result.network, most_uncovered(design)
     noise = f"held out, {network.samples / 1000:g} s each, {network.noise_in_words}"
     figures = [
         KeyFigure("points", f"{design.point_count}", counted(len(design.lines), "line")),
@@ -207,7 +207,8 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
         KeyFigure(
             "coverage",
             f"{coverage(design, design.target.contact_radius, result.layout):.0%}",
-            f"fraction of the area where a contact of {design.target.contact_radius:g} mm radius touches a membrane",
+            f"fraction of the area where a contact of {design.target.contact_radius:g} mm radius touches a membrane"
+            f"{'' if furthest is None else f'; {furthest.words}'}",
         ),
         KeyFigure(
             "localizer, top-1",

@@ -11,6 +11,7 @@ from pydantic import BaseModel
 from geometry import ArrayDesign, DesignError
 from geometry.design.changes import as_lists, check_name
 from geometry.design.design_file import value_of
+from geometry.design.frozen_rules import check_variable
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.declared_fields import field_named
 from geometry.schema.field_errors import check_value, model_of
@@ -108,6 +109,10 @@ def _parameter(
     except DesignError as error:
         problem = error.problem if error.field == name else f"names {error.field}, which {error.problem}"
         raise Refusal.of(error, file=None, field=place, problem=problem) from None
+    try:
+        check_variable(base, name)
+    except Refusal as error:
+        raise Refusal.of(error, field=place) from None
     field = field_named(ArrayDesign, name)
     kind = "a number" if field is None else field.kind
     if kind in ("a table", "a list") or isinstance(now, (BaseModel, tuple, dict)):

@@ -344,7 +344,7 @@ def _touches() -> Iterable[Metric]:
 def _build() -> Iterable[Metric]:
     for name, unit, long_name, definition, compute, better in (
         ("coverage", "1", "coverage", "Fraction of the area in which a contact of the radius target.contact_radius "
-         "reaches a membrane. The area is the convex hull of all membranes in plan.",
+         "reaches a membrane. The area is the convex hull of all membranes in plan, or the region of a body.",
          partial(_of_designs, coverage), "larger"),
         ("length", "mm", "length", "Longer side of the box around the whole array, with its tubes and boards.",
          lambda figures: figures.sizes[:, 0], "smaller"),

@@ -126,6 +126,32 @@ def test_shells_of_the_example_stand_on_the_capsule(example):
         assert outwards @ part.normal > 0.995
 
 
+def test_the_cells_of_the_example_are_those_of_places_thrown_at_the_capsule(example):
+    """Against great circles and lines of the half ball and cylinder, whose region is known in closed form."""
+    top = 9 + 0.4 + 0.6 + 1.3 + 0.2
+    random = np.random.default_rng(5)
+    ball = random.normal(size=(200_000, 3))
+    ball /= np.linalg.norm(ball, axis=1, keepdims=True)
+    ball = ball[(ball[:, 2] > 0) & (ball @ (0.8, 0, 0.6) > np.cos(np.radians(78)))]
+    along, turn = random.uniform(5, 18, 200_000), random.uniform(-np.pi, np.pi, 200_000)
+    side = np.column_stack([np.cos(turn), np.sin(turn), 0 * turn])
+    facing = side @ (0.8, 0, 0.6) > np.cos(np.radians(78))
+    # As many places of the side as of the ball by area: 2 pi r h of 200 000 against 4 pi r^2.
+    facing &= random.uniform(size=200_000) < 13 / (2 * top)
+    places = np.vstack(
+        [ball * top + (0, 0, 18), side[facing] * top + np.column_stack([0 * turn, 0 * turn, along])[facing]]
+    )
+    frames = [lay_out(example).frame(point) for point in lay_out(example).points]
+    middles = np.array([frame.at(0, 0, 1.5) for frame in frames])
+    away = np.linalg.norm(places[:, None] - middles[None], axis=2).min(axis=1) - 0.8
+    cells = example.layout.frozen.cells
+    area = sum(cell.area for cell in cells)
+    assert area == pytest.approx(4 * np.pi * top**2 * len(places) / 200_000, rel=0.03)
+    for radius in (0.5, 1.5, 2.5):
+        reached = sum(cell.area * np.interp(radius, cell.distances, np.linspace(0, 1, 21)) for cell in cells) / area
+        assert reached == pytest.approx((away <= radius).mean(), abs=0.03)
+
+
 def test_the_example_is_as_the_command_writes_it(tmp_path):
     for name in ("fingertip.toml", "fingertip.step"):
         shutil.copy(EXAMPLE / name, tmp_path / name)

@@ -14,6 +14,7 @@ import acoustic_fem
 import geometry
 import studies
 from acoustic_fem.sound import write_wav
+from geometry.layout import frozen_values, lay_out
 from localize.contacts import Contact, record
 from localize.signals import response_of
 
@@ -121,3 +122,30 @@ def test_track_names_a_wrong_connection_and_says_nothing_of_a_right_one(folder: 
         assert found.warning is not None
         assert found.fault.described(array.microphones) in found.warning
         assert name == "reversed" or found.fault.amount == pytest.approx(-0.03, abs=1e-3)
+
+
+def test_a_path_on_a_body_has_its_places_in_space(command: Command, folder: Path, tmp_path: Path) -> None:
+    """A flat array that is frozen is a body whose places in space are those of its plan."""
+    flat = acoustic_fem.load(folder / "library.nc").design
+    frozen = flat.with_values(frozen_values(flat, lay_out(flat)))
+    acoustic_fem.save(acoustic_fem.solve(frozen, np.arange(1.0, 501.0, 1.0), "lumped"), tmp_path / "library.nc")
+    out = tmp_path / "path.csv"
+    words = (folder / "slide.wav", "--out", out, "--full-scale", 100, "--noise", 1e-3)
+    told = command("track", tmp_path / "library.nc", *words)
+    assert told.code == 0, told.err
+    assert "whose distances are off by 0.0 % (rms); the table also has the places on the body" in " ".join(
+        told.out.split()
+    )
+    with out.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    tracked = studies.inference.tracked
+    assert list(rows[0]) == [*tracked.COLUMNS, *tracked.BODY_COLUMNS]
+    place, space, normal = (
+        np.array([[float(row[name]) for name in names] for row in rows])
+        for names in (("x_mm", "y_mm"), tracked.BODY_COLUMNS[:3], tracked.BODY_COLUMNS[3:])
+    )
+    assert np.abs(space[:, :2] - place).max() < 2e-3
+    assert np.ptp(space[:, 2]) < 1e-3
+    assert np.abs(normal - (0, 0, 1)).max() < 1e-3
+    # An earlier table of either kind is replaced.
+    assert command("track", folder / "library.nc", *words).code == 0

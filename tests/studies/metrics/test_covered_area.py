@@ -7,9 +7,18 @@ from scipy.spatial import ConvexHull, Delaunay
 
 import geometry
 from geometry.ground.refusal import Kind
+from geometry.layout import frozen_values
 from geometry.layout.arrangement import lay_out
 from studies.metrics import coverage
-from studies.metrics.covered_area import _CORNER, _hull, _is_mirrored, _rim, _together, point_coverage
+from studies.metrics.covered_area import (
+    _CORNER,
+    _hull,
+    _is_mirrored,
+    _rim,
+    _together,
+    most_uncovered,
+    point_coverage,
+)
 
 
 def by_points(design, radius, count=40_000):
@@ -58,6 +67,22 @@ def test_kinds_of_one_width_and_single_points_are_covered_as_they_are():
 def test_a_radius_below_zero_is_refused():
     with refused(Kind.OUT_OF_RANGE, "contact_radius_mm", -1.0):
         coverage(geometry.prototype("array-2x6"), -1.0)
+
+
+def test_the_area_of_an_array_on_a_body_is_that_of_its_cells():
+    flat = geometry.prototype("array-2x6")
+    frozen = flat.with_values(frozen_values(flat, lay_out(flat)))
+    cells = 6 * [{"area": 30.0, "distances": [0, 0, 1, 2, 4]}] + 6 * [{"area": 10.0, "distances": [0, 4]}]
+    design = frozen.with_values({"layout.frozen.cells": cells, "layout.frozen.furthest": (1, 2, 3)})
+    np.testing.assert_allclose(point_coverage(design, 0.0), np.repeat([0.25, 0.0], 6))
+    np.testing.assert_allclose(point_coverage(design, 3.0), np.repeat([0.875, 0.75], 6))
+    assert coverage(design, 3.0) == pytest.approx((30 * 0.875 + 10 * 0.75) / 40)
+    assert coverage(design, 4.0) == 1.0
+    found = most_uncovered(design)
+    assert found.distance == 4.0
+    assert found.place == (1, 2, 3)
+    assert most_uncovered(frozen) is None
+    assert coverage(frozen, 3.0) == pytest.approx(coverage(flat, 3.0))
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 12, 200])
