@@ -124,7 +124,7 @@ def point_coverage(design: ArrayDesign, contact_radius_mm: float | None = None) 
 
 
 def _cells_reached(design: ArrayDesign, radius: float) -> tuple[Array, Array] | None:
-    """Of the cells of a body's region: the fraction that a contact reaches and the area, mm^2; each (n_point,)."""
+    """Fraction of each cell of a body's region that a contact reaches, and its area, mm^2; both (n_point,)."""
     frozen = design.layout.frozen
     if frozen is None or sum(cell.area for cell in frozen.cells) <= 0:
         return None
