@@ -50,9 +50,12 @@ class PlanInSpace:
             Places in the coordinates of the body, mm, and unit vectors away from it, both (n, 3) float64.
         """
         spread = np.linalg.matrix_rank(self.plan - self.plan[0], tol=1e-6)
-        kernel, degree = ("thin_plate_spline", 1) if spread == 2 and len(self.plan) > 3 else ("linear", 0)
         known = np.hstack([self.places, self.normals])
-        found = RBFInterpolator(self.plan, known, kernel=kernel, degree=degree)(plan)
+        if spread == 2 and len(self.plan) > 3:
+            outside = RBFInterpolator(self.plan, known, kernel="thin_plate_spline", degree=1)
+        else:
+            outside = RBFInterpolator(self.plan, known, kernel="linear", degree=0)
+        found = np.asarray(outside(plan))
         normals = found[:, 3:]
         return found[:, :3], normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
 
