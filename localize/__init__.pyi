@@ -31,7 +31,9 @@ from .decoders.decoder_options import (
 )
 from .decoders.drift import DriftDecoder as DriftDecoder
 from .decoders.family import FamilyDecoder as FamilyDecoder
+from .decoders.hand_motion import HandMotion as HandMotion
 from .decoders.judgement import Judgement as Judgement, ResidualTest as ResidualTest, judge as judge
+from .decoders.motion_test import MotionTest as MotionTest
 from .decoders.reconstruct import (
     Reconstructor as Reconstructor,
     Waveform as Waveform,

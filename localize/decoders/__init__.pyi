@@ -6,8 +6,10 @@ from .frame_covariance import (
     source_density as source_density,
     whitening as whitening,
 )
+from .hand_motion import HandMotion as HandMotion
 from .judgement import ResidualTest as ResidualTest
 from .likelihood import DecoderTables as DecoderTables
+from .motion_test import MotionTest as MotionTest
 from .reconstruct import Reconstructor as Reconstructor
 from .sound_test import SoundTest as SoundTest
 from .surroundings import ROOM as ROOM, sound_levels as sound_levels

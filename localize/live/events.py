@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 HOP = 16
 """Number of samples from one decision to the next."""
 
-State = Literal["touch", "no touch", "fading", "sound", "other", "unreadable"]
+State = Literal["touch", "no touch", "fading", "sound", "motion", "other", "unreadable"]
 """State of a frame. Fading: only the decay of a touch that has ended. Sound: sound of a room, the same on all
-membranes, without a touch. Other: a signal that no touch of a single point explains. Unreadable: a channel is clipped
-or dead or hisses and the others cannot replace it, or a value was not finite within the last 250 samples."""
+membranes, without a touch. Motion: the sensor itself is moved, without a touch. Other: a signal that no touch of a
+single point explains. Unreadable: a channel is clipped or dead or hisses and the others cannot replace it, or a value
+was not finite within the last 250 samples."""
 
 FaultKind = Literal[
     "samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel", "hissing channel"

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from localize.decoders.judgement import ResidualTest
+from localize.decoders.motion_test import MotionTest
 from localize.decoders.sound_test import SoundTest
 from localize.signals.locator import Locator
 
@@ -25,6 +26,8 @@ class FrameClassifier:
     """Tells sound from touches; None where nothing does."""
     residual_test: ResidualTest | None = None
     """Rejects frames that no point explains; None where nothing does."""
+    motion_test: MotionTest | None = None
+    """Detects frames that hold only motion of the sensor; None where nothing does."""
 
     def heard_by(self, microphones: tuple[str, ...]) -> FrameClassifier:
         """The same for some of the microphones, names of two or more."""
@@ -32,6 +35,7 @@ class FrameClassifier:
             self.locator.heard_by(microphones),
             None if self.sound_test is None else self.sound_test.heard_by(microphones),
             None if self.residual_test is None else self.residual_test.heard_by(microphones),
+            None if self.motion_test is None else self.motion_test.heard_by(microphones),
         )
 
 

@@ -20,6 +20,7 @@ from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
+from localize.decoders.motion_test import MotionTest
 from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.sound_test import SoundTest
 from localize.live.events import HOP, Decision, Fault, FaultKind
@@ -48,14 +49,15 @@ class TouchStream:
         silence: Pa rms about the mean over a frame; a frame in which no microphone is louder is silent. By default
             twice the noise of a microphone that the locator was made for, at least 1e-6 Pa.
         limit: Pa; a sample that reaches it is clipped. By default no sample is.
-        equaliser: makes pressures of samples that are outputs of microphones, see
-            :mod:`acoustic_fem.network.microphone_output`; by default samples are pressures.
         reconstructor: gives the waveform at the decided point; the filters of a point are made when it is first needed,
             which takes some tens of milliseconds.
         sound_test: detects frames that hold only room sound. By default sound is taken for a touch.
         residual_test: rejects frames that no point explains. By default the likeliest point is always given. On a
             sensor that differs from its library by a percent it rejects most touches.
         options: preparation of the samples, and thresholds.
+        equaliser: makes pressures of samples that are outputs of microphones, see
+            :mod:`acoustic_fem.network.microphone_output`; by default samples are pressures.
+        motion_test: detects frames that hold only motion of the sensor. By default motion is taken for a touch.
 
     Raises:
         Refusal: a threshold that is not finite and positive, or a reconstructor or a test for other microphones.
@@ -71,9 +73,11 @@ class TouchStream:
         residual_test: ResidualTest | None = None,
         options: StreamOptions = StreamOptions(),
         equaliser: Equaliser | None = None,
+        motion_test: MotionTest | None = None,
     ) -> None:
         for name, part in (
-            ("reconstructor", reconstructor), ("sound_test", sound_test), ("residual_test", residual_test)
+            ("reconstructor", reconstructor), ("sound_test", sound_test), ("residual_test", residual_test),
+            ("motion_test", motion_test),
         ):  # fmt: skip
             if part is not None and part.microphones != tuple(locator.microphones):
                 problem = (
@@ -89,7 +93,9 @@ class TouchStream:
             if value is not None:
                 check_range(name, value, 0, unit="Pa", excluded="both")
         self._microphones = tuple(locator.microphones)
-        self._classifier_of = Fallback(FrameClassifier(locator, sound_test, residual_test), options.fallback)
+        self._classifier_of = Fallback(
+            FrameClassifier(locator, sound_test, residual_test, motion_test), options.fallback
+        )
         self._state = locator.start
         channels = len(self._microphones)
         self._high_pass = HighPass(channels, options.high_pass)
@@ -280,6 +286,9 @@ class TouchStream:
         if beside is not None and beside[0] <= beside[1]:
             events.append(Decision(self._time, "sound", level, newest=newest, mean_pressure=mean))
             return
+        if classifier.motion_test is not None and _is_motion(classifier.motion_test, frame, noise):
+            events.append(Decision(self._time, "motion", level, newest=newest, mean_pressure=mean))
+            return
         if level < options.faded * self._loudest:  # a new one
             self._loudest = 0.0
         if level > self._loudest:
@@ -357,6 +366,11 @@ def _beside_sound(classifier: FrameClassifier, frame: Array, noise: Array) -> tu
         return None
     found, most = test.beside(frame[None], max(1.0, float(noise.max()) / test.noise_rms))
     return float(found[0]), float(most[0])
+
+
+def _is_motion(test: MotionTest, frame: Array, noise: Array) -> bool:
+    """True if motion of the sensor explains a frame."""
+    return bool(test.is_motion(frame[None], max(1.0, float(noise.max()) / test.noise_rms))[0])
 
 
 def _runs(good: NDArray[np.bool_], samples: Array) -> list[tuple[NDArray[np.bool_], Array]]:

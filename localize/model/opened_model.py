@@ -25,8 +25,10 @@ from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder, check_drift
 from localize.decoders.frame_covariance import check_noise
+from localize.decoders.hand_motion import ACCELERATIONS, HandMotion
 from localize.decoders.judgement import ResidualTest
 from localize.decoders.library_decoder import LibraryDecoder
+from localize.decoders.motion_test import MotionTest
 from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.sound_test import SoundTest
 from localize.decoders.surroundings import sound_levels
@@ -100,11 +102,15 @@ class Decoding:
     """Frequency down to which outputs are equalised to pressures, Hz; None for 1 Hz, and 0.2 Hz for a pulse."""
     two_touches: bool = False
     """True if each contact is searched for two touches at once."""
+    motion: float | None = None
+    """Largest acceleration of the sensor in use, gravity left out, m/s^2; None for a sensor that lies still."""
 
     def __post_init__(self) -> None:
         checked_air(self.air)
         check_noise(self.microphone_noise, "microphone_noise")
         check_sound_level(self.ambient)
+        if self.motion is not None:
+            check_range("motion", self.motion, *ACCELERATIONS, "m/s2")
         check_choice("microphone_output", self.microphone_output, OUTPUTS)
         if self.lowest is not None:
             check_range("lowest", self.lowest, *LOWEST_RANGE, "Hz")
@@ -157,6 +163,7 @@ class Model(Shown):
             "assumes": self.assumptions,
             "noise of the microphones": noise if isinstance(noise, str) else f"{noise:g} Pa rms",
             "sound in the room": "" if decoding.ambient is None else f"up to {decoding.ambient:g} dB SPL",
+            "motion of the sensor": "" if decoding.motion is None else f"up to {decoding.motion:g} m/s2",
             "true touches that may be rejected": ""
             if decoding.rejected_fraction is None
             else f"{decoding.rejected_fraction:.2g}",
@@ -307,16 +314,20 @@ class Model(Shown):
             limit = overload if limit is None else min(limit, overload)
         if self.response is None:
             return TouchStream(locator, limit=limit, options=options, equaliser=equaliser)
-        noise, wave, sound, residual = locator.microphone_noise, None, None, None
+        noise, wave, sound, residual, motion = locator.microphone_noise, None, None, None, None
+        least = noise if isinstance(noise, str) else max(noise, LEAST_SOUND_NOISE)
         if given.waveform:
             wave = Reconstructor(self.response, max(locator.noise_rms, LEAST_NOISE))
         if given.ambient is not None:
             sound = SoundTest(self.response, noise, given.ambient)
         elif self.response.ambient_response is not None:
-            sound = SoundTest(self.response, noise if isinstance(noise, str) else max(noise, LEAST_SOUND_NOISE))
+            sound = SoundTest(self.response, least)
+        if given.motion is not None and self.library is not None:
+            moved = HandMotion.of(self.library, given.motion)
+            motion = MotionTest(self.response, moved, least, 80.0 if given.ambient is None else given.ambient)
         if given.rejected_fraction is not None:
             residual = ResidualTest(self.response, noise, ambient=given.ambient)
-        return TouchStream(locator, None, limit, wave, sound, residual, options, equaliser)
+        return TouchStream(locator, None, limit, wave, sound, residual, options, equaliser, motion)
 
     def tracker(self, contact_radius_mm: float) -> PathTracker:
         """New tracker of the paths of contacts, for the decisions of a stream that carry their frames.
@@ -394,6 +405,7 @@ def open_model(
     microphone_output: Output = "pressure",
     lowest: float | None = None,
     two_touches: bool = False,
+    motion: float | None = None,
 ) -> Model:
     """Model from a file, a folder, a library or a localizer in memory; a file is recognised by its content.
 
@@ -418,6 +430,8 @@ def open_model(
             microphones, or ``voltage``, outputs of the microphones that nobody has equalised.
         lowest: frequency down to which outputs are equalised to pressures, Hz; by default 1 Hz.
         two_touches: whether each contact is searched for two touches at once, which needs a library.
+        motion: largest acceleration of the sensor in use, gravity left out, m/s^2; it needs a library. Frames that hold
+            only motion are then detected, and touches are located in motion. By default the sensor lies still.
 
     Returns:
         The model; a :class:`Model` is handed back as it is.
@@ -439,6 +453,7 @@ def open_model(
         microphone_output,
         lowest,
         two_touches,
+        motion,
     )
     return opened(source, decoding, "source")
 
@@ -529,16 +544,17 @@ def _refuse_other_choices(model: Model, given: Decoding) -> None:
 def _decoder(library: Library, source: ModelSource, given: Decoding) -> LibraryDecoder:
     """Decoder of a library, for all of its microphones."""
     levels = sound_levels(given.ambient)
+    motion = None if given.motion is None else HandMotion.of(library, given.motion)
     if given.follow_drift:
         try:
             check_drift(library)
         except Refusal as error:
             raise Refusal.of(error, file=_name(source), field="") from None
-        return DriftDecoder(library, given.microphone_noise, levels, new=HOP / FRAME)
+        return DriftDecoder(library, given.microphone_noise, levels, new=HOP / FRAME, motion=motion)
     return (
-        decoder_of(library, given.microphone_noise, levels)
+        decoder_of(library, given.microphone_noise, levels, motion)
         if given.tolerances
-        else BayesDecoder(library, given.microphone_noise, levels)
+        else BayesDecoder(library, given.microphone_noise, levels, motion=motion)
     )
 
 
@@ -564,7 +580,7 @@ def _network(source: ModelSource, content: FileContent | None, given: Decoding) 
 
 
 def _refuse_without_library(source: ModelSource, given: Decoding) -> None:
-    for name in ("waveform", "ambient", "rejected_fraction"):
+    for name in ("waveform", "ambient", "rejected_fraction", "motion"):
         if getattr(given, name) != getattr(Decoding, name):
             problem = f"needs the library of the array: {_name(source)} is not a library"
             remedy = ("give it as ", Field("library"))

@@ -28,7 +28,11 @@ from .frames import (
     combined_probability as combined_probability,
     cut_frames as cut_frames,
 )
-from .motion import motion_signals as motion_signals, without_motion as without_motion
+from .motion import (
+    motion_signals as motion_signals,
+    pressures_of_motion as pressures_of_motion,
+    without_motion as without_motion,
+)
 from .noise_model import (
     NoiseChoice as NoiseChoice,
     NoiseSpectrum as NoiseSpectrum,

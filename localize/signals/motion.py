@@ -19,6 +19,10 @@ from localize.signals.stimulus import SAMPLE_RATE
 
 #: Lowest and highest sample rate, Hz.
 RATES = (10.0, 1e5)
+#: Largest acceleration of a waved hand, m/s^2: what a slow wave of the forearm needs. Assumed.
+WAVED = 5.0
+#: Largest acceleration of a table under a knock, m/s^2. Assumed.
+KNOCKED = 20.0
 #: Silence behind the signals, so that their end does not come back at their beginning, s.
 _AFTER = 4.0
 
@@ -40,12 +44,34 @@ def motion_signals(library: Library, acceleration: ArrayLike, sample_rate: float
         Refusal: an acceleration of another shape or that is not finite, a rate out of range, or as of
             :func:`acoustic_fem.library.acceleration.acceleration_response`.
     """
+    response = np.asarray(library.acceleration_response.values)
+    return pressures_of_motion(response, library.frequency, acceleration, sample_rate)
+
+
+def pressures_of_motion(
+    response: ComplexArray, frequency: Array, acceleration: ArrayLike, sample_rate: float = SAMPLE_RATE
+) -> Array:
+    """Pressures at the microphones of a moved sensor by its response to accelerations.
+
+    Args:
+        response: pressure at a microphone per acceleration along x, y and z, (n_microphone, 3, n_freq) complex128,
+            Pa s2/m.
+        frequency: its frequencies, (n_freq,) float64, Hz.
+        acceleration: as of :func:`motion_signals`, (3, n_sample), m/s^2.
+        sample_rate: Hz.
+
+    Returns:
+        (n_microphone, n_sample) float64, Pa.
+
+    Raises:
+        Refusal: an acceleration of another shape or that is not finite, or a rate out of range.
+    """
     moved = _checked(acceleration)
     check_range("sample_rate", sample_rate, *RATES, "Hz")
     count = moved.shape[1]
     length = scipy.fft.next_fast_len(count + round(_AFTER * sample_rate), real=True)
     spectrum = scipy.fft.rfft(moved, n=length)
-    through = _response(library, np.asarray(scipy.fft.rfftfreq(length, 1 / sample_rate)))
+    through = _at(response, frequency, np.asarray(scipy.fft.rfftfreq(length, 1 / sample_rate)))
     return np.asarray(scipy.fft.irfft(np.einsum("maf,af->mf", through, spectrum), n=length)[:, :count])
 
 
@@ -88,12 +114,10 @@ def _checked(acceleration: ArrayLike) -> Array:
     return moved
 
 
-def _response(library: Library, frequency: Array) -> ComplexArray:
-    """(n_microphone, 3, n) Pa s2/m, 0 above the end of the library."""
-    grid = library.frequency
+def _at(response: ComplexArray, grid: Array, frequency: Array) -> ComplexArray:
+    """(n_microphone, 3, n) Pa s2/m, 0 above the end of the grid."""
     known = frequency <= grid[-1]
-    found = np.zeros((len(library.design.microphones), 3, len(frequency)), np.complex128)
-    values = np.asarray(library.acceleration_response.values)
-    found[..., known] = interpolated_from_zero(values, grid, frequency[known], False)
+    found = np.zeros((*response.shape[:2], len(frequency)), np.complex128)
+    found[..., known] = interpolated_from_zero(response, grid, frequency[known], False)
     found[..., frequency == 0] = found[..., frequency == 0].real
     return found

@@ -31,7 +31,7 @@ from studies.cli.options import (
     noise_choice,
 )
 from studies.cli.terminal_tables import say, show, show_library, table_of, tell
-from studies.output.call_defaults import MANIFEST, SEED, STATE_SPACE_ERROR
+from studies.output.call_defaults import MANIFEST, SEED, STATE_SPACE_ERROR, TAKE_SECONDS, TAKES
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
 
 if TYPE_CHECKING:
@@ -56,6 +56,13 @@ def rig(
         float, typer.Option(metavar="K", help="Warming of the sealed air since it was at rest; a worn sensor has 12 K.")
     ] = 0.0,
     climb: Annotated[float, typer.Option(metavar="M", help="Height climbed since the sealed air was at rest.")] = 0.0,
+    motion: Annotated[
+        float,
+        typer.Option(
+            metavar="M/S2",
+            help="Largest acceleration of the hand that wears the sensor and is waved while it is touched, such as 5.",
+        ),
+    ] = 0.0,
     fidelity: Annotated[Fidelity, typer.Option(help="Fidelity of the sensor's transfer functions.")] = ONE_DESIGN,
 ) -> None:
     """Simulate recordings of an as-built sensor, to practise before you have a real one.
@@ -65,14 +72,19 @@ def rig(
 
     Writes a folder calibration with a recording of each point for calibrate, and a folder touches with recordings for
     locate, recalibrate and train --recordings, whose file names give the point. truth.json and truth.nc hold the hidden
-    deviations and the sensor's true library: look at them last.
+    deviations and the sensor's true library: look at them last. With --motion, a folder motion holds a recording of the
+    waved sensor that nobody touches, with its acceleration.
 
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
     scatter = studies.HiddenScatter(altitude=altitude, modulus=modulus, warming=warming, climb=climb)
     with display_on_stderr() as display:
-        made = studies.record_rig(design, out, seed=seed, fidelity=fidelity, scatter=scatter, display=display)
-    for path in (made.calibration, made.touches, made.truth, made.library):
+        session = None if motion == 0 else studies.TouchSession(TAKES, TAKE_SECONDS, motion=motion)
+        made = studies.record_rig(
+            design, out, seed=seed, fidelity=fidelity, scatter=scatter, session=session, display=display
+        )
+    waved = () if made.waved is None else (made.waved,)
+    for path in (made.calibration, made.touches, *waved, made.truth, made.library):
         say(path)
     tell(
         f"The recordings are voltages of the microphones with a full scale of {made.full_scale:g} Pa. Give locate and "

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from studies.run.check import DesignCheck
     from studies.run.enclosed_air import EnclosedFindings
     from studies.run.quality import DesignQuality
+    from studies.run.shaking import ShakenFindings
 
 
 @dataclass(frozen=True)
@@ -87,6 +88,7 @@ def _sections(found: DesignCheck) -> Iterator[_Section]:
     yield _Section("model limits", studies.run.worst_assumption(found.validity), lambda: _show_validity(found))
     yield _Section("attenuation", _weakest(found), lambda: _show_attenuation(found))
     yield _Section("enclosed air", studies.run.worst_of_air(found.enclosed), lambda: _show_enclosed(found.enclosed))
+    yield _Section("motion", studies.run.worst_of_motion(found.shaken), lambda: _show_shaken(found.shaken))
     # the reasons stand above where the cells are too large for a mesh
     chosen = found.fidelity.words.partition(":")[0] if found.fidelity.too_large else found.fidelity.words
     yield _Section("fidelity", chosen, lambda: _show_fidelities(found))
@@ -207,5 +209,12 @@ def _show_enclosed(enclosed: EnclosedFindings) -> None:
         show_narrow(table)
     table = table_of("enclosed air", "")
     for row in enclosed.rows:
+        table.add_row(*row)
+    show_narrow(table)
+
+
+def _show_shaken(shaken: ShakenFindings) -> None:
+    table = table_of("motion without a touch", "")
+    for row in shaken.rows:
         table.add_row(*row)
     show_narrow(table)

@@ -17,7 +17,15 @@ import localize
 import studies
 from geometry.ground.argument_checks import whole_number
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
-from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction, TwoTouches
+from studies.cli.locating import (
+    ArrayLibrary,
+    DecoderAmbient,
+    DecoderNoise,
+    FollowDrift,
+    Motion,
+    RejectedFraction,
+    TwoTouches,
+)
 from studies.cli.options import (
     Altitude,
     Lowest,
@@ -109,6 +117,7 @@ def live(
     reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
     two_touches: TwoTouches = False,
+    motion: Motion = None,
     radius: Annotated[
         float | None,
         typer.Option(
@@ -152,6 +161,7 @@ def live(
         microphone_output=microphone_output,
         lowest=lowest,
         two_touches=two_touches,
+        motion=motion,
     )
     with _Output(waveform) as output:
         summary = listen(

@@ -78,6 +78,15 @@ TwoTouches = Annotated[
         help="Search each contact for two taps or presses at once, such as of two fingers; needs a library.",
     ),
 ]
+Motion = Annotated[
+    float | None,
+    typer.Option(
+        metavar="M/S2",
+        help="Largest acceleration of a sensor that is worn or carried, without gravity, such as 5 for a waved hand; "
+        "needs a library. Motion without a touch is then reported as such; slow touches may be taken for it. Default: "
+        "the sensor lies still.",
+    ),
+]
 FollowDrift = Annotated[
     bool,
     typer.Option(
@@ -224,6 +233,7 @@ def locate(
     reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
     two_touches: TwoTouches = False,
+    motion: Motion = None,
     channels: Channels = None,
     correct: Annotated[
         bool,
@@ -258,6 +268,7 @@ def locate(
         microphone_output=microphone_output,
         lowest=lowest,
         two_touches=two_touches,
+        motion=motion,
     )
     found = studies.locate_recording(
         model,
@@ -270,7 +281,9 @@ def locate(
         correct=correct,
     )
     _show_touches(found)
-    names: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}
+    names: dict[State, str] = {
+        "sound": "sound alone", "motion": "motion alone", "other": "no single touch", "unreadable": "unreadable"
+    }  # fmt: skip
     seconds = found.seconds_by_state
     others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in names.items() if state in seconds)
     tell(f"{recording}: {counted(len(found.touches), 'touch')} in {found.seconds:.1f} s{others}")

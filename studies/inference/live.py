@@ -262,6 +262,7 @@ def _check_needs_no_samples(
         "rejected_fraction",
         "follow_drift",
         "two_touches",
+        "motion",
         "microphone_output",
     ):
         given[name] = getattr(options, name) != getattr(usual, name)

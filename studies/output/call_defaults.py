@@ -24,6 +24,8 @@ BOARD: Literal["cortex-m"] = "cortex-m"
 """Board that a decoder is exported for."""
 CONVERTER_BITS = 16
 """Bits of a sample of the converter of a board."""
+TAKES, TAKE_SECONDS = 2, 6.0
+"""Numbers of the touches of a virtual rig: recordings of each part at each point, and the length of each, s."""
 MANIFEST = "calibration.toml"
 """Manifest that a folder of calibration recordings must contain."""
 TOUCHES, SAMPLES_PER_SHARD = 4096, 4096

@@ -47,6 +47,7 @@ from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, new_picture, write_json
 from studies.run.enclosed_air import EnclosedFindings, enclosed_findings
 from studies.run.quality import DesignQuality, design_quality, draw_quality
+from studies.run.shaking import ShakenFindings, shaken_findings
 from studies.run.validity import Validity, model_validity
 from studies.verdict.measuring import Drawn
 from studies.verdict.verdict import Verdict
@@ -112,6 +113,8 @@ class DesignCheck(Shown):
     """Fidelity of the attenuation: the atlas, or another one and why."""
     enclosed: EnclosedFindings
     """Effect of the air that the sensor encloses when it is worn or carried up, and the vent that would help."""
+    shaken: ShakenFindings
+    """Effect of motion: a waved hand and a knock on the table, against the target's touch."""
     stock: StockFit
     """Parts that the design is bought as, and what the catalogue lacks."""
     quality: DesignQuality | None = None
@@ -218,6 +221,7 @@ class DesignCheck(Shown):
             ],
             "fidelity": self.fidelity.words,
             "enclosed": self.enclosed.to_dict(),
+            "shaken": self.shaken.to_dict(),
             "stock": self.stock.to_dict(),
             "quality": None if self.quality is None else self.quality.to_dict(),
             "verdict": None if self.verdict is None else self.verdict.to_dict(),
@@ -309,6 +313,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
     with steps("Enclosed air"):
         enclosed = enclosed_findings(design, library)
+        shaken = shaken_findings(design, library)
     counts, in_the_way, printing = _drawn(design, layout, steps) if is_installed("cad") else ({}, (), None)
     return DesignCheck(
         design=design,
@@ -327,6 +332,7 @@ def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
         attenuation=tuple(levels),
         fidelity=fidelity,
         enclosed=enclosed,
+        shaken=shaken,
         stock=catalogue().fit(design),
     )
 

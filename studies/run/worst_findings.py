@@ -16,6 +16,7 @@ from studies.output.report_texts import percent, with_worst
 from studies.run.enclosed_air import EnclosedFindings
 from studies.run.findings import point_rows
 from studies.run.run_result import RunResult
+from studies.run.shaking import ShakenFindings
 from studies.run.validity import Validity
 
 
@@ -68,6 +69,19 @@ def worst_of_air(enclosed: EnclosedFindings) -> str:
         return f"not checked: {enclosed.unknown}"
     worst = max(enclosed.changes, key=lambda change: change.response)
     return f"{worst.state}: responses change by {worst.response:.0f} %"
+
+
+def worst_of_motion(shaken: ShakenFindings) -> str:
+    """The motion that looks like the strongest touch.
+
+    Args:
+        shaken: effect of motion on a design.
+    """
+    if not shaken.states:
+        return f"not checked: {shaken.unknown}"
+    worst = max(shaken.states, key=lambda each: each.force)
+    beside = "" if worst.clear else f", yours is {1e3 * shaken.target:.2g} mN"
+    return f"{worst.state} looks like a touch of {1e3 * worst.force:.2g} mN{beside}"
 
 
 def folded_sections(result: RunResult) -> dict[str, tuple[str, str]]:

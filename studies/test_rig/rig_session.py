@@ -18,16 +18,21 @@ from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.design_file import DesignLike, write_design
 from geometry.ground.shown import Shown
 from geometry.ground.typed import PathLike
-from studies.output.call_defaults import MANIFEST, SEED
+from studies.output.call_defaults import MANIFEST, SEED, TAKE_SECONDS, TAKES
 from studies.output.display import Display
 from studies.output.folders import check_folder, claimed_folder, make_folder, replaced_folder, write_json
+from studies.test_rig.rig_motion import record_motion, waved_hand
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import RIG_MARK, HiddenScatter, Recorder, Rig
 
 #: What lies in the folder of a session.
-CALIBRATION, TOUCHES, TRUTH, TRUE_LIBRARY = "calibration", "touches", "truth.json", "truth.nc"
-#: Seconds of each recording for the calibration; takes of each part of the touches, and their seconds.
-SECONDS, TAKES, TAKE_SECONDS = 30.0, 2, 6.0
+CALIBRATION, TOUCHES, MOTION, TRUTH, TRUE_LIBRARY = "calibration", "touches", "motion", "truth.json", "truth.nc"
+#: Seconds of each recording for the calibration.
+SECONDS = 30.0
+#: Name of the recording of the waved sensor, and its length, s.
+_WAVED, WAVED_SECONDS = "waved.wav", 30.0
+#: Stream of the random numbers of its motion, beside those of the rig's other recordings.
+_WAVES = 7
 #: Frequencies of the true library: FIRST:LAST:COUNT in Hz.
 TRUE_FREQUENCIES = "1:150:150"
 
@@ -51,6 +56,9 @@ class RigSession(Shown):
     """Library of the sensor as it is, which a perfect calibration would find."""
     full_scale: float
     """Pressure at full scale of the touches' files, Pa."""
+    waved: Path | None = None
+    """Recording of the waved sensor that nobody touches, with its acceleration beside it as CSV; None if it lies
+    still."""
 
     def shown(self) -> tuple[str, Mapping[str, object]]:
         """Title and facts that a session and a notebook show."""
@@ -58,6 +66,7 @@ class RigSession(Shown):
             "calibration": self.calibration,
             "touches": self.touches,
             "full scale of the touches": f"{self.full_scale:.4g} Pa",
+            "waved without a touch": "" if self.waved is None else self.waved,
             "hidden truth": self.truth,
             "library": self.library,
         }
@@ -100,17 +109,24 @@ def record_rig(
     design = rig.design
     recorder = recorder or Recorder(seconds=SECONDS)
     session = session or TouchSession(TAKES, TAKE_SECONDS)
+    stages = 3 + bool(session.motion)
     with claimed_folder(folder, "rig", RIG_MARK):
         make_folder(folder, "rig", RIG_MARK)
         points = range(1, design.point_count + 1)
-        with show.stage("Calibration", of=3), replaced_folder(folder / CALIBRATION) as fresh:
+        with show.stage("Calibration", of=stages), replaced_folder(folder / CALIBRATION) as fresh:
             calibration = rig.record(fresh, points, recorder).name
-        with show.stage("Touches", of=3), replaced_folder(folder / TOUCHES) as fresh:
+        with show.stage("Touches", of=stages), replaced_folder(folder / TOUCHES) as fresh:
             touches = record_touches(rig, fresh, points, session, recorder).name
-        with show.stage("Truth", of=3):
+        if session.motion:
+            with show.stage("Motion", of=stages), replaced_folder(folder / MOTION) as fresh:
+                random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(_WAVES,)))
+                moved = waved_hand(WAVED_SECONDS, random, session.motion, rate=recorder.rate)
+                record_motion(rig, moved, fresh / _WAVED, recorder)
+        with show.stage("Truth", of=stages):
             library = _write_truth(rig, folder, recorder, session)
         manifests = folder / CALIBRATION / calibration, folder / TOUCHES / touches
-    return RigSession(folder, rig, *manifests, folder / TRUTH, library, recorder.full_scale)
+    waved = folder / MOTION / _WAVED if session.motion else None
+    return RigSession(folder, rig, *manifests, folder / TRUTH, library, recorder.full_scale, waved)
 
 
 def hidden_values(rig: Rig) -> dict[str, Any]:

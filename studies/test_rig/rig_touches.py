@@ -21,6 +21,7 @@ from geometry.ground.whole_files import write_text
 from localize.live.stream_options import HIGH_PASS
 from localize.recordings.touch_manifest import PARTS, Part
 from studies.output.folders import check_folder, make_folder
+from studies.test_rig.rig_motion import ACCELERATIONS, motion_of_rig, waved_hand
 from studies.test_rig.virtual_rig import LENGTHS, RIG_MARK, Recorder, Rig
 
 MANIFEST = "touches.toml"
@@ -55,9 +56,17 @@ class TouchSession:
     """Slow pressure of the finger under them, below 3 Hz, Pa rms."""
     hysteresis: float = 0.2
     """Play of every contact, a share of its rms: the pressure follows only what moves it by more than that."""
+    motion: float = 0.0
+    """Largest acceleration of the hand that wears the sensor and is waved along z while it is touched, m/s^2; 0: the
+    sensor lies still."""
 
     def __post_init__(self) -> None:
-        for name, high, unit in (("tilt", 12.0, "dB"), ("press", 10.0, "Pa"), ("hysteresis", 1.0, "")):
+        for name, high, unit in (
+            ("tilt", 12.0, "dB"),
+            ("press", 10.0, "Pa"),
+            ("hysteresis", 1.0, ""),
+            ("motion", ACCELERATIONS[1], "m/s2"),
+        ):
             check_range(name, getattr(self, name), 0.0, high, unit)
         check_range("takes", self.takes, 1, 1000)
         check_range("seconds", self.seconds, *LENGTHS, "s")
@@ -119,7 +128,12 @@ def _take(rig: Rig, point: int, part: Part, take: int, session: TouchSession, re
     pressure[:count] = _with_play(_pressure(part, count, session, recorder.rate, random, of_contact), session)
     # Whoever records sets the level so that nothing clips.
     pressure *= min(1.0, LOUDEST * recorder.full_scale / np.abs(pressure).max())
-    return rig.recorded({point: np.fft.rfft(pressure)}, total, 0, count, recorder, random)[1:]
+    waved = None
+    if session.motion:
+        of_hand = np.random.default_rng(np.random.SeedSequence(rig.seed, spawn_key=(*key, 2)))
+        moved = waved_hand(total / recorder.rate, of_hand, session.motion, rate=recorder.rate)
+        waved = motion_of_rig(rig, moved, recorder.rate)
+    return rig.recorded({point: np.fft.rfft(pressure)}, total, 0, count, recorder, random, waved)[1:]
 
 
 def _with_play(movement: Array, session: TouchSession) -> Array:

@@ -391,7 +391,7 @@ class Rig:
             count: number of samples of the recording.
             recorder: how.
             random: draws what the recorder adds.
-            beside: further pressures in front of the microphones, of a contact, (n_microphone, n_sample)
+            beside: further pressures in front of the microphones, of a contact or a motion, (n_microphone, n_sample)
                 float64, Pa, already with the gains and high-passes of :meth:`transfer_function`.
 
         Returns:

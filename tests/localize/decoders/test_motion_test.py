@@ -1,0 +1,149 @@
+"""Motion of the sensor is told from touches, in batches and in a stream, and touches are found in it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from refusals import refused
+from shared import solved
+
+import acoustic_fem
+import geometry
+import localize
+from geometry import Kind
+from localize import Decision, HandMotion, MotionTest, TouchStream
+from localize.decoders.frame_covariance import SAMPLES
+from localize.live.front_end import HighPass
+from localize.signals import motion_signals
+from localize.signals.array_response import response_of
+from studies.test_rig import waved_hand
+from studies.test_rig.rig_motion import motion_of_rig
+from studies.test_rig.virtual_rig import Rig
+
+GRID = np.concatenate([[0.5], np.arange(1.0, 201.0)])
+NOISE, LARGEST = 1e-3, 5.0
+
+
+@pytest.fixture(scope="module")
+def library() -> acoustic_fem.Library:
+    return solved("array-2x6", GRID)
+
+
+@pytest.fixture(scope="module")
+def motion(library: acoustic_fem.Library) -> HandMotion:
+    return HandMotion.of(library, LARGEST)
+
+
+@pytest.fixture(scope="module")
+def motion_test(library: acoustic_fem.Library, motion: HandMotion) -> MotionTest:
+    return MotionTest(library, motion, NOISE)
+
+
+def waved(seconds: float = 8.0, seed: int = 1) -> np.ndarray:
+    return waved_hand(seconds, np.random.default_rng(seed), LARGEST)
+
+
+def noisy(pressures: np.ndarray, seed: int = 2) -> np.ndarray:
+    return pressures + NOISE * np.random.default_rng(seed).standard_normal(pressures.shape)
+
+
+def frames_of(signals: np.ndarray) -> np.ndarray:
+    passed = HighPass(len(signals), 3.0).begin(signals)
+    count = passed.shape[1] // 250
+    return np.stack(np.split(passed[:, : 250 * count], count, axis=1))
+
+
+def test_motion_alone_leaves_no_more_than_noise(library: acoustic_fem.Library, motion_test: MotionTest) -> None:
+    frames = frames_of(noisy(motion_signals(library, waved(60.0))))
+    p_value = motion_test.p_value(frames)
+    assert p_value.mean() == pytest.approx(0.5, abs=0.06)
+    assert motion_test.is_motion(frames).all()
+    assert not localize.SoundTest(library, NOISE).is_sound(frames).all()
+
+
+def test_an_as_built_sensor_that_is_waved_is_moved_too(motion_test: MotionTest) -> None:
+    frames = frames_of(noisy(motion_of_rig(Rig("array-2x6", 9700, fidelity="lumped"), waved(20.0))))
+    assert motion_test.is_motion(frames).mean() > 0.95
+
+
+def test_touches_are_no_motion(library: acoustic_fem.Library, motion_test: MotionTest) -> None:
+    made = localize.TouchGenerator(response_of(library), 0, "evaluation", NOISE).samples(0, 240)
+    assert (~motion_test.is_motion(made.signals.double().numpy()[..., -250:])).mean() >= 0.99
+
+
+def test_what_is_louder_than_the_largest_acceleration_is_no_motion(
+    library: acoustic_fem.Library, motion_test: MotionTest
+) -> None:
+    loud = frames_of(noisy(3 * motion_signals(library, waved())))
+    assert motion_test.explains(loud).all()
+    loudest = np.abs(loud).max((1, 2)).argmax()
+    assert not motion_test.is_motion(loud[[loudest]]).any()
+
+
+def test_a_stream_of_a_waved_sensor_reports_no_touch_and_one_that_comes_down_in_it(
+    library: acoustic_fem.Library, motion: HandMotion, motion_test: MotionTest
+) -> None:
+    moving = noisy(motion_signals(library, waved()))
+    decoder = localize.BayesDecoder(library, NOISE)
+    as_before = localize.touches_of(TouchStream(decoder).push(moving), decoder)
+    assert as_before  # the motion is taken for touches
+    aware = localize.BayesDecoder(library, NOISE, motion=motion)
+    events = TouchStream(aware, motion_test=motion_test).push(moving)
+    assert localize.touches_of(events, aware) == []
+    assert {event.state for event in events if isinstance(event, Decision)} >= {"motion"}
+
+    made = localize.TouchGenerator(response_of(library), 3, "evaluation", 0.0).samples(0, 12)
+    touched = moving.copy()
+    right = 0
+    for number in range(6):
+        begin = 1000 + 1100 * number
+        touched[:, begin : begin + 1000] = moving[:, begin : begin + 1000] + made.signals[number].double().numpy()
+    decisions = TouchStream(aware, motion_test=motion_test).push(touched)
+    for number in range(6):
+        begin = 1.0 + 1.1 * number
+        within = [e.point for e in decisions if isinstance(e, Decision) and begin + 0.3 < e.time < begin + 0.9]
+        right += np.mean([point == int(made.point[number]) for point in within]) > 0.8
+    assert right >= 5
+
+
+def test_fewer_microphones_have_a_test_of_their_own() -> None:
+    library = solved("fingertip-3x4", np.arange(1.0, 201.0, 2.0))
+    motion = HandMotion.of(library, LARGEST)
+    names = tuple(library.design.microphones)
+    some = MotionTest(library, motion, NOISE).heard_by(names[:2])
+    assert some.microphones == names[:2]
+    assert some.motion.response.shape[0] == 2
+
+
+def test_a_sensor_that_moves_in_as_many_directions_as_it_has_microphones_is_refused(
+    library: acoustic_fem.Library, motion: HandMotion
+) -> None:
+    along = motion.response.copy()
+    along[:, 0] = along[:, 2] * np.array([[1.0], [-1.0]])
+    with refused(Kind.UNSUITABLE, "motion", LARGEST):
+        MotionTest(library, replace(motion, response=along), NOISE)
+
+
+def test_the_membranes_of_a_wristband_move_its_two_microphones_as_one() -> None:
+    design = geometry.load_design(Path(__file__).parents[3] / "docs" / "examples" / "wristband-16.toml")
+    library = acoustic_fem.solve(design, np.arange(1.0, 201.0, 4.0), "lumped")
+    test = MotionTest(library, HandMotion.of(library, LARGEST), NOISE)
+    assert test.freedom >= 0.45 * len(library.design.microphones) * SAMPLES
+
+
+def test_bad_arguments_are_refused(library: acoustic_fem.Library) -> None:
+    with refused(Kind.OUT_OF_RANGE, "motion", 0.0):
+        HandMotion.of(library, 0.0)
+    with refused(Kind.OUT_OF_RANGE, "motion", -1.0):
+        localize.open_model(library, motion=-1.0)
+    with refused(Kind.MISMATCH, "motion_test"):
+        other = solved("line-2", GRID)
+        TouchStream(localize.BayesDecoder(library, NOISE), motion_test=_test_of(other))
+
+
+def _test_of(library: acoustic_fem.Library) -> MotionTest:
+    renamed = response_of(library).heard_by(tuple(library.design.microphones)[::-1])
+    return MotionTest(renamed, HandMotion.of(library, LARGEST), NOISE)
