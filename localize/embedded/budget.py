@@ -126,7 +126,7 @@ def _memory(tables: EmbeddedTables) -> int:
     """Size of touch_decoder, field by field; bytes."""
     microphones = len(tables.microphones)
     decision = 4 * (6 + named_points(tables) + tables.point_count)
-    single = 4 * 13
+    single = 4 * 14
     # whole, tail, state, frame, coming, decimated.
     of_each = 4 * microphones * (2 * 2 * HOPS + 2 + FRAME + HOP + SAMPLES)
     return decision + single + of_each + 2 * 4 * tables.size

@@ -37,6 +37,8 @@ LARGEST_NUMBER = 2**53
 """Largest number of a sample; its time is exact below."""
 _MARGIN = 64 * HOP
 """Samples of the ring buffer beyond those that are needed, so that it is moved seldom."""
+BEGINNING, QUIET = 48, 0.1
+"""Samples at the beginning of a frame, and level in them, by that of the frame, up to which a touch in it is whole."""
 NEWEST = 96
 """Number of samples of :attr:`Decision.newest`."""
 
@@ -189,6 +191,8 @@ class TouchStream:
         self._end = 0
         self._due = FRAME % HOP if tell else FRAME
         self._loudest, self._least = 0.0, np.inf  # levels: what may be left of a touch, and the least of it so far
+        # Behind a gap there may be the rest of a touch, which has no beginning to be located by.
+        self._behind_gap = self._next is not None
         self._hum.reset()
         self._floor.reset()
         self._hum_coming = self._hum.coming(self._due)  # up to the next decision
@@ -271,10 +275,15 @@ class TouchStream:
         newest = float(frame[:, -NEWEST:].std(1).max())
         self._loudest *= 10 ** (-options.fade_rate / 20 * HOP / SAMPLE_RATE)
         loud = self._loudness(frame, noise)
+        if self._behind_gap:
+            self._behind_gap = loud > 1.0 and self._begins_loud(frame, noise)
         if loud <= 1.0:
             if options.follow:
                 self._hum.learn(whole[:, -HOP:])
             events.append(Decision(self._time, "no touch", level, newest=newest, mean_pressure=mean))
+            return
+        if self._behind_gap:
+            events.append(Decision(self._time, "unreadable", level))
             return
         if options.fade and level < min(options.faded * self._loudest, options.risen * self._least):
             self._least = min(self._least, level)
@@ -332,6 +341,13 @@ class TouchStream:
         if self.options.follow and 1.0 < loud <= self.options.weak:
             return float((self._hum.beside(frame).std(1) / least).max())
         return loud
+
+    def _begins_loud(self, frame: Array, noise: Array) -> bool:
+        """True if a frame is loud from its beginning on, so that a touch in it may have begun before it."""
+        least = np.maximum(self.silence, self.options.silence * noise)
+        cleaned = self._hum.beside(frame) if self.options.follow else frame
+        quiet = np.maximum(least, QUIET * cleaned.std(1).max())
+        return bool((cleaned[:, :BEGINNING].std(1) > quiet).any())
 
     def _waveform(self, point: int) -> tuple[float, ...] | None:
         """The newest 16 estimates that the samples so far allow."""

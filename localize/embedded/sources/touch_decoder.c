@@ -17,6 +17,9 @@
 /* Levels of touches: as in the stream of acoustic-fem. */
 #define FADED 0.3f
 #define RISEN 2.0f
+/* Samples at the beginning of a frame, and level in them, by that of the frame, up to which a touch in it is whole. */
+#define BEGINNING 48
+#define QUIET 0.1f
 /* A fall of 20 dB a second, for one hop. */
 #define FADES 0.963829f
 /* A point that lies as many nats behind is given up. */
@@ -40,6 +43,7 @@ static void forget(touch_decoder *decoder, int is_told)
     decoder->due = is_told ? TOUCH_FRAME % TOUCH_HOP : TOUCH_FRAME;
     decoder->loudest = 0.0f;
     decoder->least = INFINITY;
+    decoder->behind_gap = 1;
     decoder->hop = 0;
     decoder->place = TOUCH_HOP - TAIL - 1;
     memset(decoder->whole, 0, sizeof decoder->whole);
@@ -51,6 +55,7 @@ void touch_init(touch_decoder *decoder, float limit)
     memset(decoder, 0, sizeof *decoder);
     decoder->limit = limit > 0.0f ? limit : INFINITY;
     forget(decoder, 0);
+    decoder->behind_gap = 0;
 }
 
 /* Four sums at a time round less than one, and wait less for each other. */
@@ -116,13 +121,22 @@ static void whiten(touch_decoder *decoder, const float *whitening)
     }
 }
 
-static float level_of(const float *frame)
+static float level_of(const float *samples, int count)
 {
     float mean = 0.0f, square = 0.0f;
-    for (int k = 0; k < TOUCH_FRAME; k++) mean += frame[k];
-    mean /= (float)TOUCH_FRAME;
-    for (int k = 0; k < TOUCH_FRAME; k++) square += (frame[k] - mean) * (frame[k] - mean);
-    return sqrtf(square / (float)TOUCH_FRAME);
+    for (int k = 0; k < count; k++) mean += samples[k];
+    mean /= (float)count;
+    for (int k = 0; k < count; k++) square += (samples[k] - mean) * (samples[k] - mean);
+    return sqrtf(square / (float)count);
+}
+
+/* Whether the frame is loud from its beginning on, so that a touch in it may have begun before it. */
+static int begins_loud(const touch_decoder *decoder, float level)
+{
+    const float quiet = fmaxf(touch_silence, QUIET * level);
+    for (int m = 0; m < TOUCH_MICROPHONES; m++)
+        if (level_of(decoder->frame[m], BEGINNING) > quiet) return 1;
+    return 0;
 }
 
 #if TOUCH_SOUND_NUMBERS > 0
@@ -482,13 +496,15 @@ static int is_dead(const touch_decoder *decoder, int m)
 static touch_state judge(touch_decoder *decoder)
 {
     float level = 0.0f;
-    for (int m = 0; m < TOUCH_MICROPHONES; m++) level = fmaxf(level, level_of(decoder->frame[m]));
+    for (int m = 0; m < TOUCH_MICROPHONES; m++) level = fmaxf(level, level_of(decoder->frame[m], TOUCH_FRAME));
     decoder->decision.level = level;
     if (decoder->clipped > 0) return TOUCH_UNREADABLE;
     for (int m = 0; m < TOUCH_MICROPHONES; m++)
         if (is_dead(decoder, m)) return TOUCH_UNREADABLE;
     decoder->loudest *= FADES;
+    if (decoder->behind_gap) decoder->behind_gap = level > touch_silence && begins_loud(decoder, level);
     if (level <= touch_silence) return TOUCH_NONE;
+    if (decoder->behind_gap) return TOUCH_UNREADABLE;
     if (level < fminf(FADED * decoder->loudest, RISEN * decoder->least)) {
         decoder->least = fminf(decoder->least, level);
         return TOUCH_FADING;

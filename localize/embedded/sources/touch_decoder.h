@@ -60,6 +60,7 @@ typedef struct {
     int held;                        /* samples of the frame so far, TOUCH_FRAME once it is whole */
     int last;                        /* point that was touched last, from 0 */
     float loudest, least;            /* levels: what may be left of a touch, and the least of it so far */
+    int behind_gap;                  /* whether the frame may hold the rest of a touch that began in or before a gap */
     int clipped;                     /* samples for which a frame is clipped still */
     int hop, place;                  /* of the newest sample: its hop of those below, and where it lies in that */
     touch_spread whole[TOUCH_MICROPHONES][TOUCH_HOPS]; /* of the samples of each hop, as they came */
