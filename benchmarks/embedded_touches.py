@@ -125,4 +125,6 @@ def touches(response: ArrayResponse, seed: int, takes: int, apart: bool = True) 
         parts.append(np.clip(factor * signal + hiss, -LIMIT, LIMIT))
         if apart or number % 8 == 7:
             parts.append(np.full((len(signal), 3), np.nan))
+            # Behind a gap a touch is only located if the frame that holds it begins in quiet.
+            parts.append(noise * random.standard_normal((len(signal), 300)))
     return np.concatenate(parts, axis=1).astype(np.float32)

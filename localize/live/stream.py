@@ -37,7 +37,7 @@ LARGEST_NUMBER = 2**53
 """Largest number of a sample; its time is exact below."""
 _MARGIN = 64 * HOP
 """Samples of the ring buffer beyond those that are needed, so that it is moved seldom."""
-BEGINNING, QUIET = 48, 0.1
+BEGINNING, QUIET = 80, 0.1
 """Samples at the beginning of a frame, and level in them, by that of the frame, up to which a touch in it is whole."""
 NEWEST = 96
 """Number of samples of :attr:`Decision.newest`."""

@@ -18,7 +18,7 @@
 #define FADED 0.3f
 #define RISEN 2.0f
 /* Samples at the beginning of a frame, and level in them, by that of the frame, up to which a touch in it is whole. */
-#define BEGINNING 48
+#define BEGINNING 80
 #define QUIET 0.1f
 /* A fall of 20 dB a second, for one hop. */
 #define FADES 0.963829f

@@ -59,7 +59,7 @@ def test_the_cost_that_is_told_is_that_of_the_compiled_code(tmp_path: Path, boar
     samples, _ = decided_of("array-2x6", True, 12)
     cost = exported("array-2x6", True, precision, tmp_path).cost
     # The second sum of sines that is as loud as it comes.
-    begin = int(np.flatnonzero(np.isnan(samples[0]))[8]) + 1
+    begin = int(np.flatnonzero(np.isnan(samples[0]))[8]) + 1 + 300  # behind the quiet that follows a gap
     found = run_on_board(tmp_path, samples.T[begin : begin + 600], board, everything=True)
     assert (found.state == STATES.index("touch")).all()
     longest = found.instructions[1:].max()

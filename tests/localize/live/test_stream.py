@@ -141,13 +141,16 @@ def test_a_sliding_finger_touches_one_point_after_the_other(array, decoder):
 def test_lost_samples_are_counted_and_no_frame_spans_them(decoder, signals):
     samples = signals[0]
     stream = TouchStream(decoder)
-    events = stream.push(samples[:, :2000], 0) + stream.push(samples[:, 2100:4000], 2100)
+    events = stream.push(samples[:, :2000], 0) + stream.push(samples[:, 2100:], 2100)
     faults = [event for event in events if isinstance(event, Fault)]
     assert faults == [Fault(2.0, "samples lost", samples=100)]
     after = [event for event in events if isinstance(event, Decision) and event.time > 2.0]
     assert after[0].time == pytest.approx(2.35)
-    alone = TouchStream(decoder).push(samples[:, 2100:4000], 2100)
-    assert after == alone
+    alone = TouchStream(decoder).push(samples[:, 2100:], 2100)
+    # What sounds from the first sample behind a gap may be the rest of a touch, and is not located.
+    whole = next(k for k, event in enumerate(after) if event.state not in ("unreadable", "no touch"))
+    assert {event.state for event in alone[:whole]} <= {"touch", "fading", "no touch"}
+    assert after[whole:] == alone[whole:]
 
 
 def test_repeated_samples_are_counted_and_left_out(decoder, signals):
