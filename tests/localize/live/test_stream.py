@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from hypothesis import given, settings, strategies as st
 from rc_line import rc_line
 from refusals import refused
 
+import acoustic_fem
 import localize
 from geometry import Kind
 from localize import Decision, Fault, TouchStream
@@ -333,3 +335,32 @@ def test_chunks_of_another_shape_and_bad_thresholds_are_refused(decoder):
         TouchStream(decoder, reconstructor=other)
     with refused(Kind.OUT_OF_RANGE, "limit"):
         TouchStream(decoder, limit=float("nan"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("full_scale", [1.0, 4.0])
+def test_no_touch_is_wrong_where_one_hop_in_fifty_is_lost(full_scale):
+    """The rest of a touch behind a gap sounds as another point, if it is taken for a whole one."""
+    examples = Path(__file__).parents[3] / "docs" / "examples" / "recordings"
+    model = localize.open_model(localize.BayesDecoder(acoustic_fem.load(examples / "library.nc")))
+    recording = localize.read_recording(examples / "touches.wav", model.locator.microphones, full_scale)
+
+    def touches(is_lost):
+        stream, tracker = model.stream(30.0), localize.TouchTracker(model.locator)
+        decided = [
+            event
+            for first in range(0, recording.signals.shape[1] - HOP + 1, HOP)
+            if not is_lost()
+            for event in stream.push(recording.signals[:, first : first + HOP], first)
+        ]
+        events = [each for event in decided for each in tracker.take(event)] + tracker.finish()
+        return [(event.time, event.point) for event in events if event.kind != "up"]
+
+    whole = touches(lambda: False)
+    found = 0
+    for seed in range(1000, 1020):
+        random = np.random.default_rng(seed)
+        for time, point in touches(lambda: random.random() < 0.02):  # noqa: B023
+            assert any(own == point and -0.1 < time - at < 0.75 for at, own in whole), (seed, time, point)
+            found += 1
+    assert found > 0.6 * 20 * len(whole)
