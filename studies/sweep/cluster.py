@@ -215,6 +215,7 @@ class Cluster:
     def _answer(self) -> tuple[_Task, Any] | None:
         """The next task that has a result, and that; None where none comes soon."""
         from distributed import KilledWorker
+        from distributed.comm import CommClosedError
 
         try:
             attempt, result, error = self._answers.get(timeout=WATCH / 4)
@@ -224,7 +225,8 @@ class Cluster:
             return None  # it was dropped before
         self._drop(attempt)
         gone = error is not None and self._client.status != "running"
-        if gone or isinstance(error, (asyncio.CancelledError, concurrent.futures.CancelledError)):
+        # A result is fetched through the scheduler; the client may not have noticed yet that it is gone.
+        if gone or isinstance(error, (asyncio.CancelledError, concurrent.futures.CancelledError, CommClosedError)):
             raise WorkersLost(CONNECTION_LOST, kind=Kind.STOPPED)
         if isinstance(error, KilledWorker):
             attempt.task.deaths += 1
