@@ -39,8 +39,6 @@ class Curves:
     """Names of the microphones, or of pairs of them."""
     values: NDArray[np.float64]
     """Values in the unit; (n_point, n_heard_by, n_freq) float64."""
-    fidelity: str
-    """Fidelity of the transfer functions, in words."""
 
 
 @dataclass(frozen=True)
@@ -87,13 +85,12 @@ def quick_library(design: ArrayDesign, frequency: FrequencyLike | None = None) -
     return acoustic_fem.solve(design, grid, fidelity=fidelity.name), fidelity
 
 
-def curves_of(transfer_function: xr.DataArray, quantity: str, fidelity: str) -> Curves:
+def curves_of(transfer_function: xr.DataArray, quantity: str) -> Curves:
     """Curves of one quantity.
 
     Args:
         transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
         quantity: of :data:`CURVES`.
-        fidelity: that of the transfer functions, in words.
 
     Raises:
         Refusal: there is no such quantity.
@@ -110,5 +107,4 @@ def curves_of(transfer_function: xr.DataArray, quantity: str, fidelity: str) -> 
         tuple(int(number) for number in ordered["point"].values),
         tuple(heard_by),
         chosen.compute(microphone_ratios(ordered) if chosen.compared else np.asarray(ordered.values, np.complex128)),
-        fidelity,
     )

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from shutil import make_archive
 from time import monotonic
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -28,11 +29,11 @@ from studies.findings.page import design_of
 from studies.findings.result_table import Column, ResultTable, effect, fast_front, table_of_search, table_of_sweep
 from studies.findings.searching import optimize
 from studies.optimization.journal import journal_exists
-from studies.optimization.problem import read_optimization
+from studies.optimization.problem import Limit, read_optimization
 from studies.optimization.search import found_so_far
 from studies.output.display import Report
 from studies.panels.cad_panel import CallbackDisplay
-from studies.study.metric_registry import METRICS
+from studies.study.metric_registry import METRICS, metrics_named
 from studies.study.parameter import StudyError
 from studies.study.study import read_study
 from studies.sweep.progress import Progress
@@ -45,6 +46,8 @@ MOST_METRICS = 4
 MOST_DESIGNS = 4096
 #: Seconds between two lines on how far a study is, and digits of the values that are shown.
 _PACE, _DIGITS = 0.5, 5
+#: Largest bound of a metric, in any unit.
+_LARGEST = 1e12
 
 
 def study_file(
@@ -55,6 +58,7 @@ def study_file(
     search: bool = False,
     designs: int = 256,
     fidelity: str = MANY_DESIGNS,
+    limits: Mapping[str, float] = MappingProxyType({}),
 ) -> str:
     """The study file that ranges around a design amount to.
 
@@ -65,6 +69,8 @@ def study_file(
         search: search the best designs in place of a sweep over evenly spread ones.
         designs: how many are computed, 1 to 4096.
         fidelity: what the cells are computed with.
+        limits: bound of each metric that a design must keep, in its unit, as :func:`limits_of` takes them. A search
+            keeps them; a sweep computes their metrics too.
 
     Returns:
         Text of the file; it was read back and is a study.
@@ -87,16 +93,42 @@ def study_file(
     }
     if not search:
         stated |= {"sampling": "sobol", "cases": designs}
-    stated |= {"metrics": list(metrics), "vary": tomlkit.table()}
+    bounds = limits_of(limits)
+    computed = metrics if search else dict.fromkeys([*metrics, *limits])
+    stated |= {"metrics": list(computed), "vary": tomlkit.table()}
     for name, given in ranges.items():
         stated["vary"].add(tomlkit.key(name), _range(given))
     if search:
         batch = min(64, max(designs // 4, 1))
         objectives = [{"metric": name} for name in metrics]
         stated["optimize"] = {"trials": designs, "batch": batch, "objectives": objectives}
+        if bounds:
+            stated["optimize"]["limits"] = [_stated_limit(each) for each in bounds]
     text = tomlkit.dumps(stated)
     _read(design, text)
     return text
+
+
+def limits_of(limits: Mapping[str, float]) -> tuple[Limit, ...]:
+    """Limits of metrics: at least of those that should be large, at most of those that should be small.
+
+    Args:
+        limits: bound by the name of the metric, in its unit.
+
+    Raises:
+        Refusal: no such metric, or a bound that is not finite.
+    """
+    found = []
+    for name, bound in limits.items():
+        (metric,) = metrics_named([name])
+        check_range(f"limit of {name}", bound, -_LARGEST, _LARGEST)
+        found.append(Limit(metric, bound, None) if metric.better == "larger" else Limit(metric, None, bound))
+    return tuple(found)
+
+
+def _stated_limit(limit: Limit) -> dict[str, Any]:
+    bound = {"most": limit.most} if limit.least is None else {"least": limit.least}
+    return {"metric": limit.metric.name, **bound}
 
 
 def _range(given: Sequence[float] | Sequence[str]) -> Any:
@@ -136,12 +168,26 @@ def study_folder(design: ArrayDesign, text: str) -> Path:
     return cache_folder() / "studies" / key
 
 
+@dataclass(frozen=True)
+class FailedDesign:
+    """Design of a study without figures."""
+
+    number: int
+    """Number of it in its study."""
+    reason: str
+    """Reason for which it has none."""
+    values: Mapping[str, Any]
+    """Value of each parameter, by dotted name."""
+
+
 @dataclass(frozen=True, eq=False)
 class FoundDesigns:
     """Designs that a study has computed."""
 
     table: ResultTable
     """Table of them, with their parameters and metrics."""
+    failed: tuple[FailedDesign, ...] = ()
+    """Designs that could not be computed, or that break a limit of the search."""
 
     def design(self, number: Any) -> ArrayDesign:
         """One of the designs, as the verb ``best`` writes it.
@@ -199,8 +245,19 @@ def study_so_far(design: ArrayDesign, text: str) -> FoundDesigns:
         if not journal_exists(place / "search"):
             raise StudyError("no design was computed yet", kind=Kind.MISSING)
         problem = read_optimization(text, "the study", base=design)
-        return FoundDesigns(table_of_search(problem, found_so_far(problem, place / "search")))
-    return FoundDesigns(table_of_sweep(open_sweep(place / "results.zarr")))
+        result = found_so_far(problem, place / "search")
+        outside = [
+            FailedDesign(each.number, f"not {'; '.join(map(str, problem.limits))}", each.values)
+            for each in result.candidates
+            if not each.feasible
+        ]
+        return FoundDesigns(table_of_search(problem, result), tuple(outside))
+    sweep = open_sweep(place / "results.zarr")
+    failed = [
+        FailedDesign(int(number), str(sweep.values["reason"][number]), sweep.case(int(number)))
+        for number in np.flatnonzero(sweep.failed)
+    ]
+    return FoundDesigns(table_of_sweep(sweep), tuple(failed))
 
 
 class _Paced(CallbackDisplay):
@@ -222,8 +279,12 @@ def _paced(notify: Callable[[str], None]) -> Report:
     return report
 
 
-def study_figures(found: FoundDesigns) -> dict[str, Any]:
+def study_figures(found: FoundDesigns, limits: Mapping[str, float] = MappingProxyType({})) -> dict[str, Any]:
     """Contents of the page for a study.
+
+    Args:
+        found: the designs.
+        limits: bounds of metrics as of :func:`limits_of`; a design that breaks one is on no front.
 
     Returns:
         ``title``, ``source`` ("sweep" or "search"), ``fidelity``; ``waiting``: designs not computed yet; ``failures``:
@@ -231,9 +292,16 @@ def study_figures(found: FoundDesigns) -> dict[str, Any]:
         ``metrics``: for each its ``name``, ``title``, ``unit``, ``labels`` (texts that values stand for), ``better``
         and ``values``; ``effects``: for each metric and parameter the main effect as of
         :func:`studies.findings.result_table.effect`; ``fronts``: for each two metrics ``first``, ``second`` and the
-        ``rows`` that no other design beats in both.
+        ``rows`` that no other design beats in both; ``limits`` in words; ``kept``: whether each design keeps them;
+        ``failed``: of each failed design its ``number``, ``reason`` and ``values``, one a parameter as in its column,
+        None for a text that no computed design has.
     """
     table, metrics = found.table, found.table.metrics
+    bounds = limits_of(limits) if table.source == "sweep" else ()  # a search has left out what breaks its limits
+    kept = np.ones(len(table.number), dtype=bool)
+    for limit in bounds:
+        kept &= np.array([limit.excess(value) <= 0 for value in table.metric(limit.metric.name).values], dtype=bool)
+    rows = np.flatnonzero(kept)
     return {
         "title": table.title,
         "source": table.source,
@@ -248,14 +316,31 @@ def study_figures(found: FoundDesigns) -> dict[str, Any]:
             {
                 "first": first,
                 "second": second,
-                "rows": np.flatnonzero(
-                    fast_front(np.column_stack([metrics[first].goodness, metrics[second].goodness]))
-                ).tolist(),
+                "rows": rows[
+                    fast_front(np.column_stack([metrics[first].goodness[rows], metrics[second].goodness[rows]]))
+                ].tolist(),
             }
             for first in range(len(metrics))
             for second in range(first + 1, len(metrics))
         ],
+        "limits": [str(limit) for limit in bounds],
+        "kept": kept.tolist(),
+        "failed": [
+            {
+                "number": each.number,
+                "reason": each.reason,
+                "values": [_value_in(column, each.values.get(column.name)) for column in table.parameters],
+            }
+            for each in found.failed
+        ],
     }
+
+
+def _value_in(column: Column, value: Any) -> float | None:
+    """Value of a parameter as its column has it; None if the column does not have it."""
+    if column.labels:
+        return float(column.labels.index(str(value))) if str(value) in column.labels else None
+    return None if value is None else _numbers([value])[0]
 
 
 def _column(column: Column) -> dict[str, Any]:

@@ -85,7 +85,11 @@ def write_letter(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any
 
 
 def with_kinds(
-    work: Callable[..., dict[str, Any]], design: ArrayDesign, options: tuple[Any, ...], model: str | None
+    work: Callable[..., dict[str, Any]],
+    design: ArrayDesign,
+    options: tuple[Any, ...],
+    model: str | None,
+    report: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
     """A decoded touch or recording of a design, with the kinds that a recognizer assigns.
 
@@ -95,6 +99,7 @@ def with_kinds(
         design: the array.
         options: of it, behind the design.
         model: the folder of a recognizer; None for none.
+        report: called with how far it is, by a ``work`` that takes a function for it; None for the others.
 
     Returns:
         As ``work``; with a recognizer, ``kinds``: start and end (s), point, kind and its probability of each touch.
@@ -102,7 +107,7 @@ def with_kinds(
     Raises:
         Refusal: that of ``work``, or a recognizer of another array.
     """
-    found = work(design, *options)
+    found = work(design, *options) if report is None else work(design, *options, report)
     if model is None:
         return found
     from localize.recognition.filter_bank import FilterBank

@@ -16,9 +16,11 @@ from numpy.typing import NDArray
 import acoustic_fem
 import localize
 from acoustic_fem.atlas import QuickFidelity, quick_fidelity
+from acoustic_fem.sound.sound_file import FORMATS, SCALED
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_choice, check_range
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Kind, Refusal, counted
+from geometry.ground.text_files import parse_toml
 from geometry.ground.whole_files import temporary_folder
 from localize import Decision, gesture_of, read_recording, touches_of
 from localize.contacts import Contact
@@ -27,6 +29,7 @@ from localize.contacts.finger_gestures import double_tap, press, slide, tap
 from localize.live.stream_options import MOVING
 from localize.model.opened_model import Model, open_model, opened_as_designed
 from localize.signals.array_response import response_of
+from localize.signals.resampling import check_full_scale
 from localize.tracking import tracks_of
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.panels.curves import quick_library
@@ -111,8 +114,9 @@ def paths_of(decoder: DesignDecoder, signals: NDArray[np.float64]) -> list[dict[
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
 
     Returns:
-        Each path has ``places``: time (s), x, y and their standard deviation (mm), 16 ms apart; ``gesture``: its kind
-        in words; ``length``, mm.
+        Each path has ``places``: time (s), x, y and their standard deviation (mm), and 1 where the contact was
+        detected, 0 where its path was only continued, 16 ms apart; ``gesture``: its kind in words; ``length``, mm, 0 of
+        a contact that stays.
     """
     model = opened_as_designed(decoder.model)
     found = []
@@ -120,7 +124,7 @@ def paths_of(decoder: DesignDecoder, signals: NDArray[np.float64]) -> list[dict[
         gesture = gesture_of(each)
         found.append(
             {
-                "places": np.column_stack([each.time, each.place, each.deviation]).round(4).tolist(),
+                "places": np.column_stack([each.time, each.place, each.deviation, each.detected]).round(4).tolist(),
                 "gesture": f"{gesture.kind} {gesture.direction}".strip(),
                 "length": gesture.length,
             }
@@ -128,33 +132,62 @@ def paths_of(decoder: DesignDecoder, signals: NDArray[np.float64]) -> list[dict[
     return found
 
 
-def replay_recording(design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
-    """A recording in WAV format as ``acoustic-fem locate`` decodes it with the quick library of a design.
+def replay_recording(
+    design: ArrayDesign,
+    content: bytes,
+    name: str,
+    full_scale: float,
+    notify: Callable[[str], None] = lambda line: None,
+) -> dict[str, Any]:
+    """A recording as ``acoustic-fem locate`` decodes it with the quick library of a design.
 
     Args:
         design: the array.
         content: of the file.
-        name: of the file, in refusals.
-        full_scale: pressure at full scale, Pa.
+        name: of the file, whose suffix states its format.
+        full_scale: pressure at full scale, Pa, of files that hold fractions of it.
+        notify: called with how far it is.
 
     Returns:
-        As :func:`decode`, with ``paths`` as of :func:`paths_of`.
+        As :func:`decode`, with ``paths`` as of :func:`paths_of`, and ``full_scale``, Pa; None if the file itself holds
+        pascals.
 
     Raises:
-        Refusal: no WAV file, or none of the design's microphones, or one longer than :data:`LONGEST`.
+        Refusal: no recording, or none of the design's microphones, or one longer than :data:`LONGEST`.
     """
     decoder = decoder_of(design)
+    suffix = Path(name).suffix.lower()
+    suffix = suffix if suffix in FORMATS else ".wav"
+    used = full_scale if suffix in SCALED else None
     with temporary_folder() as folder:
-        path = folder / f"{re.sub(r'[^A-Za-z0-9._-]', '_', Path(name).stem)[:60] or 'recording'}.wav"
+        path = folder / f"{re.sub(r'[^A-Za-z0-9._-]', '_', Path(name).stem)[:60] or 'recording'}{suffix}"
         path.write_bytes(content)
         try:
-            recording = read_recording(path, decoder.model.locator.microphones, full_scale)
+            recording = read_recording(path, decoder.model.locator.microphones, used)
         except Refusal as error:
             raise without_folder(error, str(folder)) from None
     if recording.seconds > LONGEST:
         problem = f"is {recording.seconds:.0f} s long; it must be at most {LONGEST:g} s"
         raise Refusal(problem, file=name, kind=Kind.UNSUITABLE)
-    return {**decode(decoder, recording.signals), "paths": paths_of(decoder, recording.signals)}
+    notify(f"{recording.seconds:.0f} s are decoded")
+    found = decode(decoder, recording.signals)
+    notify(f"{counted(len(found['touches']), 'touch')} found; their paths are followed")
+    return {**found, "paths": paths_of(decoder, recording.signals), "full_scale": used}
+
+
+def manifest_scale(text: str, name: str) -> float:
+    """Pressure at full scale that a manifest of recorded touches states, Pa; 1 if it states none.
+
+    Args:
+        text: of the manifest, TOML.
+        name: of its file, in refusals.
+
+    Raises:
+        Refusal: not TOML, or no pressure.
+    """
+    stated = parse_toml(text, name).get("full_scale", 1.0)
+    check_full_scale(stated)
+    return float(stated)
 
 
 def without_folder(error: Refusal, folder: str) -> Refusal:

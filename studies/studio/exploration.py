@@ -13,6 +13,9 @@ from studies.studio.messages import is_number
 from studies.studio.stage import Job, Post, notifier, outcome, progress
 from studies.studio.workplace import Workplace
 
+#: Seconds between two looks at what a running study has computed.
+LOOK_EVERY = 2.0
+
 
 class Exploration:
     """The study of a session, one at a time.
@@ -37,7 +40,7 @@ class Exploration:
         """
         if self._task is not None and not self._task.done():
             raise Refusal("one study runs already", kind=Kind.CONFLICT, remedy="stop it first")
-        job = Job("study", revision, design, (file_of(design, asked),))
+        job = Job("study", revision, design, (file_of(design, asked), limits_asked(asked)))
         self._job, self._task = job, asyncio.create_task(self._work(job))
 
     def stop(self) -> None:
@@ -65,16 +68,34 @@ class Exploration:
 
     async def _work(self, job: Job) -> None:
         await progress(job, "begins", self._post)
-        shown = await outcome(job, self._found_by(job), self._post, "stopped; nothing was computed yet")
-        if shown is not None:
-            self._last = {"type": "figures", "stage": "study", "revision": job.revision, "found": shown}
-            await self._post(self._last)
+        watching = asyncio.create_task(self._watch(job))
+        try:
+            found = self._workplace.study(job.design, job.options[0], notifier(job, self._post), job)
+            done = await outcome(job, found, self._post, "stopped; nothing was computed yet")
+        finally:
+            watching.cancel()
+        if done is not None:
+            await self._show(job, done)
 
-    async def _found_by(self, job: Job) -> dict[str, Any]:
-        found = await self._workplace.study(job.design, job.options[0], notifier(job, self._post), job)
+    async def _watch(self, job: Job) -> None:
+        """Show the designs that a running study has computed, as long as it runs."""
+        known = 0
+        while True:
+            await asyncio.sleep(LOOK_EVERY)
+            try:
+                found = await self._workplace.study_so_far(job.design, job.options[0])
+            except Refusal:  # nothing is there yet
+                continue
+            if len(found.table.number) > known:
+                known = len(found.table.number)
+                await self._show(job, found, running=True)
+
+    async def _show(self, job: Job, found: FoundDesigns, running: bool = False) -> None:
+        shown: dict[str, Any] = await self._workplace.in_thread("found", lambda: study_figures(found, job.options[1]))
         self._found = found
-        shown: dict[str, Any] = await self._workplace.in_thread("study", lambda: study_figures(found))
-        return shown
+        self._last = {"type": "figures", "stage": "study", "revision": job.revision, "found": shown}
+        self._last |= {"running": running}
+        await self._post(self._last)
 
 
 def file_of(design: ArrayDesign, asked: Mapping[str, Any]) -> str:
@@ -82,7 +103,8 @@ def file_of(design: ArrayDesign, asked: Mapping[str, Any]) -> str:
 
     Args:
         design: the base.
-        asked: ``ranges``, ``metrics``, ``search``, ``designs`` and ``fidelity``, as :func:`study_file` takes them.
+        asked: ``ranges``, ``metrics``, ``search``, ``designs``, ``fidelity`` and ``limits``, as
+            :func:`study_file` takes them.
 
     Raises:
         Refusal: not a study.
@@ -98,7 +120,20 @@ def file_of(design: ArrayDesign, asked: Mapping[str, Any]) -> str:
     if not isinstance(designs, int) or isinstance(designs, bool):
         raise _wrong("designs", "a whole number")
     search, fidelity = asked.get("search") is True, str(asked.get("fidelity"))[:40]
-    return study_file(design, ranges, metrics, search=search, designs=designs, fidelity=fidelity)
+    limits = limits_asked(asked)
+    return study_file(design, ranges, metrics, search=search, designs=designs, fidelity=fidelity, limits=limits)
+
+
+def limits_asked(asked: Mapping[str, Any]) -> dict[str, float]:
+    """Limits that a page asks for, by the name of the metric; none if it states none.
+
+    Raises:
+        Refusal: not a table of numbers.
+    """
+    limits = asked.get("limits", {})
+    if not isinstance(limits, dict) or not all(is_number(bound) for bound in limits.values()):
+        raise _wrong("limits", "a table of numbers")
+    return {name: float(bound) for name, bound in limits.items()}
 
 
 def _wrong(field: str, allowed: str) -> Refusal:

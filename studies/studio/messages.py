@@ -100,8 +100,14 @@ def packed_signals(header: Mapping[str, Any], found: Mapping[str, Any]) -> bytes
     return _framed({**header, **about}, found["signals"])
 
 
-def packed(job: Job, curves: Curves) -> bytes:
-    """Curves as one message: the length of a header in four bytes, the header as JSON, the values as float32."""
+def packed(job: Job, curves: Curves, validity: str) -> bytes:
+    """Curves as one message: the length of a header in four bytes, the header as JSON, the values as float32.
+
+    Args:
+        job: of the curves.
+        curves: the curves.
+        validity: how far they are from 3-D, in a few words.
+    """
     header = {
         "stage": job.stage,
         "revision": job.revision,
@@ -110,7 +116,7 @@ def packed(job: Job, curves: Curves) -> bytes:
         "points": list(curves.points),
         "heard_by": list(curves.heard_by),
         "frequency": [float(f"{value:.7g}") for value in curves.frequency],
-        "fidelity": curves.fidelity,
+        "validity": validity,
     }
     return _framed(header, curves.values.astype("<f4").tobytes())
 

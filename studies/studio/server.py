@@ -18,20 +18,16 @@ from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
 import studies.studio as here
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import prototype_names
 from geometry.ground.refusal import Kind, Refusal
-from studies.comparison.quantities import figure_words
-from studies.panels.curves import CURVES
-from studies.panels.exploring import MOST_DESIGNS, MOST_METRICS, metric_words
-from studies.panels.export_files import EXPORTS
 from studies.studio.guard import SECRET, Guard, Guarded
 from studies.studio.messages import MessageError, packed_signals, read_message, written
+from studies.studio.page_words import MOST_UPLOAD, page_words
 from studies.studio.sessions import Sessions
 from studies.studio.stage import MISTAKE
 from studies.studio.workplace import Workplace
 
-#: Largest design file, recording and recognizer that are taken, and largest message of a page, bytes.
-MOST_UPLOAD, MOST_RECORDING, MOST_RECOGNIZER, MOST_MESSAGE = 256 * 1024, 32 * 1024**2, 16 * 1024**2, 1024**2
+#: Largest recording and recognizer that are taken, and largest message of a page, bytes.
+MOST_RECORDING, MOST_RECOGNIZER, MOST_MESSAGE = 32 * 1024**2, 16 * 1024**2, 1024**2
 #: Seconds within which a page proves itself over its websocket, and within which a part of an upload follows another.
 PROOF_WITHIN, PART_WITHIN = 5.0, 10.0
 #: Websockets that may wait for that proof; beyond, the one that has waited longest is closed.
@@ -75,10 +71,9 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         if isinstance(content, Response):
             return content
         name = request.query_params.get("name", "design.toml")[:100]
-        try:
-            text = content.decode("utf-8")
-        except UnicodeDecodeError:
-            return _refused(f"{name}: is not a text in UTF-8", 400)
+        text = _text_of(content, name)
+        if isinstance(text, Response):
+            return text
         found = await _handed_in(workplace.upload(text, name))
         return found if isinstance(found, Response) else JSONResponse(found)
 
@@ -99,12 +94,23 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
             return _refused(f"full_scale = {scale[:40]!r} must be a number of pascals", 400)
         revision = found.state.revision
         asked = (content, name, full_scale)
-        decoded = await _handed_in(workplace.replay(found.state.design, asked, found.touches.recognizer))
+        decoded = await _handed_in(found.touches.replay(found.state.design, revision, asked))
         if isinstance(decoded, Response):
             return decoded
         return Response(
             packed_signals({"stage": "touch", "revision": revision, "touched": None, "kind": name}, decoded)
         )
+
+    async def manifest(request: Request) -> Response:
+        content = await _body(request, MOST_UPLOAD, f"the file must be at most {MOST_UPLOAD // 1024} kB")
+        if isinstance(content, Response):
+            return content
+        name = request.query_params.get("name", "touches.toml")[:100]
+        text = _text_of(content, name)
+        if isinstance(text, Response):
+            return text
+        found = await _handed_in(workplace.manifest_scale(text, name))
+        return found if isinstance(found, Response) else JSONResponse({"full_scale": found})
 
     async def recognizer(request: Request) -> Response:
         found = sessions.find(request.query_params.get("session"))
@@ -132,6 +138,7 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
             Route("/files/{session}/{key}", file, methods=["GET"]),
             Route("/designs", upload, methods=["POST"]),
             Route("/recordings", recording, methods=["POST"]),
+            Route("/manifests", manifest, methods=["POST"]),
             Route("/recognizers", recognizer, methods=["POST"]),
             WebSocketRoute("/session", session),
         ]
@@ -152,6 +159,14 @@ async def _body(request: Request, most: int, too_long: str) -> bytes | Response:
             return _refused(f"the upload did not go on for {PART_WITHIN:g} s", 408)
         if len(content) > most:
             return _refused(too_long, 413)
+
+
+def _text_of(content: bytes, name: str) -> str | Response:
+    """Text of a file that is handed in, or a refusal."""
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError:
+        return _refused(f"{name}: is not a text in UTF-8", 400)
 
 
 async def _handed_in(work: Awaitable[Any]) -> Any:
@@ -231,7 +246,7 @@ async def _hold(socket: WebSocket, sessions: Sessions, guard: Guard, unproven: l
                     await send('{"type":"pong"}')
                 elif session is None:
                     session, new = sessions.enter(message.get("session"), message.get("page"))
-                    await send(written({"type": "words", **_words(), "new": new}))
+                    await send(written({"type": "words", **page_words(), "new": new}))
                     values = message.get("values")
                     if new and isinstance(values, dict):
                         await session.restore_quietly(values, message.get("saved") is True, send)
@@ -257,17 +272,3 @@ async def _text(socket: WebSocket) -> str:
         return await socket.receive_text()
     except KeyError:
         raise MessageError("a message must be a text", kind=Kind.WRONG_TYPE) from None
-
-
-def _words() -> dict[str, Any]:
-    """Names and explanations of the page that no design changes."""
-    return {
-        "prototypes": prototype_names(),
-        "curves": CURVES,
-        "figures": figure_words(),
-        "metrics": metric_words(),
-        "most_metrics": MOST_METRICS,
-        "most_designs": MOST_DESIGNS,
-        "exports": {name: {"title": each.title, "takes": each.takes} for name, each in EXPORTS.items()},
-        "most_upload": MOST_UPLOAD,
-    }

@@ -19,12 +19,15 @@ from geometry.stock import catalogue
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
-from studies.panels.form import addable_tables, form_of, removable_tables, sizes_sold, stated_values
+from studies.panels.form import sizes_sold, stated_values
 from studies.panels.form_hints import fields_without_effect, values_in_use
 from studies.panels.pinned_panel import COMPARISON, field_rows, figure_rows
+from studies.panels.validity import Validity
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.job_search import JobSearch
 from studies.studio.messages import MessageError, packed, text_of, written
+from studies.studio.page_words import SHARED, form_words
+from studies.studio.shared_page import shared_page
 from studies.studio.stage import Job, Stage, notifier, outcome, progress
 from studies.studio.touch_input import TouchInput
 from studies.studio.workplace import Workplace
@@ -65,9 +68,12 @@ class Session:
         self._undelivered: dict[str, Any] | None = None
         self._exporting: asyncio.Task[None] | None = None
         self._export_job: Job | None = None
+        self._solving: asyncio.Task[None] | None = None
+        self._solve_job: Job | None = None
         self.touches = TouchInput(workplace, self._post)
         self._last_values: tuple[dict[str, Any], frozenset[str]] = ({}, frozenset())
         self._last_hints: dict[str, Any] = {}
+        self._last_validity: Validity | None = None
         self._stages = {"curves": Stage(self._curves), "pinned": Stage(self._curves)} | {
             name: Stage(self._figures, workplace.stop, pause)
             for name, pause in {**STAGES, "pinned_points": 0.0}.items()
@@ -81,7 +87,7 @@ class Session:
 
     async def join(self, send: Send) -> None:
         """A page listens from now on; it gets everything."""
-        self._send = send
+        self._send, self._last_validity = send, None
         await self._post_design(whole=True)
         self._ask_all()
         await self._post_pinned()
@@ -114,6 +120,8 @@ class Session:
         self._search.stop()
         if self._export_job is not None:
             self._workplace.stop_apart("export", self._export_job)
+        if self._solve_job is not None:
+            self._workplace.stop_apart("solve", self._solve_job)
         for path, _ in self.files.values():
             self._workplace.remove(path)
         self.files.clear()
@@ -208,8 +216,7 @@ class Session:
         before, followers = self._last_values
         # Without the names of all fields a page does not know which tables follow others, nor which lines there are.
         if whole or values.keys() != before.keys() or design.followers != followers:
-            message |= {"form": form_of(design), "design_name": design.name, "stated": stated_values(design)}
-            message |= {"addable": addable_tables(design), "removable": removable_tables(design)}
+            message |= form_words(design)
         else:
             message["values"] = {name: value for name, value in values.items() if before[name] != value}
         self._last_values = values, design.followers
@@ -261,9 +268,14 @@ class Session:
             self._stages["pinned"].ask(Job("pinned", self.state.revision, self.pinned, (self._quantity,)))
 
     async def _curves(self, job: Job) -> None:
-        curves = await outcome(job, self._workplace.curves(job.design, job.options[0]), self._post)
-        if curves is not None:
-            await self._post(packed(job, curves))
+        found = await outcome(job, self._workplace.curves(job.design, job.options[0]), self._post)
+        if found is None:
+            return
+        curves, known = found
+        await self._post(packed(job, curves, known.words))
+        if job.stage == "curves" and known != self._last_validity:
+            self._last_validity = known
+            await self._post({"type": "validity", "reason": known.reason, "solves": known.solves})
 
     async def _figures(self, job: Job) -> None:
         await progress(job, "", self._post)
@@ -282,6 +294,11 @@ class Session:
         name = text_of(message, "stage")
         if name == "export" and self._export_job is not None:
             self._workplace.stop_apart("export", self._export_job)
+            if self._exporting is not None and self._export_job.options[0] == SHARED and self._exporting.cancel():
+                failure = {"stage": "export", "revision": self._export_job.revision, "message": "stopped"}
+                await self._post({"type": "failed", **failure})
+        elif name == "solve" and self._solve_job is not None:
+            self._workplace.stop_apart("solve", self._solve_job)
         elif name == "study":
             self.exploration.stop()
         elif name == "proposals":
@@ -290,6 +307,22 @@ class Session:
             await self.touches.end("stopped")
         elif name in STAGES:
             self._stages[name].cancel()
+
+    async def _solve(self, message: Mapping[str, Any]) -> None:
+        """Solve the design in 3-D; its curves follow."""
+        if self._solving is not None and not self._solving.done():
+            failure = {"stage": "solve", "revision": self.state.revision}
+            await self._post({"type": "failed", **failure, "message": "one design is solved already: stop it first"})
+            return
+        self._solve_job = job = Job("solve", self.state.revision, self.state.design)
+        self._solving = asyncio.create_task(self._solved(job))
+
+    async def _solved(self, job: Job) -> None:
+        await progress(job, "begins", self._post)
+        if await outcome(job, self._workplace.solve(job.design, notifier(job, self._post), job), self._post, "stopped"):
+            await self._post({"type": "solved"})
+            if self.state.revision == job.revision:
+                self._ask("curves")
 
     # -- two designs --------------------------------------------------------------------------------
     async def _pin(self, message: Mapping[str, Any]) -> None:
@@ -373,7 +406,7 @@ class Session:
     # -- files --------------------------------------------------------------------------------------
     async def _export(self, message: Mapping[str, Any]) -> None:
         name, fidelity = text_of(message, "name"), message.get("fidelity", ONE_DESIGN)
-        check_choice("export", name, (*EXPORTS, COMPARISON), error=MessageError)
+        check_choice("export", name, (*EXPORTS, SHARED, COMPARISON), error=MessageError)
         if name == "design.toml":
             await self._save()
             return
@@ -403,6 +436,8 @@ class Session:
         notify = notifier(job, self._post)
         if name == COMPARISON and self.pinned is not None:
             work = self._workplace.comparison(job.design, self.pinned, notify, job)
+        elif name == SHARED:
+            work = shared_page(self._workplace, job, notify)
         else:
             work = self._workplace.export(job.design, name, fidelity, notify, job)
         path = await outcome(job, work, self._post, "stopped")
@@ -434,6 +469,7 @@ _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
     "toml": Session._toml,
     "want": Session._want,
     "stop": Session._stop,
+    "solve": Session._solve,
     "pin": Session._pin,
     "export": Session._export,
     "touch": Session._touch,

@@ -11,7 +11,7 @@ from typing import Any
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind
 from studies.studio.messages import MessageError, is_number, packed_signals, place_of, text_of
-from studies.studio.stage import Job, Post, outcome
+from studies.studio.stage import Job, Post, notifier, outcome
 from studies.studio.workplace import Workplace
 
 #: Touches that wait to be computed at once.
@@ -59,6 +59,20 @@ class TouchInput:
             return
         self._count += 1
         self._begin(self._touched(Job("touch", revision, design, (*what, self._count)), kind))
+
+    async def replay(self, design: ArrayDesign, revision: int, recording: tuple[bytes, str, float]) -> dict[str, Any]:
+        """A recording that was handed in, decoded; the page is told how far it is.
+
+        Args:
+            design: the array.
+            revision: number of the design in its session.
+            recording: content, name and full scale (Pa) of the file.
+
+        Raises:
+            Refusal: as :func:`studies.panels.touching.replay_recording`.
+        """
+        notify = notifier(Job("touch", revision, design), self._post)
+        return await self._workplace.replay(design, recording, self.recognizer, notify)
 
     async def listen(self, design: ArrayDesign, revision: int, message: Mapping[str, Any]) -> None:
         """Listen to a sound card until the page asks to stop.

@@ -18,6 +18,7 @@ from acoustic_fem.quantities.fidelity import Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.process_messages import Stopped
 from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.whole_files import write_text
 from studies.panels.cad_panel import check_figures, model_of_array, read_upload
 from studies.panels.curves import Curves, curves_of, quick_library
 from studies.panels.designing import design_key
@@ -28,7 +29,9 @@ from studies.panels.live_panel import listen_live, sound_cards
 from studies.panels.pinned_panel import make_comparison
 from studies.panels.points import as_built_figures, point_figures
 from studies.panels.recognizing import store_recognizer, with_kinds, write_letter
-from studies.panels.touching import membranes, replay_recording, simulate_slide, simulate_touch
+from studies.panels.solved_curves import SolvedCurves, solve_curves
+from studies.panels.touching import manifest_scale, membranes, replay_recording, simulate_slide, simulate_touch
+from studies.panels.validity import Validity, validity
 from studies.panels.verdict_panel import verdict_figures
 from studies.studio.result_cache import ResultCache
 from studies.studio.stage import Job
@@ -50,7 +53,19 @@ class Workplace:
         # One thread a stage: a slow one delays no other, and none works on two designs at once.
         self._threads = {
             name: ThreadPoolExecutor(1, f"studio-{name}")
-            for name in ("curves", "points", "as_built", "cad", "save", "export", "live", "study", "touch", "proposals")
+            for name in (
+                "curves",
+                "points",
+                "as_built",
+                "cad",
+                "save",
+                "export",
+                "live",
+                "study",
+                "touch",
+                "proposals",
+                *("solve", "found"),
+            )
         }
         self.cad = TaskProcess(_warm_up)
         self._decoder = TaskProcess(_import_decoder, "the decoder", in_background=False)
@@ -58,6 +73,7 @@ class Workplace:
         self._predictor = TaskProcess(_import_decoder, "the process of as-built sensors")
         self._libraries: ResultCache[tuple[Library, QuickFidelity]] = ResultCache(MOST_RESULTS)
         self._results: ResultCache[dict[str, Any]] = ResultCache(MOST_RESULTS)
+        self._solved: ResultCache[SolvedCurves] = ResultCache(MOST_RESULTS)
         self._models: ResultCache[dict[str, Any]] = ResultCache(MOST_MODELS)
         self._folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
         self._processes: dict[str, TaskProcess] = {}
@@ -82,12 +98,16 @@ class Workplace:
             self._libraries.put(key, found)
         return found
 
-    async def curves(self, design: ArrayDesign, quantity: str) -> Curves:
-        """Curves of one quantity of a design."""
+    async def curves(self, design: ArrayDesign, quantity: str) -> tuple[Curves, Validity]:
+        """Curves of one quantity of a design, and how far they are from 3-D."""
 
-        def work() -> Curves:
+        def work() -> tuple[Curves, Validity]:
+            solved = self._solved.get(design_key(design))
+            if solved is not None:
+                return curves_of(solved.transfer_function, quantity), solved.validity
             library, fidelity = self.library(design)
-            return curves_of(library.transfer_function, quantity, fidelity.words)
+            quick = library.transfer_function
+            return curves_of(quick, quantity), validity(quick, fidelity)
 
         return await self.in_thread("curves", work)
 
@@ -99,32 +119,33 @@ class Workplace:
                 "surface", "model" or "check".
             notify: called from another thread with each line on what is being done.
         """
-        stage = "points" if job.stage == "pinned_points" else job.stage
-        key = (stage, design_key(job.design))
+        stage, design = "points" if job.stage == "pinned_points" else job.stage, job.design
+        key = (stage, design_key(design))
         kept = self._models if stage == "model" else self._results
+        works: dict[str, tuple[str, Callable[[], dict[str, Any]]]] = {
+            "points": ("points", lambda: point_figures(design)),
+            "surface": ("points", lambda: membranes(design)),
+            "as_built": ("as_built", lambda: self._predictor.run(as_built_figures, (design,), task=job)),
+            "verdict": ("as_built", lambda: self._predictor.run(verdict_figures, (design,), task=job)),
+            "model": ("cad", lambda: self.cad.run(model_of_array, (design,), task=job)),
+            "check": ("cad", lambda: self.cad.run(check_figures, (design,), notify, task=job)),
+        }
+        thread, compute = works[stage]
+
+        def work() -> dict[str, Any]:
+            found = kept.get(key)  # of a job that was done while this one waited
+            if found is None:
+                found = compute()
+                kept.put(key, found)
+            return found
+
         found = kept.get(key)
-        if found is None:
-            if stage == "points":
-                found = await self.in_thread("points", lambda: point_figures(job.design))
-            elif stage == "surface":
-                self._threads["touch"].submit(self._decoder.start)  # the first touch is not far
-                found = await self.in_thread("points", lambda: membranes(job.design))
-            elif stage == "as_built":
-                found = await self.in_thread(
-                    "as_built", lambda: self._predictor.run(as_built_figures, (job.design,), task=job)
-                )
-            elif stage == "verdict":
-                found = await self.in_thread(
-                    "as_built", lambda: self._predictor.run(verdict_figures, (job.design,), task=job)
-                )
-            elif stage == "model":
-                found = await self.in_thread("cad", lambda: self.cad.run(model_of_array, (job.design,), task=job))
-            else:
-                found = await self.in_thread(
-                    "cad", lambda: self.cad.run(check_figures, (job.design,), notify, task=job)
-                )
-            kept.put(key, found)
-        return found
+        if found is not None:
+            return found
+        if stage == "surface":
+            self._threads["touch"].submit(self._decoder.start)  # the first touch is not far
+        computed: dict[str, Any] = await self.in_thread(thread, work)
+        return computed
 
     def model_file(self, key: str) -> bytes | None:
         """The glTF of a design by its key; None where it is not kept."""
@@ -151,9 +172,15 @@ class Workplace:
         return await self._decoded(works.get(kind, simulate_touch), design, options, recognizer)
 
     async def _decoded(
-        self, work: Callable[..., dict[str, Any]], design: ArrayDesign, options: tuple[Any, ...], model: str | None
+        self,
+        work: Callable[..., dict[str, Any]],
+        design: ArrayDesign,
+        options: tuple[Any, ...],
+        model: str | None,
+        report: Callable[[str], None] | None = None,
     ) -> dict[str, Any]:
-        return await self.in_thread("touch", lambda: self._decoder.run(with_kinds, (work, design, options, model)))
+        asked = (work, design, options, model)
+        return await self.in_thread("touch", lambda: self._decoder.run(with_kinds, asked, report))
 
     async def recognizer(self, content: bytes) -> dict[str, Any]:
         """A recognizer that somebody handed in, kept in a folder of its own."""
@@ -182,10 +209,18 @@ class Workplace:
         return await self._in_turn("live", work, job)
 
     async def replay(
-        self, design: ArrayDesign, options: tuple[bytes, str, float], recognizer: str | None
+        self,
+        design: ArrayDesign,
+        options: tuple[bytes, str, float],
+        recognizer: str | None,
+        notify: Callable[[str], None],
     ) -> dict[str, Any]:
         """An uploaded recording, decoded; as :func:`studies.panels.replay_recording`."""
-        return await self._decoded(replay_recording, design, options, recognizer)
+        return await self._decoded(replay_recording, design, options, recognizer, notify)
+
+    async def manifest_scale(self, text: str, name: str) -> float:
+        """Pressure at full scale that an uploaded manifest states, Pa."""
+        return float(await self.in_thread("save", lambda: manifest_scale(text, name)))
 
     async def export(
         self, design: ArrayDesign, name: str, fidelity: Fidelity, notify: Callable[[str], None], task: object
@@ -224,6 +259,16 @@ class Workplace:
 
         return await self.in_thread("save", work)
 
+    async def written(self, name: str, text: str) -> Path:
+        """A text in a file that is handed out."""
+
+        def work() -> Path:
+            with self._place() as place:
+                write_text(place / name, text)
+                return place / name
+
+        return await self.in_thread("save", work)
+
     async def study(self, design: ArrayDesign, text: str, notify: Callable[[str], None], task: object) -> FoundDesigns:
         """Result of a study, run in a process of its own, one after the other; if stopped, the result so far."""
 
@@ -238,6 +283,14 @@ class Workplace:
         if "study" in self._processes:
             notify(WAITING)
         return await self._in_turn("study", work, task)
+
+    async def study_so_far(self, design: ArrayDesign, text: str) -> FoundDesigns:
+        """Result so far of a study that is running.
+
+        Raises:
+            Refusal: nothing is there yet.
+        """
+        return await self.in_thread("found", lambda: study_so_far(design, text))
 
     async def job_words(self) -> dict[str, Any]:
         """Choices that the dialogue of a job offers."""
@@ -256,6 +309,18 @@ class Workplace:
         if "proposals" in self._processes:
             notify(WAITING)
         return await self._in_turn("proposals", work, task)
+
+    async def solve(self, design: ArrayDesign, notify: Callable[[str], None], task: object) -> bool:
+        """Solve a design in 3-D, in a process of its own: from then on its curves are those; True once it is done."""
+
+        def work() -> bool:
+            with self._process("solve", "the process that solves in 3-D") as process:
+                self._solved.put(design_key(design), process.run(solve_curves, (design,), notify, task))
+                return True
+
+        if "solve" in self._processes:
+            notify(WAITING)
+        return bool(await self._in_turn("solve", work, task))
 
     async def study_file(self, design: ArrayDesign, text: str) -> Path:
         """A study file and its base, to be handed out."""
@@ -278,7 +343,9 @@ class Workplace:
         self._predictor.stop(task)
 
     def stop_apart(self, name: str, task: object) -> None:
-        """Post that a file ("export"), a study, a search ("proposals") or listening ("live") is not wanted any more."""
+        """Post that a file ("export"), a study, a search ("proposals"), a solution ("solve") or listening ("live")
+        is not wanted any more.
+        """
         queued = self._queued.get(task)
         if queued is not None and queued.cancel():
             return

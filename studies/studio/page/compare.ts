@@ -21,6 +21,9 @@ export class ComparePanel {
     byId("differences").replaceChildren(...(rows.length ? rows : [make("tr", {}, make("td", { colspan: "3" }, "no field differs"))]));
   }
 
+  /** A figure of the pinned design; undefined where it is not known. */
+  pinned(name: string): number | undefined { return this.compared.find((each) => each.name === name)?.there ?? undefined; }
+
   /** The fields that differ and the figures of both as a table, its first row as head. */
   rows(): (string | number)[][] {
     return [["field or figure", "unit", "pinned", "now"],

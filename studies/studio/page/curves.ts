@@ -5,7 +5,7 @@ import { byId, colour, csv, hand, make, words } from "./dom";
 
 export interface Curves {
   stage: string; revision: number; quantity: string; unit: string; points: number[]; heard_by: string[];
-  frequency: number[]; values: Float32Array; fidelity: string;
+  frequency: number[]; values: Float32Array; validity: string;
 }
 
 export function unpack(message: ArrayBuffer): Curves {
@@ -65,7 +65,8 @@ export class CurvesPanel {
 
   private draw(): void {
     const now = this.now!;
-    byId("curves-fidelity").textContent = `Fidelity ${now.fidelity}.`;
+    byId("validity").hidden = false;
+    byId("validity-words").textContent = now.validity;
     this.range();
     const key = [now.quantity, now.unit, ...now.heard_by].join("|");
     if (key !== this.key) this.build(key);

@@ -32,6 +32,9 @@ export function words(value: number, digits = 4): string {
 
 export function shownUnit(unit: string): string { return unit.replace("um", "µm").replace("^2", "²").replace("^3", "³"); }
 
+/** A text of the studio with its units as people write them: µN for uN. */
+export function shownText(text: string): string { return text.replace(/(\d) u(?=[NmVA]\b)/g, "$1 µ"); }
+
 /** Hand out what lies at an address of this page or of the studio. */
 export function download(address: string, name = ""): void {
   const place = make("a", { href: address, download: name, hidden: "" });

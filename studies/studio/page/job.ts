@@ -1,5 +1,5 @@
 // The dialogue of a job: what the sensor is for, the designs that are proposed for it, prototypes and recent designs.
-import { button, byId, make } from "./dom";
+import { button, byId, make, shownText } from "./dom";
 import { planPicture, type Plan } from "./plan";
 import { recentDesigns, type Recent } from "./recent";
 
@@ -75,8 +75,8 @@ export class JobDialogue {
 
   private card(each: Proposed): HTMLElement {
     const name = `${each.strength}: ${each.outcome}`;
-    const list = make("dl", {}, ...each.rows.flatMap(([title, value, remark]) => [make("dt", { title: remark }, title), make("dd", {}, value)]));
-    const reasons = make("ul", {}, ...each.reasons.map((reason) => make("li", {}, reason)));
+    const list = make("dl", {}, ...each.rows.flatMap(([title, value, remark]) => [make("dt", { title: remark }, title), make("dd", {}, shownText(value))]));
+    const reasons = make("ul", {}, ...each.reasons.map((reason) => make("li", {}, shownText(reason))));
     const pick = button("Open this design", () => { this.dialogue.close(); this.open(each.stated, "the proposal"); }, { class: "pick", "aria-label": `open the design that is ${each.strength}` });
     return make("li", { "data-outcome": each.outcome.replaceAll(" ", "-") }, make("strong", {}, name), planPicture(each.plan, 250, 110), make("p", { class: "note" }, `${each.points} points`), list, reasons, pick);
   }

@@ -22,6 +22,7 @@ import { Link, type State } from "./link";
 import { keepRecent } from "./recent";
 import { takeRecordings } from "./recordings";
 import { SectionPicture } from "./section";
+import { sharedDesign, SharedLink } from "./shared";
 import { Snapshots } from "./snapshots";
 import { StudyPanel } from "./study";
 import { Tabs } from "./tabs";
@@ -34,7 +35,9 @@ const STATES: Record<State, string> = {
   gone: "The studio does not answer: it has ended. Start it again with “acoustic-fem studio”. This page keeps the design and continues with it.",
   locked: "The studio does not know this browser. Open the address that it printed last in this browser, then this page continues with its design.",
 };
-takeSecret();
+/** The design of a page without a studio; null in a studio. */
+const shared = sharedDesign();
+if (!shared) takeSecret();
 let session: string | null = null;
 let stated: any = null;
 let name = "design";
@@ -83,12 +86,17 @@ takeRecordings(touch, () => ({ session: session ?? "", revision }));
 const study = new StudyPanel(
   (message) => { document.querySelector("[data-problem='study']")!.textContent = ""; link?.send(message); },
   (number) => change({ do: "load", number }),
+  () => [
+    { title: "this design", value: (field) => (shownRevision.points === revision ? table.figures[field] : undefined) ?? at(stated, field) },
+    ...(pinned ? [{ title: "pinned", value: (field: string) => compare.pinned(field) ?? at(pinned, field) }] : []),
+  ],
 );
-const picture = new SectionPicture();
+const picture = new SectionPicture((field, value) => change({ do: "set", name: field, value }));
 const snapshots = new Snapshots(
   (values) => change({ do: "restore", values, source: "the snapshot" }),
   (values) => link?.send({ do: "pin", values }),
-  () => ({ name, stated, picture: array.thumbnail(), outcome: shownRevision.verdict === revision ? verdict.outcome : "", rows: shownRevision.verdict === revision ? verdict.rows : [] }),
+  () => ({ name, stated, picture: array.thumbnail(), outcome: shownRevision.verdict === revision ? verdict.outcome : "", rows: shownRevision.verdict === revision ? verdict.rows : [],
+    figures: shownRevision.points === revision ? table.figures : undefined }),
 );
 const shownRevision: Record<string, number> = {};
 /** Panels that are in sight: of the others nothing is computed. */
@@ -159,6 +167,7 @@ function take(message: any): void {
     case "design": return design(message);
     case "refused":
       if (!form.refuse(message.name, message.message, message.allowed, message.mend)) notice(message.message);
+      picture.draw();
       return answered();
     case "refused-design":
       notice(message.message);
@@ -177,11 +186,18 @@ function take(message: any): void {
       if (message.pinned === null) curves.unpin();
       compare.take(message);
       return;
-    case "compared": return compare.figures(message.rows);
+    case "compared":
+      compare.figures(message.rows);
+      return study.remark();
     case "file":
       if (message.stage === "export") exported("");
       download(message.file);
       return;
+    case "validity":
+      byId("validity-reason").textContent = message.reason;
+      byId("solve").hidden = !message.solves;
+      return;
+    case "solved": return progress("solve", "");
     case "heard":
       if (live.on) touch.hearLive(message.event);
       return;
@@ -196,6 +212,7 @@ function progress(stage: string, line: string): void {
   if (stage === "proposals") return job.progress(line);
   const place = document.querySelector(`[data-status="${stage}"]`);
   if (place) place.textContent = line;
+  if (stage === "solve") byId("solve").textContent = line ? "Stop" : "Solve in 3-D";
   if (stage === "study") {
     byId<HTMLButtonElement>("study-run").disabled = line !== "";
     byId<HTMLButtonElement>("study-stop").disabled = line === "";
@@ -239,12 +256,13 @@ async function figures(message: any): Promise<void> {
       return failed({ stage, message: "The array could not be fetched from the studio. Change the design to draw it again." });
     }
   }
-  if (stage === "points") { colouring.take(found); table.take(found); refigured(); }
+  if (stage === "points") { colouring.take(found); table.take(found); refigured(); if (message.revision === revision) snapshots.figured(stated, found.figures); study.remark(); }
   if (stage === "as_built") { colouring.asBuilt(found); table.asBuilt(found); refigured(); }
   if (stage === "verdict") verdict.take(found);
   if (stage === "check") check.take(found);
   if (stage === "surface") touch.take(found, message.revision);
   if (stage === "study") study.found(found);
+  if (message.running) return; // a study of which this is a part
   shownRevision[stage] = message.revision;
   progress(stage, "");
   const problem = document.querySelector(`[data-problem="${stage}"]`);
@@ -262,6 +280,7 @@ function learn(message: any): void {
     make("option", { value: "" }, "prototypes…"), ...message.prototypes.map((each: string) => make("option", {}, each)),
   );
   figureWords = message.figures;
+  snapshots.learn(figureWords);
   if (message.new) begin();
   study.learn(message.metrics, message.most_metrics, message.most_designs);
   byId("exports").replaceChildren(...Object.entries<any>(message.exports).map(([file, each]) => make("li", {},
@@ -314,14 +333,22 @@ function design(message: any): void {
 let recalling = 0;
 /** The design is among the recent ones once its picture has stood for a second. */
 function recentSoon(): void {
+  if (shared) return;
   clearTimeout(recalling);
   recalling = window.setTimeout(() => { if (shownRevision.model === revision) keepRecent({ name, stated, picture: array.thumbnail() }); }, 1000);
 }
 
 let keeping = 0;
 function keepSoon(): void {
+  if (shared) return;
   clearTimeout(keeping);
   keeping = window.setTimeout(() => keep({ session, stated, unsaved, pinned }), 150);
+}
+
+/** The value of a field in what a design states; undefined where it states none. */
+function at(place: any, field: string): any {
+  for (const step of field.split(".")) place = place?.[step];
+  return place;
 }
 
 function put(place: any, field: string, value: any): void {
@@ -391,6 +418,7 @@ function theme(choice: string): void {
   table.restyle();
   touch.restyle();
   study.restyle();
+  snapshots.restyle();
 }
 
 async function upload(file: File): Promise<void> {
@@ -425,7 +453,16 @@ function exported(problem: string): void {
   document.querySelector("[data-problem='export']")!.textContent = problem;
 }
 
-let link: Link | null = null;
+function takeCurves(message: ArrayBuffer): void {
+  const found: any = unpack(message);
+  if (found.stage === "touch") { if (found.revision === revision) touch.hear(found); else touch.failed(); return; }
+  if (found.quantity !== quantity) return;
+  curves.take(found);
+  byId("curves-note").textContent = "";
+  stale();
+}
+
+let link: { send: (message: object) => boolean } | null = null;
 const open = () => new Link(
   () => {
     const kept = fromAddress ? { session: null, stated: fromAddress, unsaved: true } : stated ? { session, stated, unsaved } : keptInTab();
@@ -435,14 +472,7 @@ const open = () => new Link(
     return { do: "hello", page: ownName, session: kept?.session ?? null, values: kept?.stated ?? null, saved: kept ? !kept.unsaved : false };
   },
   take,
-  (message) => {
-    const found: any = unpack(message);
-    if (found.stage === "touch") { if (found.revision === revision) touch.hear(found); else touch.failed(); return; }
-    if (found.quantity !== quantity) return;
-    curves.take(found);
-    byId("curves-note").textContent = "";
-    stale();
-  },
+  takeCurves,
   (state) => {
     byId("lost").hidden = state === "open";
     byId("lost").textContent = STATES[state];
@@ -524,6 +554,10 @@ byId("compare-csv").addEventListener("click", () => csv(compare.rows(), `${name}
 byId("stop-check").addEventListener("click", () => { link?.send({ do: "stop", stage: "check" }); progress("check", "stopped"); });
 byId("stop-export").addEventListener("click", () => link?.send({ do: "stop", stage: "export" }));
 byId("study-stop").addEventListener("click", () => link?.send({ do: "stop", stage: "study" }));
+byId("solve").addEventListener("click", () => {
+  document.querySelector("[data-problem='solve']")!.textContent = "";
+  link?.send(byId("solve").textContent === "Stop" ? { do: "stop", stage: "solve" } : { do: "solve" });
+});
 byId("sound").addEventListener("click", () => touch.sound());
 byId("touch-png").addEventListener("click", () => touch.picture(name));
 byId("touch-csv").addEventListener("click", () => touch.table(name));
@@ -542,6 +576,10 @@ const watcher = new IntersectionObserver((entries) => {
 }, { rootMargin: "100px" });
 for (const card of document.querySelectorAll("[data-stage]")) watcher.observe(card);
 (async () => {
+  if (shared) {
+    link = new SharedLink(shared, take, takeCurves);
+    return want();
+  }
   fromAddress = await addressed();
   link = open();
 })();

@@ -35,6 +35,9 @@ export class PointsPanel {
     canvas.addEventListener("click", (event) => { const at = this.under(event); if (at) this.choose(this.now!.points[at[0]].number, event.shiftKey); });
   }
 
+  /** The figures of the whole design by name; empty where they are not known yet. */
+  get figures(): Record<string, number> { return this.now?.figures ?? {}; }
+
   take(found: Figures): void { this.now = found; this.draw(); }
 
   light(point: number | null): void {

@@ -10,8 +10,17 @@ export interface AtHand { session: string; revision: number; }
 /** Hand in what is chosen, and hear what the studio makes of it. */
 export function takeRecordings(touch: TouchPanel, atHand: () => AtHand): void {
   const problem = document.querySelector("[data-problem='touch']")!;
-  const replay = async (file: File) => {
+  const progress = document.querySelector("[data-status='touch']")!;
+  const replay = async (files: File[]) => {
     problem.textContent = "";
+    const manifest = files.find((each) => each.name.endsWith(".toml")), file = files.find((each) => each !== manifest);
+    try {
+      if (manifest) byId<HTMLInputElement>("full-scale").value = String((await (await handIn("/manifests", { name: manifest.name }, manifest)).json()).full_scale);
+    } catch (error) {
+      problem.textContent = (error as Error).message;
+      return;
+    }
+    if (!file) return;
     const asked = { session: atHand().session, name: file.name, full_scale: byId<HTMLInputElement>("full-scale").value };
     byId("answer").textContent = "the recording is decoded…";
     try {
@@ -22,6 +31,7 @@ export function takeRecordings(touch: TouchPanel, atHand: () => AtHand): void {
       touch.failed();
       problem.textContent = (error as Error).message;
     }
+    progress.textContent = "";
   };
   const recognizer = async (files: File[]) => {
     problem.textContent = "";
@@ -33,8 +43,8 @@ export function takeRecordings(touch: TouchPanel, atHand: () => AtHand): void {
     }
   };
   byId("replay").addEventListener("change", (event) => {
-    const input = event.target as HTMLInputElement, file = input.files?.[0];
-    if (file) replay(file);
+    const input = event.target as HTMLInputElement, files = [...(input.files ?? [])];
+    if (files.length) replay(files);
     input.value = "";
   });
   byId("recognizer").addEventListener("change", (event) => {

@@ -1,13 +1,33 @@
-// The section of one resonator, drawn from the fields of the design: walls, membrane and bores with their measures.
+// The section of one resonator, drawn from the fields of the design: walls, membrane and bores, with lines of dimension
+// whose numbers are fields to type into.
 import { sized } from "./chart";
-import { byId, colour, words } from "./dom";
+import { byId, colour, make, words } from "./dom";
 
-const HEIGHT = 176, MARGIN = 52;
+const HEIGHT = 196, MARGIN = 66, FOOT = 34, HEAD = 30, TICK = 3, AWAY = 9;
+/** Fields with a line of dimension, and what they measure. */
+const DIMENSIONS: Record<string, string> = {
+  "resonator.cavity_diameter": "diameter of the cavity", "resonator.cavity_height": "height of the cavity", "resonator.wall_thickness": "wall",
+  "resonator.floor_thickness": "floor", "membrane.thickness": "thickness of the membrane", "membrane.rim_width": "rim of the membrane", "tube.inner_diameter": "bore of the tube",
+};
 
 export class SectionPicture {
   private stated: any = null;
   private inUse: Record<string, number | string> = {};
-  constructor() { new ResizeObserver(() => this.draw()).observe(byId("section-holder")); }
+  private inputs = new Map<string, HTMLInputElement>();
+  constructor(private set: (field: string, value: number | string) => void) {
+    for (const [field, title] of Object.entries(DIMENSIONS)) {
+      const input = make("input", { type: "text", class: "dimension", inputmode: "decimal", autocomplete: "off", "data-dimension": field, "aria-label": `${title}, mm`, title: `${title}, mm: type another one` });
+      input.addEventListener("change", () => {
+        const plain = input.value.replace("−", "-").replace(",", ".").trim();
+        this.set(field, plain === "" || !Number.isFinite(Number(plain)) ? input.value : Number(plain));
+      });
+      input.addEventListener("keydown", (event) => { if (event.key === "Escape") { this.draw(); input.blur(); } });
+      input.addEventListener("blur", () => this.draw());
+      this.inputs.set(field, input);
+      byId("section-holder").append(input);
+    }
+    new ResizeObserver(() => this.draw()).observe(byId("section-holder"));
+  }
 
   take(stated: any, inUse: Record<string, number | string> | null): void {
     this.stated = stated;
@@ -25,8 +45,8 @@ export class SectionPicture {
     const used = (name: string, own: number | null | undefined): number => own ?? Number(this.inUse[`resonator.${name}`] ?? 0);
     const radius = resonator.cavity_diameter / 2, outer = radius + resonator.wall_thickness, tall = resonator.cavity_height;
     const low = -resonator.floor_thickness, high = tall + membrane.thickness, rim = radius + membrane.rim_width, half = Math.max(outer, rim);
-    const scale = Math.min((width - 2 * MARGIN) / (2 * half), (HEIGHT - 44) / (high - low));
-    const x = (mm: number) => width / 2 + scale * mm, y = (mm: number) => HEIGHT - 20 - scale * (mm - low);
+    const scale = Math.min((width - 2 * MARGIN) / (2 * half), (HEIGHT - FOOT - HEAD) / (high - low));
+    const x = (mm: number) => width / 2 + scale * mm, y = (mm: number) => HEIGHT - FOOT - scale * (mm - low);
     const box = (x0: number, y0: number, x1: number, y1: number, fill: string) => { c.fillStyle = fill; c.fillRect(x(x0), y(y1), scale * (x1 - x0), scale * (y1 - y0)); };
     const shell = colour("--edge"), air = colour("--card");
     box(-outer, low, outer, tall, shell);
@@ -40,13 +60,33 @@ export class SectionPicture {
       box(left, port - bore, right, port + bore, air);
     }
     box(-rim, tall, rim, high, colour("--accent"));
-    c.font = "11px system-ui";
-    c.fillStyle = c.strokeStyle = colour("--ink");
-    c.textAlign = "center";
-    c.fillText(`cavity ${words(2 * radius)} × ${words(tall)} mm`, x(0), y(tall / 2) + 4);
-    c.fillText(`membrane ${words(membrane.thickness)} mm, on a rim of ${words(membrane.rim_width)} mm`, width / 2, y(high) - 5);
-    c.fillText(`wall ${words(resonator.wall_thickness)}, floor ${words(resonator.floor_thickness)}, bore ${words(tube.inner_diameter)} mm`, width / 2, HEIGHT - 5);
+    c.strokeStyle = colour("--ink-soft");
+    const foot = y(low) + AWAY, head = y(high) - AWAY;
+    const across = (from: number, to: number, at: number) => line(c, [[x(from), at, x(to), at], [x(from), at - TICK, x(from), at + TICK], [x(to), at - TICK, x(to), at + TICK]]);
+    const up = (from: number, to: number, at: number) => line(c, [[at, y(from), at, y(to)], [at - TICK, y(from), at + TICK, y(from)], [at - TICK, y(to), at + TICK, y(to)]]);
+    const left = x(-half) - AWAY, right = x(half) + AWAY;
+    across(-radius, radius, foot);
+    across(-outer, -radius, foot);
+    across(radius, rim, head);
+    up(low, 0, left);
+    up(tall, high, right);
+    up(0, tall, x(0.72 * radius));
+    up(port - bore, port + bore, x(outer + 2) + AWAY);
+    this.place("resonator.cavity_diameter", 2 * radius, x(0), foot + 11);
+    this.place("resonator.wall_thickness", resonator.wall_thickness, Math.max(x(-(outer + radius) / 2), 26), foot + 11);
+    this.place("membrane.rim_width", membrane.rim_width, x((radius + rim) / 2), head - 10);
+    this.place("resonator.floor_thickness", resonator.floor_thickness, left - 26, y(low / 2));
+    this.place("membrane.thickness", membrane.thickness, right + 26, y((tall + high) / 2));
+    this.place("resonator.cavity_height", tall, x(0.72 * radius) - 26, y(tall / 2));
+    this.place("tube.inner_diameter", tube.inner_diameter, Math.min(x(outer + 2) + AWAY + 26, width - 24), y(port));
     canvas.setAttribute("aria-label", `section of a resonator: cavity ${words(2 * radius)} mm wide and ${words(tall)} mm high, wall ${words(resonator.wall_thickness)} mm, floor ${words(resonator.floor_thickness)} mm, membrane ${words(membrane.thickness)} mm`);
+  }
+
+  /** The number of a line of dimension in the middle of a place, unless it is being typed. */
+  private place(field: string, value: number, x: number, y: number): void {
+    const input = this.inputs.get(field)!;
+    if (document.activeElement !== input) input.value = words(value);
+    Object.assign(input.style, { left: `${x - 22}px`, top: `${y - 9}px` });
   }
 
   /** The air of a cavity: a cylinder, a box under its collar, or a bowl. */
@@ -68,4 +108,10 @@ export class SectionPicture {
     } else for (const [px, py] of [[-radius, tall], [-radius, 0], [radius, 0], [radius, tall]]) c.lineTo(x(px), y(py));
     c.fill();
   }
+}
+
+function line(c: CanvasRenderingContext2D, parts: [number, number, number, number][]): void {
+  c.beginPath();
+  for (const [x0, y0, x1, y1] of parts) { c.moveTo(x0, y0); c.lineTo(x1, y1); }
+  c.stroke();
 }

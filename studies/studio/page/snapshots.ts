@@ -1,13 +1,16 @@
 // The tray of snapshots: designs that were kept with a picture and their figures, and the project file that holds them.
 import { button, byId, hand, make } from "./dom";
+import { Parallel } from "./parallel";
+import type { Word } from "./points";
 
-export interface Snapshot { name: string; stated: any; picture: string; outcome: string; rows: [string, string][]; }
+export interface Snapshot { name: string; stated: any; picture: string; outcome: string; rows: [string, string][]; figures?: Record<string, number>; }
 export interface Project { kind: string; stated: any; pinned: any; snapshots: Snapshot[]; notes: string; }
 const KEPT = "acoustic-fem-snapshots", KIND = "acoustic-fem project 1", MOST = 24;
 
 export class Snapshots {
   private all: Snapshot[] = [];
-  constructor(private open: (stated: any) => void, private compare: (stated: any) => void, private take: () => Snapshot) {
+  private parallel = new Parallel((line) => this.open(this.all.find((each) => each.name === line.name)!.stated));
+  constructor(private open: (stated: any) => void, private pin: (stated: any) => void, private take: () => Snapshot) {
     try {
       const kept = JSON.parse(localStorage.getItem(KEPT) ?? "{}");
       this.all = kept.all ?? [];
@@ -36,6 +39,22 @@ export class Snapshots {
     return found;
   }
 
+  learn(words: Record<string, Word>): void { this.parallel.learn(words); this.compare(); }
+
+  /** The figures of a design have come: a snapshot of it that was taken before gets them too. */
+  figured(stated: any, figures: Record<string, number>): void {
+    const text = JSON.stringify(stated), without = this.all.filter((each) => !each.figures && JSON.stringify(each.stated) === text);
+    for (const each of without) each.figures = figures;
+    if (without.length) this.keep();
+    this.compare(figures);
+  }
+
+  restyle(): void { this.parallel.draw(); }
+
+  private compare(now: Record<string, number> | null = null): void {
+    this.parallel.take(this.all.filter((each) => each.figures).map((each) => ({ name: each.name, figures: each.figures! })), now);
+  }
+
   private add(snapshot: Snapshot): void {
     const names = new Set(this.all.map((each) => each.name));
     let name = snapshot.name;
@@ -50,6 +69,7 @@ export class Snapshots {
   }
 
   private draw(): void {
+    this.compare();
     byId("snapshots-empty").hidden = this.all.length > 0;
     byId("snapshots").replaceChildren(...this.all.map((each, k) => {
       const picture = make("canvas", { width: "150", height: "84", "aria-hidden": "true" }), image = new Image();
@@ -57,10 +77,10 @@ export class Snapshots {
       if (each.picture.startsWith("data:image/")) image.src = each.picture;
       const name = make("input", { type: "text", "aria-label": `name of snapshot ${k + 1}` });
       name.value = each.name;
-      name.addEventListener("change", () => { each.name = name.value; this.keep(); });
+      name.addEventListener("change", () => { each.name = name.value; this.keep(); this.compare(); });
       return make("li", {}, picture, make("div", {}, name, make("p", { class: "note" }, [each.outcome, ...each.rows.map(([title, value]) => `${title} ${value}`)].filter(Boolean).join(", ")),
         button("Open", () => this.open(each.stated), { "aria-label": `open ${each.name}` }), " ",
-        button("Compare", () => this.compare(each.stated), { "aria-label": `compare with ${each.name}` }), " ",
+        button("Compare", () => this.pin(each.stated), { "aria-label": `compare with ${each.name}` }), " ",
         button("×", () => { this.all = this.all.filter((other) => other !== each); this.keep(); this.draw(); }, { "aria-label": `remove ${each.name}` })));
     }));
   }

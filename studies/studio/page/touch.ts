@@ -2,11 +2,12 @@
 import { sheet, sized } from "./chart";
 import { button, byId, colour, csv, words } from "./dom";
 import { Game } from "./game";
+import { Timeline } from "./timeline";
 
 export interface Heard {
   stage: "touch"; revision: number; touched: number | null; kind: string; microphones: string[]; samples: number;
   decisions: [number, string, number | null, number | null][]; touches: [number, number, number, number, number][];
-  values: Float32Array; most?: number; paths?: { places: number[][]; gesture: string; length: number }[];
+  values: Float32Array; most?: number; full_scale?: number | null; paths?: { places: number[][]; gesture: string; length: number }[];
   line?: number[][]; kinds?: [number, number, number, string, number][];
 }
 /** An event of live listening: a decision with the samples since the one before, a fault or a notice. */
@@ -32,6 +33,8 @@ export class TouchPanel {
   private named: number | null = null;
   private queue: Heard[] = [];
   private game = new Game(() => this.points.length, () => this.draw());
+  private timeline = new Timeline((seconds) => this.seek(seconds));
+  private again = false;
   private pictures = 0;
   private newly = false;
   private lightings: string[] = [];
@@ -161,6 +164,7 @@ export class TouchPanel {
     this.pictures = 0;
     this.lightings = [];
     this.counted = 0;
+    this.again = false;
     const run = ++this.run;
     requestAnimationFrame(() => this.frame(run));
   }
@@ -177,7 +181,7 @@ export class TouchPanel {
     if (this.newly) this.lightings.push(words(this.now, 5)); // the picture before this one showed it
     this.newly = this.name(named) && named !== null;
     this.draw();
-    if (heard.touched === null) this.count(heard);
+    if (heard.touched === null && !this.again) this.count(heard); // played again it is no other try of the game
     if (this.now < end) requestAnimationFrame(() => this.frame(run));
     else this.finish(heard, (performance.now() - this.begun) / 1000);
   }
@@ -191,6 +195,16 @@ export class TouchPanel {
     }
   }
 
+  /** Go on from another time of what is played, or play it again from there. */
+  private seek(seconds: number): void {
+    if (!this.heard && this.shown) {
+      this.queue.unshift(this.shown);
+      this.next();
+    }
+    this.begun = performance.now() - 1000 * seconds;
+    this.again = true;
+  }
+
   private finish(heard: Heard, seconds: number): void {
     const told = heard.touches.map(([start, stop, point, probability]) =>
       `point ${point} from ${words(start, 3)} to ${words(stop, 3)} s (${words(100 * probability, 2)} %)`);
@@ -202,7 +216,7 @@ export class TouchPanel {
     byId("answer").dataset.pictures = String(Math.round(this.pictures / seconds));
     byId("answer").dataset.lit = this.lightings.join(",");
     byId("answer").dataset.named = heard.touches.map((each) => each[2]).join(",");
-    if (heard.touched !== null) this.game.whack(heard.touches.map((each) => each[2]));
+    if (heard.touched !== null && !this.again) this.game.whack(heard.touches.map((each) => each[2]));
     // What was named last stays lit until the next touch.
     const last = heard.touches.at(-1);
     this.name(last ? last[2] : null);
@@ -224,6 +238,7 @@ export class TouchPanel {
   private draw(): void {
     this.plan();
     this.waves();
+    this.timeline.draw(this.live ? null : this.heard ?? this.shown, this.heard ? this.now : null);
   }
 
   private plan(): void {
@@ -287,13 +302,14 @@ export class TouchPanel {
     c.strokeStyle = c.fillStyle = colour("--accent");
     c.lineWidth = 3 * devicePixelRatio;
     for (const path of heard.paths ?? []) {
-      const come = path.places.filter((place) => !this.heard || place[0] <= this.now);
-      c.beginPath();
-      for (const [, x, y] of come) c.lineTo(...at(x, y));
-      c.stroke();
-      const last = come.at(-1);
+      const come = path.places.filter((place) => !this.heard || place[0] <= this.now), last = come.at(-1);
       if (!last) continue;
-      c.globalAlpha = 0.25;
+      if (path.length > 0) { // a slide is a line where it was detected; a contact that stays is a spot
+        c.beginPath();
+        come.forEach(([, x, y, , detected], k) => { if (detected && k && come[k - 1][4]) c.lineTo(...at(x, y)); else c.moveTo(...at(x, y)); });
+        c.stroke();
+      }
+      c.globalAlpha = path.length > 0 ? 0.25 : 0.4;
       c.beginPath();
       c.arc(...at(last[1], last[2]), Math.max(last[3] * scale, 4 * devicePixelRatio), 0, 7);
       c.fill();
@@ -349,7 +365,7 @@ export class TouchPanel {
 
   /** What plays, in words: whose signals, which noise. */
   private said(heard: Heard): string {
-    if (heard.touched === null && heard.kind !== "slide" && heard.kind !== "letter") return `Plays the recording ${heard.kind}, with a full scale of ${byId<HTMLInputElement>("full-scale").value} Pa.`;
+    if (heard.touched === null && heard.kind !== "slide" && heard.kind !== "letter") return `Plays the recording ${heard.kind}, ${heard.full_scale ? `with a full scale of ${words(heard.full_scale)} Pa` : "which holds pascals"}.`;
     return "Plays the sensor as designed, with the noise of its microphones and without sound of the room.";
   }
 

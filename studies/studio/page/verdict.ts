@@ -1,5 +1,5 @@
 // The bar on top: whether the design works, the worst reasons, and a button for each remedy.
-import { button, make } from "./dom";
+import { button, make, shownText } from "./dom";
 
 type Remedy = { line: string; words: string; changes: Record<string, unknown> };
 type Reason = { rule: string; outcome: string; words: string; remedy: Remedy | null };
@@ -14,20 +14,20 @@ export class VerdictBar {
 
   take(found: Found): void {
     this.outcome = found.outcome;
-    this.rows = found.rows.map(([name, value]) => [name, value]);
+    this.rows = found.rows.map(([name, value]) => [name, shownText(value)]);
     this.place.dataset.outcome = found.outcome.replaceAll(" ", "-");
     const reasons = found.reasons.slice(0, SHOWN).map(({ words, remedy }) => {
-      const line = make("li", {}, `${words}. `);
+      const line = make("li", {}, `${shownText(words)}. `);
       if (remedy) line.append(button("Fix", () => this.apply(remedy.changes), { title: remedy.line }), make("span", { class: "note" }, ` ${remedy.line}`));
       return line;
     });
     const more = found.reasons.slice(SHOWN).map((reason) => reason.rule);
     if (more.length) reasons.push(make("li", {}, `also: ${more.join(", ")}`));
-    reasons.push(...found.clipped.map((line) => make("li", { class: "note" }, line)));
+    reasons.push(...found.clipped.map((line) => make("li", { class: "note" }, shownText(line))));
     this.place.replaceChildren(
       make("strong", {}, found.outcome),
       make("ul", {}, ...reasons),
-      make("dl", {}, ...found.rows.flatMap(([name, value, remark]) => [make("dt", { title: remark }, name), make("dd", {}, value)])),
+      make("dl", {}, ...found.rows.flatMap(([name, value, remark]) => [make("dt", { title: remark }, name), make("dd", {}, shownText(value))])),
     );
   }
 }

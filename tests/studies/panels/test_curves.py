@@ -37,7 +37,7 @@ def test_the_library_is_of_3d_where_the_atlas_does_not_cover_the_design() -> Non
 
 @pytest.mark.parametrize("quantity", CURVES)
 def test_curves_are_those_of_the_transfer_functions(library: acoustic_fem.Library, quantity: str) -> None:
-    found = curves_of(library.transfer_function, quantity, "atlas")
+    found = curves_of(library.transfer_function, quantity)
     ratios, h = microphone_ratios(library.transfer_function), library.transfer_function.values
     of = ratios if quantity in ("ild", "ipd") else h
     assert found.heard_by == (("A / B", "A / C", "B / C") if of is ratios else ("A", "B", "C"))
@@ -54,4 +54,4 @@ def test_curves_are_those_of_the_transfer_functions(library: acoustic_fem.Librar
 
 def test_another_quantity_is_refused(library: acoustic_fem.Library) -> None:
     with refused(Kind.OUT_OF_RANGE, "quantity", value="loudness"):
-        curves_of(library.transfer_function, "loudness", "atlas")
+        curves_of(library.transfer_function, "loudness")

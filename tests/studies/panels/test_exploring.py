@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
 from zipfile import ZipFile
 
@@ -11,8 +12,11 @@ from refusals import refused
 
 from geometry import Kind, Refusal, load_design, prototype
 from studies.findings.reporting import best_designs
-from studies.findings.result_table import effect, table_of_sweep
+from studies.findings.result_table import Column, ResultTable, effect, table_of_sweep
 from studies.panels.exploring import (
+    FailedDesign,
+    FoundDesigns,
+    limits_of,
     run_study,
     study_figures,
     study_file,
@@ -88,6 +92,53 @@ def test_what_is_no_study_is_refused_in_one_line(
         study_file(ARRAY, ranges, metrics, designs=designs)
     assert field in str(found.value)
     assert "\n" not in str(found.value)
+
+
+def test_limits_are_kept_by_a_search_and_computed_by_a_sweep() -> None:
+    limits = {"cost": 5.0, "verdict": 1.0}
+    found = tomllib.loads(study_file(ARRAY, RANGES, FIGURES, search=True, designs=8, limits=limits))
+    assert found["optimize"]["limits"] == [{"metric": "cost", "most": 5.0}, {"metric": "verdict", "least": 1.0}]
+    swept = tomllib.loads(study_file(ARRAY, RANGES, FIGURES, designs=8, limits={**limits, "volume": 1.0}))
+    assert swept["metrics"] == [*FIGURES, "cost", "verdict"]
+    with refused(Kind.UNKNOWN, "metrics", value="beauty"):
+        limits_of({"beauty": 1.0})
+    with refused(Kind.OUT_OF_RANGE, "limit of cost"):
+        limits_of({"cost": float("nan")})
+
+
+def test_designs_that_break_a_limit_are_on_no_front_and_failed_ones_have_their_place() -> None:
+    values = np.array([1.0, 2.0, 3.0, 4.0])
+    table = ResultTable(
+        title="mine",
+        description="",
+        source="sweep",
+        fidelity="atlas",
+        frequency=np.array([1.0]),
+        open_base=lambda: ARRAY,
+        number=np.arange(4),
+        parameters=(
+            Column("tube.length", "tube.length", "mm", 10 * values),
+            Column("membrane.material", "membrane.material", "", np.array([0.0, 1.0, 0.0, 1.0]), ("soft", "hard")),
+        ),
+        metrics=(
+            Column("bandwidth", "bandwidth", "Hz", values, better="larger"),
+            Column("cost", "cost", "USD", values, better="smaller"),
+        ),
+        failures=(("too long", 2),),
+        waiting=0,
+        base_metrics={},
+    )
+    failed = (
+        FailedDesign(7, "too long", {"tube.length": 55, "membrane.material": "hard"}),
+        FailedDesign(8, "too long", {"tube.length": 66, "membrane.material": "glass"}),
+    )
+    shown = study_figures(FoundDesigns(table, failed), {"cost": 3.0})
+    assert shown["kept"] == [True, True, True, False]
+    assert shown["limits"] == ["cost at most 3 USD"]
+    assert shown["fronts"] == [{"first": 0, "second": 1, "rows": [0, 1, 2]}]
+    assert [each["values"] for each in shown["failed"]] == [[55.0, 1.0], [66.0, None]]
+    everything = study_figures(FoundDesigns(table))
+    assert (everything["kept"], everything["limits"], everything["failed"]) == ([True] * 4, [], [])
 
 
 @pytest.mark.slow

@@ -25,7 +25,7 @@ def test_messages_of_panels_and_studio() -> None:
     check_messages(
         Path(__file__).with_name("messages.txt"),
         {
-            "quantity": lambda: curves_of(quick_library(ARRAY)[0].transfer_function, "loudness", "atlas"),
+            "quantity": lambda: curves_of(quick_library(ARRAY)[0].transfer_function, "loudness"),
             "export": partial(make_export, ARRAY, "a.exe", "folder", "lumped"),
             "metrics": partial(study_file, ARRAY, ranges, []),
             "designs": partial(study_file, ARRAY, ranges, metrics, designs=0),

@@ -18,7 +18,14 @@ from localize.live import sound_device
 from studies import locate_recording, solve_library
 from studies.inference.tracked import track_recording
 from studies.panels.live_panel import listen_live, sound_cards
-from studies.panels.touching import TOUCHES, membranes, replay_recording, simulate_slide, simulate_touch
+from studies.panels.touching import (
+    TOUCHES,
+    manifest_scale,
+    membranes,
+    replay_recording,
+    simulate_slide,
+    simulate_touch,
+)
 
 ARRAY = prototype("array-2x6")
 FULL_SCALE = 200.0
@@ -63,6 +70,14 @@ def test_a_touch_is_decoded_as_locate_decodes_its_recording(tmp_path: Path) -> N
     expected = [[each.start, each.end, each.point, each.probability, each.level] for each in located.touches]
     assert shown["touches"] == expected
     assert [touch[2] for touch in expected] == [5]
+    assert shown["full_scale"] == FULL_SCALE
+    text = "\n".join(",".join(f"{value:.9g}" for value in row) for row in signals.T)
+    (tmp_path / "take.csv").write_text("A,B\n" + text + "\n")
+    told: list[str] = []
+    pascals = replay_recording(ARRAY, (tmp_path / "take.csv").read_bytes(), "take.csv", 1e-6, told.append)
+    assert pascals["full_scale"] is None  # the file holds pascals, whatever full scale is set
+    assert pascals["touches"] == pytest.approx(np.array(expected), rel=1e-4)
+    assert told[-1].startswith("1 touch found")
     decisions = [event for event in located.events if isinstance(event, Decision)]
     assert shown["decisions"] == [[each.time, each.state, each.point, each.probability] for each in decisions]
 
@@ -84,7 +99,7 @@ def test_the_path_of_a_slide_is_that_of_track_and_live_hears_what_was_recorded(t
     tracked = track_recording(tmp_path / "library.nc", tmp_path / "slide.wav", full_scale=FULL_SCALE)
     assert len(found["paths"]) == len(tracked.tracks) > 0
     for shown, track in zip(found["paths"], tracked.tracks, strict=True):
-        expected = np.column_stack([track.time, track.place, track.deviation])
+        expected = np.column_stack([track.time, track.place, track.deviation, track.detected])
         np.testing.assert_allclose(np.array(shown["places"])[1:-1], expected[1:-1], rtol=0.05, atol=0.05)
     replay = replay_recording(design, (tmp_path / "slide.wav").read_bytes(), "slide.wav", FULL_SCALE)
     gestures = [f"{each.kind} {each.direction}".strip() for each in tracked.gestures]
@@ -99,6 +114,15 @@ def test_the_path_of_a_slide_is_that_of_track_and_live_hears_what_was_recorded(t
     named = {event["point"] for event in events if event.get("state") == "touch"}
     assert named <= {1, 2, 3, 4}
     assert named
+
+
+def test_the_full_scale_of_recorded_touches_is_that_of_their_manifest() -> None:
+    assert manifest_scale("full_scale = 20.0\n[[recordings]]\nfile = 'a.wav'\n", "touches.toml") == 20.0
+    assert manifest_scale("output = 'pressure'\n", "touches.toml") == 1.0
+    with pytest.raises(Refusal, match=r"^touches\.toml"):
+        manifest_scale("full_scale = ", "touches.toml")
+    with refused(Kind.OUT_OF_RANGE, "full_scale", value=0):
+        manifest_scale("full_scale = 0", "touches.toml")
 
 
 @pytest.mark.parametrize(("end", "length"), [([0.0, 0.0], 0.0), ([5000.0, 0.0], 5000.0)])

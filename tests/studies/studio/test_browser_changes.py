@@ -13,8 +13,10 @@ from geometry import prototype
 from geometry.design.array_design import validated
 from geometry.stock import catalogue
 from studies.comparison import differing_fields
+from studies.panels.curves import quick_library
 from studies.panels.form import form_of
 from studies.panels.form_hints import values_in_use
+from studies.panels.validity import validity
 
 pytestmark = pytest.mark.slow
 #: What this page keeps of its design.
@@ -119,6 +121,37 @@ def test_fields_that_do_not_apply_are_hidden_and_defaults_show_their_value(page:
     assert box.is_visible()
     expected = values_in_use(prototype("array-2x6").with_values({"resonator.shape": "box"}))["resonator.box_length"]
     assert box.locator(".value").get_attribute("placeholder") == f"({expected:.4g})"
+
+
+def test_a_dimension_of_the_section_is_typed_on_its_line(page: Any) -> None:
+    panel(page, "design")
+    dimension = page.locator("[data-dimension='membrane.thickness']")
+    assert dimension.input_value() == "0.5"
+    dimension.fill("0.4")
+    dimension.press("Enter")
+    until(page, f"{ROOT}.revision === '1'")
+    assert field(page, "membrane.thickness").input_value() == "0.4"
+    dimension.fill("99")
+    dimension.press("Enter")
+    until(page, "document.querySelector(`[data-name='membrane.thickness'] .refusal`).textContent")
+    dimension.blur()
+    give(page, "tube.length", "14")
+    until(page, f"{ROOT}.revision === '2'")
+    assert dimension.input_value() == "0.4"
+
+
+def test_curves_are_solved_in_3d_on_demand(page: Any) -> None:
+    give(page, "tube.length", "15.25")  # a design of no other test
+    until(page, f"{ROOT}.revision === '1' && {PAINTED}")
+    library, fidelity = quick_library(prototype("array-2x6").with_values({"tube.length": 15.25}))
+    known = validity(library.transfer_function, fidelity)
+    assert page.locator("#validity-words").inner_text() == known.words
+    page.click("#validity-words")
+    assert page.locator("#validity-reason").inner_text() == known.reason
+    page.click("#solve")
+    until(page, "document.getElementById('validity-words').textContent === '3-D'", 400)
+    until(page, "document.getElementById('validity-reason').textContent.startsWith('Solved in 3-D.')")
+    assert not page.locator("#solve").is_visible()
 
 
 def test_a_refusal_is_in_sight_where_there_is_little_room(page: Any) -> None:

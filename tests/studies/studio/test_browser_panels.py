@@ -80,7 +80,7 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
         page.select_option("#quantity", quantity)
         until(page, f"document.querySelector('#plots figcaption').textContent.startsWith({title!r})")
         found = np.array(table(page, "#curves-csv", tmp_path), float)
-        expected = curves_of(transfer, quantity, "atlas")
+        expected = curves_of(transfer, quantity)
         np.testing.assert_allclose(found[:, 0], expected.frequency, rtol=1e-6)
         curves = found[:, 1:].T.reshape(expected.values.shape)
         np.testing.assert_allclose(curves, expected.values, rtol=2e-6, atol=1e-4)
@@ -124,7 +124,7 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
         own = [factors.get(key, 1) * point[key] for key in keys[:7]]
         assert written == pytest.approx(own, rel=1e-2)
     assert page.locator("#points-table th").last.inner_text() == "smallest detectable force (µN)"
-    page.evaluate("document.querySelector('.pop').open = true")
+    page.evaluate("document.querySelector('.stage .pop').open = true")
     kinds = Counter(part["kind"] for part in model_of_array(LONGER)["parts"])
     shown_kinds = [int(text.rsplit("(", 1)[1][:-1]) for text in page.locator("#kinds label").all_inner_texts()]
     assert sorted(shown_kinds) == sorted(kinds.values())
@@ -190,14 +190,21 @@ def test_a_study_is_run_and_a_click_on_its_front_loads_that_design(page: Any, tm
     page.select_option("#study-add", "tube.length")
     page.select_option("#study-metrics select >> nth=0", "distance_smallest")
     page.fill("#study-designs", "16")
+    page.select_option("#study-limit-add", "cost")
+    page.fill("[data-limit='cost'] input", "1000")
     with ZipFile(downloaded(page, lambda: page.click("#study-file"), tmp_path)) as archive:
         archive.extractall(tmp_path)
     study = load_study(tmp_path / "study.toml")
     assert [each.name for each in study.parameters] == ["tube.length"]
+    assert study.metrics == ("distance_smallest", "volume", "cost")
     page.click("#study-run")
     until(page, f"{ROOT}.shown_study === '0'")
     rows = table(page, "#study-csv", tmp_path)
     assert len(rows) == 16
+    assert page.locator("#study-said").inner_text().endswith("; 16 keep the limits (cost at most 1000 USD).")
+    shown(page, "points")
+    assert page.locator("#study-front").get_attribute("data-marks") == "this design"
+    assert page.locator("#study-front").get_attribute("data-crosses") == "0"
     found = study_figures(run_study(study.base, (tmp_path / "study.toml").read_text()))
     np.testing.assert_allclose([float(row[2]) for row in rows], found["metrics"][0]["values"], rtol=1e-9)
     shares = [float(each.get_attribute("data-share")) for each in page.locator("#study-effects canvas").all()]
@@ -300,11 +307,16 @@ def test_a_finding_lights_its_part_and_a_recording_is_replayed(page: Any, tmp_pa
     heard = np.frombuffer(touch["signals"], "<f4").reshape(len(touch["microphones"]), -1)
     wavfile.write(tmp_path / "touch.wav", 1000, np.ascontiguousarray((heard / 8).T))
     panel(page, "touch")
-    page.fill("#full-scale", "8")
-    page.set_input_files("#replay", tmp_path / "touch.wav")
+    (tmp_path / "touches.toml").write_text("full_scale = 8.0\n[[recordings]]\nfile = 'touch.wav'\npoint = 7\n")
+    page.set_input_files("#replay", [tmp_path / "touch.wav", tmp_path / "touches.toml"])
     until(page, "document.getElementById('answer').dataset.named")
     named = ",".join(str(each[2]) for each in touch["touches"])
     assert page.locator("#answer").get_attribute("data-named") == named == "7"
+    assert page.locator("#full-scale").input_value() == "8"
+    assert page.locator("#touch-played").inner_text() == "Plays the recording touch.wav, with a full scale of 8 Pa."
+    assert page.locator("#timeline").get_attribute("aria-label").startswith("1 touches located within ")
+    page.locator("#timeline").click(position={"x": 5, "y": 5})  # it plays again from there
+    until(page, "document.getElementById('answer').dataset.pictures")
     panel(page, "make")
     until(page, f"{ROOT}.shown_check === '0' && {ROOT}.shown_model === '0'")
     page.locator("#findings .finding").first.click()

@@ -22,6 +22,17 @@ def settled(page: Any) -> None:
     shown(page, "model", "verdict")
 
 
+def click_a_line(page: Any) -> None:
+    """Click the line of a snapshot on its first axis, where the pointer finds it."""
+    canvas = page.locator("#parallel")
+    canvas.scroll_into_view_if_needed()
+    for down in range(35, 215, 4):
+        canvas.hover(position={"x": 70, "y": down})
+        if page.locator("#parallel-pointed").inner_text().startswith("array-2x6: predicted top-1 accuracy"):
+            return canvas.click(position={"x": 70, "y": down})
+    pytest.fail("no line is found")
+
+
 def test_a_designer_goes_from_a_job_to_the_files_to_build_from(browser: Any, running: Studio, tmp_path: Path) -> None:
     context = browser.new_context(viewport={"width": 1440, "height": 900})
     page = opened(context, running)
@@ -75,17 +86,22 @@ def test_a_designer_goes_from_a_job_to_the_files_to_build_from(browser: Any, run
 
 
 def test_a_project_file_brings_back_the_design_its_snapshots_and_notes(page: Any, tmp_path: Path) -> None:
-    until(page, f"{ROOT}.shown_model === '0'")
+    shown(page, "model", "points")
     page.click("#snapshot")
     panel(page, "study")
     page.fill("#notes", "the first try")
+    page.select_option("#prototypes", "line-2")
+    until(page, f"{ROOT}.revision === '1'")
+    click_a_line(page)
+    until(page, f"{ROOT}.revision === '2'")
+    assert page.locator("#name").inner_text() == "array-2x6"
     project = downloaded(page, lambda: page.click("#project"), tmp_path)
     page.locator("#snapshots button", has_text="\N{MULTIPLICATION SIGN}").click()
     assert page.locator("#snapshots li").count() == 0
     page.select_option("#prototypes", "fingertip-3x4")
-    until(page, f"{ROOT}.revision === '1'")
+    until(page, f"{ROOT}.revision === '3'")
     page.set_input_files("#open", project)
-    until(page, f"{ROOT}.revision === '2'")
+    until(page, f"{ROOT}.revision === '4'")
     assert page.locator("#name").inner_text() == "array-2x6"
     assert page.locator("#snapshots li").count() == 1
     assert page.locator("#notes").input_value() == "the first try"

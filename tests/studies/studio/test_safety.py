@@ -16,7 +16,8 @@ from geometry import prototype
 from studies.studio import server, session
 from studies.studio.guard import SECRET_HEADER, Guard
 from studies.studio.messages import written
-from studies.studio.server import MOST_RECOGNIZER, MOST_RECORDING, MOST_UPLOAD, studio_app
+from studies.studio.page_words import MOST_UPLOAD
+from studies.studio.server import MOST_RECOGNIZER, MOST_RECORDING, studio_app
 from studies.studio.stage import MISTAKE
 from studies.studio.workplace import Workplace
 

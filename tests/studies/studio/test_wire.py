@@ -19,7 +19,8 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
 from studies.studio.guard import SECRET_HEADER
-from studies.studio.server import MOST_MESSAGE, MOST_UPLOAD
+from studies.studio.page_words import MOST_UPLOAD
+from studies.studio.server import MOST_MESSAGE
 
 pytestmark = [pytest.mark.slow, pytest.mark.end_to_end]
 
