@@ -28,6 +28,7 @@ from localize.contacts.contact import surface_of
 from localize.contacts.finger_gestures import double_tap, press, slide, tap
 from localize.live.stream_options import MOVING
 from localize.model.opened_model import Model, open_model, opened_as_designed
+from localize.recordings.touch_manifest import TouchManifestError
 from localize.signals.array_response import response_of
 from localize.signals.resampling import check_full_scale
 from localize.tracking import tracks_of
@@ -185,7 +186,7 @@ def manifest_scale(text: str, name: str) -> float:
     Raises:
         Refusal: not TOML, or no pressure.
     """
-    stated = parse_toml(text, name).get("full_scale", 1.0)
+    stated = parse_toml(text, name, TouchManifestError).get("full_scale", 1.0)
     check_full_scale(stated)
     return float(stated)
 
