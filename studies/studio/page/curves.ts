@@ -65,7 +65,7 @@ export class CurvesPanel {
 
   private draw(): void {
     const now = this.now!;
-    byId("validity").hidden = false;
+    byId("validity-chip").hidden = false;
     byId("validity-words").textContent = now.validity;
     this.range();
     const key = [now.quantity, now.unit, ...now.heard_by].join("|");

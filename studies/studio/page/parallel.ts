@@ -88,7 +88,8 @@ export class Parallel {
     c.fillStyle = colour("--ink");
     wrapped(title, room, c).slice(0, 2).forEach((text, k) => c.fillText(text, x, 11 + 12 * k, room));
     c.fillStyle = colour("--ink-soft");
-    if (values.length) { c.fillText(show(Number(top.toPrecision(3)), unit), x, TOP - 6, room); c.fillText(show(Number(foot.toPrecision(3)), unit), x, TALL - 6, room); }
+    if (new Set(values).size === 1) c.fillText(show(Number(values[0].toPrecision(3)), unit), x, TOP - 6, room);
+    else if (values.length) { c.fillText(show(Number(top.toPrecision(3)), unit), x, TOP - 6, room); c.fillText(show(Number(foot.toPrecision(3)), unit), x, TALL - 6, room); }
     return (value) => TALL - FOOT - ((value - foot) / (top - foot)) * (TALL - FOOT - TOP);
   }
 

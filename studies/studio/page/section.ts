@@ -3,7 +3,7 @@
 import { sized } from "./chart";
 import { byId, colour, make, words } from "./dom";
 
-const HEIGHT = 196, MARGIN = 66, FOOT = 34, HEAD = 30, TICK = 3, AWAY = 9;
+const HEIGHT = 196, MARGIN = 60, TUBE = 2, FOOT = 34, HEAD = 30, TICK = 3, AWAY = 9;
 /** Fields with a line of dimension, and what they measure. */
 const DIMENSIONS: Record<string, string> = {
   "resonator.cavity_diameter": "diameter of the cavity", "resonator.cavity_height": "height of the cavity", "resonator.wall_thickness": "wall",
@@ -45,7 +45,7 @@ export class SectionPicture {
     const used = (name: string, own: number | null | undefined): number => own ?? Number(this.inUse[`resonator.${name}`] ?? 0);
     const radius = resonator.cavity_diameter / 2, outer = radius + resonator.wall_thickness, tall = resonator.cavity_height;
     const low = -resonator.floor_thickness, high = tall + membrane.thickness, rim = radius + membrane.rim_width, half = Math.max(outer, rim);
-    const scale = Math.min((width - 2 * MARGIN) / (2 * half), (HEIGHT - FOOT - HEAD) / (high - low));
+    const scale = Math.min((width - 2 * MARGIN) / (2 * (half + TUBE)), (HEIGHT - FOOT - HEAD) / (high - low));
     const x = (mm: number) => width / 2 + scale * mm, y = (mm: number) => HEIGHT - FOOT - scale * (mm - low);
     const box = (x0: number, y0: number, x1: number, y1: number, fill: string) => { c.fillStyle = fill; c.fillRect(x(x0), y(y1), scale * (x1 - x0), scale * (y1 - y0)); };
     const shell = colour("--edge"), air = colour("--card");
@@ -55,7 +55,7 @@ export class SectionPicture {
     for (const side of [-1, 1]) {
       const [from, to] = [side * outer, side * (radius - 0.02 * radius)].sort((a, b) => a - b);
       box(from, port - bore, to, port + bore, air);
-      const [left, right] = [side * (outer + 2), side * (radius + 0.4 * resonator.wall_thickness)].sort((a, b) => a - b);
+      const [left, right] = [side * (outer + TUBE), side * (radius + 0.4 * resonator.wall_thickness)].sort((a, b) => a - b);
       box(left, port - sheath, right, port + sheath, colour("--ink-soft"));
       box(left, port - bore, right, port + bore, air);
     }
@@ -71,14 +71,14 @@ export class SectionPicture {
     up(low, 0, left);
     up(tall, high, right);
     up(0, tall, x(0.72 * radius));
-    up(port - bore, port + bore, x(outer + 2) + AWAY);
+    up(port - bore, port + bore, x(outer + TUBE) + AWAY);
     this.place("resonator.cavity_diameter", 2 * radius, x(0), foot + 11);
     this.place("resonator.wall_thickness", resonator.wall_thickness, Math.max(x(-(outer + radius) / 2), 26), foot + 11);
     this.place("membrane.rim_width", membrane.rim_width, x((radius + rim) / 2), head - 10);
     this.place("resonator.floor_thickness", resonator.floor_thickness, left - 26, y(low / 2));
     this.place("membrane.thickness", membrane.thickness, right + 26, y((tall + high) / 2));
     this.place("resonator.cavity_height", tall, x(0.72 * radius) - 26, y(tall / 2));
-    this.place("tube.inner_diameter", tube.inner_diameter, Math.min(x(outer + 2) + AWAY + 26, width - 24), y(port));
+    this.place("tube.inner_diameter", tube.inner_diameter, Math.min(x(outer + TUBE) + AWAY + 26, width - 24), y(port));
     canvas.setAttribute("aria-label", `section of a resonator: cavity ${words(2 * radius)} mm wide and ${words(tall)} mm high, wall ${words(resonator.wall_thickness)} mm, floor ${words(resonator.floor_thickness)} mm, membrane ${words(membrane.thickness)} mm`);
   }
 
