@@ -43,7 +43,8 @@ export class Parallel {
 
   draw(): void {
     const axes = Object.keys(this.word).filter((name) => this.chosen.has(name));
-    const all = [...this.lines, { name: "the design at hand", figures: this.now }].filter((line) => axes.some((name) => Number.isFinite(line.figures[name])));
+    const own = { name: "the design at hand", figures: this.now };
+    const all = [...this.lines, own].filter((line) => axes.some((name) => Number.isFinite(line.figures[name])));
     byId("parallel-shown").hidden = this.lines.length === 0;
     const canvas = byId<HTMLCanvasElement>("parallel"), width = byId("parallel-shown").clientWidth;
     this.places = [];
@@ -59,7 +60,7 @@ export class Parallel {
     const heights = axes.map((name, k) => this.axis(c, all, name, x(k), room));
     for (const line of all) {
       const at = axes.map((name, k): [number, number] | null => (Number.isFinite(line.figures[name]) ? [x(k), heights[k](line.figures[name])] : null));
-      const isNow = line.figures === this.now;
+      const isNow = line === own;
       c.strokeStyle = c.fillStyle = colour(isNow ? "--accent" : "--ink-soft");
       c.lineWidth = line === this.pointed ? 4 : 2;
       c.beginPath();
