@@ -87,7 +87,7 @@ def test_what_is_no_json_is_refused_in_one_line(text: str | bytes) -> None:
     ("library", "module"),
     [
         ("tomllib|tomlkit.parse", "geometry/ground/text_files.py"),
-        ("loadmat|zipfile", "geometry/ground/array_files.py"),
+        ("loadmat|ZipFile\\(path", "geometry/ground/array_files.py"),
         ("csv.reader", "geometry/ground/csv_files.py"),
         ("wavfile.read", "acoustic_fem/sound/sound_file.py"),
     ],
