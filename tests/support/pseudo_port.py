@@ -60,6 +60,7 @@ class PseudoPort:
 
     def _write(self) -> None:
         self.opened()
+        time.sleep(0.2)  # the line empties as its settings change, and once more at the end of opening
         for part in self._parts:
             while part and not self._stop.is_set():
                 try:
