@@ -75,7 +75,9 @@ def test_a_batch_is_a_table_with_a_row_for_each_sensor(place: Path, monkeypatch:
     assert {row["part"] for row in parameters if row["quantity"] == "cavity_height"} == {
         f"point {k}" for k in range(1, 5)
     }
-    assert json.loads(Path("out/sensors.json").read_text(encoding="utf-8"))["sensors"][1]["reasons"] == list(leaking.objections)
+    assert json.loads(Path("out/sensors.json").read_text(encoding="utf-8"))["sensors"][1]["reasons"] == list(
+        leaking.objections
+    )
     page = Path("out/report.html").read_text(encoding="utf-8")
     assert "1 of 3 pass" in page
     assert "point 2 leaks" in page
