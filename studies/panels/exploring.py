@@ -175,7 +175,7 @@ class FailedDesign:
     number: int
     """Number of it in its study."""
     reason: str
-    """Reason for which it has none."""
+    """Reason why the case failed."""
     values: Mapping[str, Any]
     """Value of each parameter, by dotted name."""
 

@@ -61,7 +61,7 @@ class TouchInput:
         self._begin(self._touched(Job("touch", revision, design, (*what, self._count)), kind))
 
     async def replay(self, design: ArrayDesign, revision: int, recording: tuple[bytes, str, float]) -> dict[str, Any]:
-        """A recording that was handed in, decoded; the page is told how far it is.
+        """A recording that was handed in, decoded; the page gets its progress.
 
         Args:
             design: the array.
