@@ -11,8 +11,8 @@ import xarray as xr
 import acoustic_fem
 from acoustic_fem.quantities.fidelity import ONE_DESIGN
 from geometry.design.array_design import ArrayDesign
+from studies.panels.curve_validity import Validity
 from studies.panels.curves import curve_frequencies, quick_library
-from studies.panels.validity import Validity
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,13 +16,13 @@ from geometry.design.field_values import field_values
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from geometry.stock import catalogue
+from studies.panels.curve_validity import Validity
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
 from studies.panels.form import sizes_sold, stated_values
 from studies.panels.form_hints import fields_without_effect, values_in_use
 from studies.panels.pinned_panel import COMPARISON, field_rows, figure_rows
-from studies.panels.validity import Validity
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.job_search import JobSearch
 from studies.studio.messages import MessageError, packed, text_of, written

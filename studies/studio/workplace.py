@@ -20,6 +20,7 @@ from geometry.ground.process_messages import Stopped
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
 from studies.panels.cad_panel import check_figures, model_of_array, read_upload
+from studies.panels.curve_validity import Validity, validity
 from studies.panels.curves import Curves, curves_of, quick_library
 from studies.panels.designing import design_key
 from studies.panels.exploring import FoundDesigns, run_study, study_so_far, write_study
@@ -31,7 +32,6 @@ from studies.panels.points import as_built_figures, point_figures
 from studies.panels.recognizing import store_recognizer, with_kinds, write_letter
 from studies.panels.solved_curves import SolvedCurves, solve_curves
 from studies.panels.touching import manifest_scale, membranes, replay_recording, simulate_slide, simulate_touch
-from studies.panels.validity import Validity, validity
 from studies.panels.verdict_panel import verdict_figures
 from studies.studio.result_cache import ResultCache
 from studies.studio.stage import Job

@@ -13,10 +13,10 @@ from geometry import prototype
 from geometry.design.array_design import validated
 from geometry.stock import catalogue
 from studies.comparison import differing_fields
+from studies.panels.curve_validity import validity
 from studies.panels.curves import quick_library
 from studies.panels.form import form_of
 from studies.panels.form_hints import values_in_use
-from studies.panels.validity import validity
 
 pytestmark = pytest.mark.slow
 #: What this page keeps of its design.

@@ -10,9 +10,9 @@ import pytest
 import acoustic_fem
 from acoustic_fem.atlas import QuickFidelity, cell_atlas
 from geometry import prototype
+from studies.panels.curve_validity import validity
 from studies.panels.curves import curve_frequencies, quick_library
 from studies.panels.solved_curves import solve_curves
-from studies.panels.validity import validity
 
 ARRAY = prototype("array-2x6")
 
