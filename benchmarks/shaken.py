@@ -18,11 +18,13 @@ import numpy as np
 import acoustic_fem
 import geometry
 import localize
+from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from geometry.ground.typed import Array
 from localize.contacts import Contact, ContactRecorder
 from localize.contacts.contact import surface_of
 from localize.live.events import Decision
 from localize.live.touches import touches_of
+from localize.signals.array_response import UncoveredWarning
 from localize.signals.motion import KNOCKED, WAVED
 from studies.test_rig.rig_contacts import made_response
 from studies.test_rig.rig_motion import motion_of_rig, table_knocks, waved_hand
@@ -106,7 +108,8 @@ def found(touches: tuple[localize.Touch, ...], begin: Array, points: Array) -> t
 
 def main() -> None:
     """Print both tables."""
-    warnings.filterwarnings("ignore", "entrance loss|membrane: |.*its library ends", UserWarning)
+    for told_elsewhere in (ModelLimitWarning, UncoveredWarning):
+        warnings.simplefilter("ignore", told_elsewhere)
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("designs", nargs="*", default=DESIGNS)
     parser.add_argument("--sensors", type=int, default=SENSORS)

@@ -50,10 +50,11 @@ class _Interval(BaseModel):
 class _File(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
 
-    touches: Annotated[int, Field(ge=DiagnosisOptions.fewest, le=1000)] = DiagnosisOptions.fewest
-    leak: Annotated[_Number, Field(ge=0, le=5)] = 0.0
-    blocked_tube: Annotated[_Number, Field(ge=0.02, le=1)] = 1.0
-    quiet_microphone: Annotated[_Number, Field(ge=0, le=120)] = 0.0
+    # Ranges and defaults are those of ProductionLimits.
+    touches: int | None = None
+    leak: _Number | None = None
+    blocked_tube: _Number | None = None
+    quiet_microphone: _Number | None = None
     parameters: dict[str, _Interval] = {}
 
 
@@ -132,7 +133,7 @@ class ProductionLimits:
             return f"a bore of {fault.amount:.2g} of the design's is less than {self.blocked_tube:g}"
         if fault.kind == "quiet microphone":
             return f"a microphone {-fault.amount:.0f} dB too quiet is more than {self.quiet_microphone:g} dB off"
-        return f"a {fault.kind.removesuffix('s')} never passes" if "rev" in fault.kind else f"{fault.kind} never pass"
+        return f"a fault of the kind {fault.kind!r} never passes"
 
 
 def read_limits(path: Path) -> ProductionLimits:
@@ -142,9 +143,10 @@ def read_limits(path: Path) -> ProductionLimits:
         LimitsError: it cannot be read, is not TOML, holds an unknown field or parameter, or a value out of range.
     """
     file = model_of(_File, read_toml(path, "a file of limits", LimitsError), str(path), "file of limits", LimitsError)
+    given = file.model_dump(exclude_unset=True, exclude={"parameters"})
     parameters = {name: (each.low, each.high) for name, each in file.parameters.items()}
     try:
-        return ProductionLimits(file.touches, file.leak, file.blocked_tube, file.quiet_microphone, parameters)
+        return ProductionLimits(**given, parameters=parameters)
     except Refusal as error:
         raise LimitsError.of(error, file=path) from None
 

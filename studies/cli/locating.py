@@ -458,7 +458,7 @@ def pulse(
 ) -> None:
     """Read the pulse of a finger that rests on the array, from a recording.
 
-    Prints the point, the rate, and the times of the waves of each beat.
+    Prints the point, the rate, and the times of the waves of each beat, or why there is no pulse.
 
     Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
     """

@@ -184,5 +184,5 @@ def _on_overload(design: ArrayDesign, loudest: float, largest: float) -> Iterato
         name, value = max(better, key=lambda each: each[1])
         yield (
             f"No microphone of the catalogue is stated to record it whole. {name} reaches {value:.3g} Pa, "
-            f"{20 * math.log10(value / overload):.1f} dB more. Thicker membranes lower the pressure too."
+            f"{20 * math.log10(value / overload):.1f} dB more."
         )

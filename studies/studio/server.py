@@ -67,11 +67,7 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         return FileResponse(path, filename=name)
 
     async def upload(request: Request) -> Response:
-        content = await _body(request, MOST_UPLOAD, f"the file must be at most {MOST_UPLOAD // 1024} kB")
-        if isinstance(content, Response):
-            return content
-        name = request.query_params.get("name", "design.toml")[:100]
-        text = _text_of(content, name)
+        text, name = await _text_file(request, "design.toml")
         if isinstance(text, Response):
             return text
         found = await _handed_in(workplace.upload(text, name))
@@ -102,11 +98,7 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         )
 
     async def manifest(request: Request) -> Response:
-        content = await _body(request, MOST_UPLOAD, f"the file must be at most {MOST_UPLOAD // 1024} kB")
-        if isinstance(content, Response):
-            return content
-        name = request.query_params.get("name", "touches.toml")[:100]
-        text = _text_of(content, name)
+        text, name = await _text_file(request, "touches.toml")
         if isinstance(text, Response):
             return text
         found = await _handed_in(workplace.manifest_scale(text, name))
@@ -161,12 +153,16 @@ async def _body(request: Request, most: int, too_long: str) -> bytes | Response:
             return _refused(too_long, 413)
 
 
-def _text_of(content: bytes, name: str) -> str | Response:
-    """Text of a file that is handed in, or a refusal."""
+async def _text_file(request: Request, usual: str) -> tuple[str | Response, str]:
+    """Text of a file that is handed in, or a refusal, and its name."""
+    name = request.query_params.get("name", usual)[:100]
+    content = await _body(request, MOST_UPLOAD, f"the file must be at most {MOST_UPLOAD // 1024} kB")
+    if isinstance(content, Response):
+        return content, name
     try:
-        return content.decode("utf-8")
+        return content.decode("utf-8"), name
     except UnicodeDecodeError:
-        return _refused(f"{name}: is not a text in UTF-8", 400)
+        return _refused(f"{name}: is not a text in UTF-8", 400), name
 
 
 async def _handed_in(work: Awaitable[Any]) -> Any:

@@ -13,11 +13,11 @@ import scipy.signal
 
 if len(sys.argv) != 3:
     sys.exit("usage: python locate.py decoder.onnx touches.csv")
-try:
-    session = onnxruntime.InferenceSession(sys.argv[1], providers=["CPUExecutionProvider"])
-    about = json.loads(session.get_modelmeta().custom_metadata_map["acoustic-fem"])
-except Exception as error:  # onnxruntime has a class for each fault
-    sys.exit(f"{sys.argv[1]}: is not a decoder of acoustic-fem: {error!r}")
+session = onnxruntime.InferenceSession(sys.argv[1], providers=["CPUExecutionProvider"])
+described = session.get_modelmeta().custom_metadata_map
+if "acoustic-fem" not in described:
+    sys.exit(f"{sys.argv[1]}: is not a decoder that acoustic-fem exported")
+about = json.loads(described["acoustic-fem"])
 stream, frame = about["stream"], about["frame"]
 try:
     recording = np.genfromtxt(sys.argv[2], delimiter=",", names=True)

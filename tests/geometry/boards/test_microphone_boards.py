@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 import zipfile
 from collections.abc import Iterator
 from dataclasses import replace
@@ -186,9 +185,7 @@ def layers(plan: BoardPlan, tmp_path_factory: pytest.TempPathFactory) -> Any:
     gerbonara = pytest.importorskip("gerbonara", reason="gerbonara is in the extra dev")
     folder = tmp_path_factory.mktemp("board")
     write_board(plan, folder)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return gerbonara.LayerStack.open(folder / "gerber")
+    return gerbonara.LayerStack.open(folder / "gerber")
 
 
 def _pieces(layer: Any) -> Iterator[Any]:

@@ -1,4 +1,4 @@
-"""Motion of the sensor is told from touches, in batches and in a stream, and touches are found in it."""
+"""Motion of the sensor and touches are recognised, each alone and together, in batches and in a stream."""
 
 from __future__ import annotations
 

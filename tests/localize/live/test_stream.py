@@ -345,22 +345,21 @@ def test_no_touch_is_wrong_where_one_hop_in_fifty_is_lost(full_scale):
     model = localize.open_model(localize.BayesDecoder(acoustic_fem.load(examples / "library.nc")))
     recording = localize.read_recording(examples / "touches.wav", model.locator.microphones, full_scale)
 
-    def touches(is_lost):
+    def touches(share, seed):
+        lost = np.random.default_rng(seed).random(recording.signals.shape[1] // HOP) < share
         stream, tracker = model.stream(30.0), localize.TouchTracker(model.locator)
         decided = [
             event
-            for first in range(0, recording.signals.shape[1] - HOP + 1, HOP)
-            if not is_lost()
+            for first in HOP * np.flatnonzero(~lost)
             for event in stream.push(recording.signals[:, first : first + HOP], first)
         ]
         events = [each for event in decided for each in tracker.take(event)] + tracker.finish()
         return [(event.time, event.point) for event in events if event.kind != "up"]
 
-    whole = touches(lambda: False)
+    whole = touches(0.0, 0)
     found = 0
     for seed in range(1000, 1020):
-        random = np.random.default_rng(seed)
-        for time, point in touches(lambda: random.random() < 0.02):  # noqa: B023
+        for time, point in touches(0.02, seed):
             assert any(own == point and -0.1 < time - at < 0.75 for at, own in whole), (seed, time, point)
             found += 1
     assert found > 0.6 * 20 * len(whole)

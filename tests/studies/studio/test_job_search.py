@@ -19,7 +19,7 @@ ARRAY = prototype("array-2x6")
 
 
 class Searching:
-    """A workplace that searches until it is told what it has found."""
+    """A workplace whose search ends when the test sets its result."""
 
     def __init__(self) -> None:
         self.found: asyncio.Future[dict[str, Any]] = asyncio.get_running_loop().create_future()
