@@ -17,7 +17,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.library.touch_pressure import membranes_in_vacuo
@@ -45,7 +44,7 @@ from studies.metrics.binned_decoder import (
     plain_scores,
     scores,
 )
-from studies.metrics.touch_bins import BINS, COUNT, TOUCHES, Touch, line_frequencies, noise_in_bins, touch_frames
+from studies.metrics.touch_bins import BINS, COUNT, NODES, TOUCHES, Touch, from_nodes, noise_in_bins, touch_frames
 
 DECODERS = {False: "tolerance-aware decoder, not calibrated", True: "Bayes decoder of each sensor's own library"}
 """Decoder that an accuracy is of, by whether the sensor is calibrated."""
@@ -71,9 +70,10 @@ SCATTER = {True: 0.19, False: 0.2}
 LEAST_SCATTER = 0.015
 """Half of the interval of a prediction of 0 or 1. It was widened from 0.01 because one of 41 designs of
 benchmarks/verdicts.py decoded 0.1 points below its interval."""
-_NODES = np.geomspace(2.5, 104.0, 12)
 _DRAWN: dict[tuple[Air, int], DrawnAirAndRubber] = {}
 _NOISE_SEED, _CALIBRATION_SEED = 1, 2
+_SWEPT = BinnedOptions(draws=96, splits=2)
+"""Half of the draws and of the hypotheses: two thirds of the time, and figures that differ by a percent rms."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,7 +165,7 @@ def as_built_accuracy(
     if force is not None:
         check_range("force", force, *FORCES, "N")
     check_range("sensors", sensors, 4, 1000, whole=True)
-    right = _right_of_design(resolve_design(design), force, calibrated, sensors, seed, known, tolerances)
+    right = _right_of_design(resolve_design(design), force, calibrated, sensors, _Chance(seed), known, tolerances)
     found = [_accuracy(each, SCATTER[force is None]) for each in right]
     taps, presses, sines = found[::2]
     as_designed = NominalAccuracy(*found[1::2])
@@ -182,7 +182,8 @@ def swept_accuracies(
 ) -> Mapping[str, Array]:
     """Mean accuracies of as-built sensors of the designs of a sweep for a run's touches, (n_design,) of each kind.
 
-    The sensor as designed is left out, which halves the time.
+    The sensor as designed is left out and the decoder is followed less finely than by :func:`as_built_accuracy`, which
+    takes a third of the time; figures of the same sensors differ by 1 percentage point rms.
 
     Args:
         designs: the arrays.
@@ -192,8 +193,9 @@ def swept_accuracies(
     Raises:
         Refusal: as :func:`as_built_accuracy`.
     """
+    chance = _Chance(0)
     rows = [
-        [each.mean() for each in _right_of_design(design, None, False, sensors, 0, known, is_nominal_wanted=False)]
+        [each.mean() for each in _right_of_design(design, None, False, sensors, chance, known, swept=_SWEPT)]
         for design in designs
     ]
     return dict(zip(TOUCHES, np.array(rows).T, strict=True))
@@ -204,39 +206,42 @@ def _right_of_design(
     force: float | None,
     calibrated: bool,
     sensors: int,
-    seed: int,
+    chance: _Chance,
     known: KnownDiscs | None,
     tolerances: Sequence[Tolerance] = UNCALIBRATED,
-    is_nominal_wanted: bool = True,
+    swept: BinnedOptions | None = None,
 ) -> list[NDArray[np.bool_]]:
     """True for each touch that is assigned to its point, (n_sensor, n_point).
 
-    Kind by kind: those of as-built sensors, then those of the sensor as designed if they are wanted.
+    Kind by kind: those of as-built sensors, then those of the sensor as designed, which a sweep leaves out.
     """
     for count, field in ((design.point_count, "lines.points"), (len(design.microphones), "microphones")):
         if count < 2:
             allowed = "at least 2, because one alone tells no points apart"
             raise Refusal(kind=Kind.UNSUITABLE, field=field, value=count, allowed=allowed)
+    options = swept or BinnedOptions()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelLimitWarning)
         array = _BinnedArray(design, known, tolerances)
-        built = array.built(sensors, seed)
-        tables = None if calibrated else array.hypotheses(BinnedOptions())
+        built = array.built(sensors, chance.seed)
+        tables = None if calibrated else array.hypotheses(options)
         cavity = array.cavity(force)
     noise = noise_in_bins(microphone_noise(design.microphone, design_air(design)))
     again = max(1, min(sensors, NOMINAL_TOUCHES // design.point_count))
-    several = (built, np.repeat(array.nominal[None], again, 0)) if is_nominal_wanted else (built,)
+    several = (built, np.repeat(array.nominal[None], again, 0)) if swept is None else (built,)
     sets = [
-        _touched(_frames(touch, cavity, force), of_sensors, array.nominal, noise, leak, _random(seed, kind, whose))
+        _touched(
+            _frames(touch, cavity, force), of_sensors, array.nominal, noise, leak, chance.draw(kind, whose, of_sensors)
+        )
         for kind, touch in enumerate(TOUCHES)
         for whose, of_sensors in enumerate(several)
         for leak in [0.0 if whose or calibrated else LEAK_LEFT]
     ]
     if tables is None:
-        libraries = _measured(np.concatenate([built, array.nominal[None]]), seed)
+        libraries = _measured(np.concatenate([built, array.nominal[None]]), chance.seed)
         right = [_right_by_library(each, libraries, noise, number % 2 == 1) for number, each in enumerate(sets)]
     else:
-        right = _right(sets, tables, noise)
+        right = _right(sets, tables, noise, options)
     return [each.reshape(-1, design.point_count) for each in right]
 
 
@@ -248,9 +253,9 @@ class _BinnedArray:
         self._unknown = ScatteredDesign(design, UNCALIBRATED, known)
         alike = tuple(tolerances) == UNCALIBRATED
         self._scattered = self._unknown if alike else ScatteredDesign(design, tolerances, known)
-        both = np.sort(np.concatenate([_NODES, BINS]))
+        both = np.sort(np.concatenate([NODES, BINS]))
         self._response = batch_response(self._scattered.nominal, self._scattered.topology, both, self._air)
-        self._at_nodes = np.searchsorted(both, _NODES)
+        self._at_nodes = np.searchsorted(both, NODES)
         found = _floored(np.asarray(self._response.transfer_function[0]))
         self.nominal: ComplexArray = found[..., np.searchsorted(both, BINS)]
         """Transfer functions of the design, (n_point, n_microphone, n_bin), Pa/Pa."""
@@ -269,28 +274,28 @@ class _BinnedArray:
         return binned_hypotheses(self.nominal, factors, np.abs(self._on_nodes), _to_bins(), options)
 
     def cavity(self, force: float | None) -> tuple[ComplexArray, ComplexArray]:
-        """Pressures in the cavities per stroke: on the lines, and of each point over that in bins.
+        """Pressures in the cavities per stroke: at the nodes, and of each point over that in bins.
 
-        (n_line,), and (n_point, n_bin); Pa/N with a force, otherwise over the value at 30 Hz.
+        (n_node,), and (n_point, n_bin); Pa/N with a force, otherwise over the value at 30 Hz.
         """
         design = self._design
 
         def of_kind(alike: ArrayDesign) -> DiscResponse:
-            return design_disc(alike, known=self._known).response(_NODES, design_rubber(alike))
+            return design_disc(alike, known=self._known).response(NODES, design_rubber(alike))
 
-        flow = 2j * np.pi * _NODES * membranes_in_vacuo(design, of_kind).volume_per_force
+        flow = 2j * np.pi * NODES * membranes_in_vacuo(design, of_kind).volume_per_force
         per_force = flow * np.asarray(self._response.point_impedance[0])[:, self._at_nodes]
         level = np.log(np.abs(per_force)) + 1j * np.unwrap(np.angle(per_force))
         if force is None:
-            level = level - (level.real @ _at(np.array([SCALED_AT])))
+            level = level - (level.real @ from_nodes(np.array([SCALED_AT])))
         mean = level.mean(0)
-        return np.exp(mean @ _to_lines()), np.exp((level - mean) @ _to_bins())
+        return np.exp(mean), np.exp((level - mean) @ _to_bins())
 
     def _factors(
         self, scattered: ScatteredDesign, count: int, seed: int, drawn: DrawnAirAndRubber | None
     ) -> ComplexArray:
         """Logarithms of the factors of sensors, (count, n_point, n_microphone, n_node) complex64."""
-        sensors = AsBuiltSensors(scattered, _NODES, self._air)
+        sensors = AsBuiltSensors(scattered, NODES, self._air)
         ratio = _floored(sensors.transfer_functions(scattered.draws(0, count, seed), drawn)) / self._on_nodes
         return np.asarray(np.log(np.abs(ratio)) + 1j * np.unwrap(np.angle(ratio)), np.complex64)
 
@@ -325,14 +330,32 @@ def _frames(
     touch: Touch, cavity: tuple[ComplexArray, ComplexArray], force: float | None
 ) -> tuple[ComplexArray, Array, ComplexArray]:
     """Pressures in a cavity by touches, (COUNT, n_bin), what leaks, and how each point differs, (n_point, n_bin)."""
-    if touch == "multi_sines":
-        return *touch_frames(touch, None, None), np.ones_like(cavity[1])
-    return *touch_frames(touch, cavity[0], force), cavity[1]
+    of_point = np.ones_like(cavity[1]) if touch == "multi_sines" else cavity[1]
+    return *touch_frames(touch, cavity[0], force), of_point
 
 
-def _random(seed: int, kind: int, whose: int) -> np.random.Generator:
-    """Random numbers of the touches of one kind, so that those of as-built sensors do not depend on others."""
-    return np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(_NOISE_SEED, kind, whose)))
+class _Chance:
+    """Which touches the points have and the noise of each, drawn once for all designs that have equally many parts."""
+
+    def __init__(self, seed: int) -> None:
+        self.seed = seed
+        self._drawn: dict[tuple[int, ...], tuple[NDArray[np.int64], ComplexArray]] = {}
+
+    def draw(self, kind: int, whose: int, sensors: ComplexArray) -> tuple[NDArray[np.int64], ComplexArray]:
+        """Number of the touch of each point of some sensors, and its noise of mean square 1 in each bin.
+
+        (n_sensor, n_point), and as the sensors, (n_sensor, n_point, n_microphone, n_bin) complex64. Those of as-built
+        sensors do not depend on others.
+        """
+        key = (kind, whose, *sensors.shape)
+        if key not in self._drawn:
+            random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(_NOISE_SEED, kind, whose)))
+            count, points = sensors.shape[:2]
+            # Every point has the same number of each touch, so that points differ by themselves.
+            order = np.stack([random.permutation(max(count, COUNT))[:count] % COUNT for _ in range(points)], 1)
+            parts = random.standard_normal((2, *sensors.shape)) / np.sqrt(2)
+            self._drawn[key] = order, (parts[0] + 1j * parts[1]).astype(np.complex64)
+        return self._drawn[key]
 
 
 def _touched(
@@ -341,7 +364,7 @@ def _touched(
     nominal: ComplexArray,
     noise: Array,
     leak: float,
-    random: np.random.Generator,
+    drawn: tuple[NDArray[np.int64], ComplexArray],
 ) -> _Touches:
     """A touch of each point of each of the sensors.
 
@@ -351,24 +374,23 @@ def _touched(
         nominal: those of the design, (n_point, n_microphone, n_bin).
         noise: mean square of the noise in each bin, (n_bin,), Pa^2.
         leak: fraction of what leaks into a bin that stays.
-        random: what draws touches and noise.
+        drawn: touches and noise, as of :meth:`_Chance.draw`.
     """
-    count, points = sensors.shape[:2]
-    # Every point has the same number of each touch, so that points differ by themselves.
-    order = np.stack([random.permutation(max(count, COUNT))[:count] % COUNT for _ in range(points)], 1)
+    order, white = drawn
     near, leaked, of_point = frames
     heard = (near[order] * of_point)[:, :, None] * sensors
     left = leak * (leaked[order] * np.abs(of_point))[:, :, None] * np.abs(sensors)
-    alone = random.standard_normal((2, *heard.shape)) * np.sqrt((noise + left**2) / 2)
-    heard = heard + alone[0] + 1j * alone[1]
+    heard = heard + white * np.sqrt(noise + left**2)
     gain = expected_gain(heard, nominal, noise)
     return _Touches(heard.reshape(-1, *heard.shape[2:]), gain.reshape(-1, gain.shape[-1]))
 
 
-def _right(sets: list[_Touches], tables: BinnedHypotheses, noise: Array) -> list[NDArray[np.bool_]]:
+def _right(
+    sets: list[_Touches], tables: BinnedHypotheses, noise: Array, options: BinnedOptions
+) -> list[NDArray[np.bool_]]:
     """True for each touch that the decoder of a sensor that nobody calibrated assigns to its point, set by set."""
     frames, gain = np.concatenate([each.frames for each in sets]), np.concatenate([each.gain for each in sets])
-    named = scores(frames, gain, tables, noise, BinnedOptions()).argmax(1)
+    named = scores(frames, gain, tables, noise, options).argmax(1)
     right = named == np.arange(len(named)) % len(tables.response)
     return np.split(right, np.cumsum([len(each.frames) for each in sets])[:-1])
 
@@ -376,7 +398,7 @@ def _right(sets: list[_Touches], tables: BinnedHypotheses, noise: Array) -> list
 def _measured(sensors: ComplexArray, seed: int) -> ComplexArray:
     """Libraries of calibrated sensors, right to :data:`CALIBRATION_ERROR`; errors are smooth over frequency."""
     random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(_CALIBRATION_SEED,)))
-    error = random.standard_normal((2, *sensors.shape[:3], len(_NODES))) * CALIBRATION_ERROR / np.sqrt(2)
+    error = random.standard_normal((2, *sensors.shape[:3], len(NODES))) * CALIBRATION_ERROR / np.sqrt(2)
     return np.asarray(sensors * np.exp((error[0] + 1j * error[1]) @ _to_bins()))
 
 
@@ -405,14 +427,4 @@ def _accuracy(right: NDArray[np.bool_], scatter: float) -> TouchAccuracy:
 @lru_cache(maxsize=1)
 def _to_bins() -> Array:
     """Matrix from values at the nodes to those in bins, (n_node, n_bin)."""
-    return _at(BINS)
-
-
-@lru_cache(maxsize=1)
-def _to_lines() -> Array:
-    """Matrix from values at the nodes to those on the lines of touches, (n_node, n_line); constant outside."""
-    return _at(np.clip(line_frequencies(), _NODES[0], _NODES[-1]))
-
-
-def _at(frequency: Array) -> Array:
-    return np.asarray(CubicSpline(np.log(_NODES), np.eye(len(_NODES)))(np.log(frequency)).T)
+    return from_nodes(BINS)

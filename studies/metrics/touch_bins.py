@@ -13,6 +13,7 @@ from typing import Literal
 import numpy as np
 import scipy.signal
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 
 from geometry.ground.typed import Array, ComplexArray
 from localize.decoders.frame_covariance import HUM, HUM_LINES, SOURCE_RMS
@@ -28,6 +29,8 @@ TOUCHES: tuple[Touch, ...] = ("taps", "presses", "multi_sines")
 """Kinds of touches."""
 BINS = np.arange(2.0, BAND[1], SAMPLE_RATE / FRAME)
 """Frequencies of the bins, one frame's line apart, Hz."""
+NODES = np.geomspace(2.5, 104.0, 12)
+"""Frequencies at which transfer functions are computed, Hz; between them they are splines."""
 REACH = 4.0
 """Distance of the lines that a bin counts, Hz, that of the next bin. Lines farther away leak into the bin by the
 transfer functions of their own frequency. The decoder knows the frame's edges and takes the leak away, but for
@@ -44,30 +47,51 @@ def source_density() -> float:
     return SOURCE_RMS**2 / (BAND[1] - BAND[0]) * SAMPLE_RATE / 2
 
 
-def touch_frames(touch: Touch, cavity: ComplexArray | None, force: float | None) -> tuple[ComplexArray, Array]:
+def touch_frames(touch: Touch, cavity: ComplexArray, force: float | None) -> tuple[ComplexArray, Array]:
     """Pressures in a cavity by touches, bin by bin.
 
     Args:
-        touch: their kind.
-        cavity: what a stroke goes through, at :func:`line_frequencies`, (n_line,): Pa/Pa by that at 30 Hz, or Pa/N with
-            a force; None for multi-sines, which are pressures.
+        touch: their kind; multi-sines are pressures, whatever the cavity.
+        cavity: what a stroke goes through, at :data:`NODES`, (n_node,): Pa/Pa by that at 30 Hz, or Pa/N with a force.
         force: peak of every stroke, N; None for strokes of the peaks that a run has, in Pa.
 
     Returns:
-        Pressure in each bin, (COUNT, n_bin) complex128, Pa, and amplitude of what leaks into it from lines farther away
-        than :data:`REACH`, (COUNT, n_bin) float64, Pa.
+        Pressure in each bin, (COUNT, n_bin) complex64, Pa, and amplitude of what leaks into it from lines farther away
+        than :data:`REACH`, (COUNT, n_bin) float32, Pa.
     """
-    forth, back = _analysis(touch != "multi_sines")
-    spectrum = _spectra(touch, force)
-    if cavity is not None:
-        spectrum = spectrum * cavity.astype(np.complex64)
+    if touch == "multi_sines":
+        return _multi_sine_frames()
+    forth, back = _stroke_frames(touch, force)
+    through = cavity.astype(np.complex64)
+    frames = through @ forth.reshape(len(through), -1) + through.conj() @ back.reshape(len(through), -1)
+    near, leaked = np.split(frames.reshape(COUNT, -1), 2, axis=1)
+    return near, np.abs(leaked)
+
+
+@lru_cache(maxsize=1)
+def _multi_sine_frames() -> tuple[ComplexArray, Array]:
+    """Frames of the multi-sines, as of :func:`touch_frames`."""
+    forth, back = _analysis(False)
+    spectrum = _spectra("multi_sines", None)
     near, leaked = np.split(spectrum @ forth + spectrum.conj() @ back, 2, axis=1)
-    return near.astype(np.complex128), np.abs(leaked).astype(np.float64)
+    return near, np.abs(leaked)
 
 
-def line_frequencies() -> Array:
-    """Frequencies of the spectral lines that reach the bins, (n_line,) float64, Hz."""
-    return _LINES
+@lru_cache(maxsize=8)
+def _stroke_frames(touch: Touch, force: float | None) -> tuple[NDArray[np.complex64], NDArray[np.complex64]]:
+    """Frames of strokes per value of the cavity at each node, and per its conjugate; (n_node, COUNT, 2 n_bin) each.
+
+    A cavity between the nodes is a cubic spline in log f, which a design then need not be multiplied with line by line.
+    """
+    forth, back = _analysis(True)
+    spectrum = _spectra(touch, force)
+    parts = [spectrum * part for part in from_nodes(np.clip(_LINES, NODES[0], NODES[-1])).astype(np.float32)]
+    return np.stack([part @ forth for part in parts]), np.stack([part.conj() @ back for part in parts])
+
+
+def from_nodes(frequency: Array) -> Array:
+    """Matrix from values at :data:`NODES` to those at frequencies, (n_node, n_freq): a cubic spline in log f."""
+    return np.asarray(CubicSpline(np.log(NODES), np.eye(len(NODES)))(np.log(frequency)).T)
 
 
 def noise_in_bins(noise: NoiseSpectrum) -> Array:
