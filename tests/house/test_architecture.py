@@ -13,7 +13,7 @@ from pathlib import Path
 
 import house_rules
 import pytest
-from imports import PACKAGES, House
+from imports import PACKAGES, House, tree_of
 
 ROOT = Path(__file__).parents[2]
 HEAVY = {"OCP", "cadquery", "gmsh", "vtk", "vtkmodules", "pyvista", "torch", "skfem", "matplotlib", "trimesh"}
@@ -208,7 +208,7 @@ def test_every_name_of_every_face_exists() -> None:
 def imported_names(path: Path) -> set[str]:
     """Top-level names a module imports, at its top or inside functions."""
     names: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in ast.walk(tree_of(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             names |= {alias.name.split(".")[0] for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
@@ -225,7 +225,7 @@ def test_no_module_of_ours_is_loaded_by_a_path_in_a_string() -> None:
     ours = re.compile(rf"(?:{'|'.join(PACKAGES)})(?:\.\w+)*")
     found = []
     for path in MODULES:
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in ast.walk(tree_of(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[-1] in {"import_module", "files"}:
                 found += [f"{path}: {ast.unparse(node)}" for each in node.args if is_text(each, ours)]
             if isinstance(node, ast.List | ast.Tuple) and any(is_text(each, re.compile("-m")) for each in node.elts):
@@ -288,7 +288,7 @@ def test_errors_that_are_raised_on_purpose_are_refusals() -> None:
     found = [
         f"{path}:{node.lineno}"
         for path in MODULES
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for node in ast.walk(tree_of(path.read_text(encoding="utf-8")))
         if (isinstance(node, ast.Raise) and node.exc is not None and ast.unparse(node.exc).startswith("ValueError"))
         or (isinstance(node, ast.ClassDef) and node.name != "Refusal" and "ValueError" in map(ast.unparse, node.bases))
     ]

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
-from imports import PACKAGES, House, circles, room_of
+from imports import PACKAGES, House, circles, room_of, tree_of
 
 ROOT = Path(__file__).resolve().parents[2]
 #: Names that say nothing of what lives there.
@@ -148,7 +148,7 @@ def _arguments_at_the_doors(house: House) -> Iterator[tuple[str, ast.arg, ast.ex
         for name, module in names.items():
             if module not in house.files:
                 continue
-            for node in ast.parse(house.files[module].read_text(encoding="utf-8")).body:
+            for node in tree_of(house.files[module].read_text(encoding="utf-8")).body:
                 if isinstance(node, ast.FunctionDef) and node.name == name:
                     yield from _arguments(f"{face}.{name}", node.args)
                 elif isinstance(node, ast.ClassDef) and node.name == name:

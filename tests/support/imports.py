@@ -4,9 +4,16 @@ from __future__ import annotations
 
 import ast
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 PACKAGES = ("geometry", "acoustic_fem", "localize", "studies")
+
+
+@cache
+def tree_of(text: str) -> ast.Module:
+    """A module's syntax, parsed once however many rules read it."""
+    return ast.parse(text)
 
 
 @dataclass(frozen=True, order=True)
@@ -16,6 +23,9 @@ class Import:
     module: str
     target: str
     line: int
+
+
+_FOUND: dict[tuple[tuple[str, int], ...], list[Import]] = {}
 
 
 class House:
@@ -50,10 +60,16 @@ class House:
 
     def imports(self) -> list[Import]:
         """Every import of one module of the house by another, at whatever place it stands."""
+        key = tuple((str(path), path.stat().st_mtime_ns) for path in self.files.values())
+        if key not in _FOUND:
+            _FOUND[key] = self._imports()
+        return _FOUND[key]
+
+    def _imports(self) -> list[Import]:
         return [found for name in self.files for found in self._imports_of(name)]
 
     def _imports_of(self, module: str) -> list[Import]:
-        tree = ast.parse(self.files[module].read_text(encoding="utf-8"))
+        tree = tree_of(self.files[module].read_text(encoding="utf-8"))
         known: dict[str, str] = {}  # local names of modules, for what is reached by attributes
         paths: list[tuple[str, int]] = []
         for node in ast.walk(tree):

@@ -11,6 +11,7 @@ from libraries import assert_same_library, three_points
 from typer.testing import CliRunner
 
 import acoustic_fem
+import localize
 from acoustic_fem.library import exchange
 from acoustic_fem.library.exchange import export
 from acoustic_fem.library.transfer_functions import MEASURED, Library
@@ -39,10 +40,8 @@ def localizer(library: Library, tmp_path_factory: pytest.TempPathFactory) -> Pat
     """A localizer that was hardly trained, on a library in another format."""
     folder = tmp_path_factory.mktemp("trained")
     export(library, folder / "library.sofa")
-    verb = ["train", str(folder / "library.sofa"), "--out", str(folder / "localizer"), "--epochs", "1"]
-    verb += ["--as-built", "0"]
-    made = CliRunner().invoke(app, verb)
-    assert made.exit_code == 0, made.output
+    plan = localize.TrainingPlan(seconds_per_point=24, epochs=1, as_built=0)
+    localize.train(acoustic_fem.load(folder / "library.sofa"), plan).save(folder / "localizer")
     return folder / "localizer"
 
 
