@@ -30,6 +30,7 @@ LONG = {
             "bending",
             "calibration",
             "decoder",
+            "diagnosis",
             "enclosed-air",
             "first-minutes",
             "localizer",
@@ -38,6 +39,7 @@ LONG = {
             "python",
             "realtime",
             "training-libraries",
+            "verdict",
         )
     ),
 }

@@ -126,6 +126,7 @@ SIGNAL_FAULTS: dict[str, Callable[[Signals], Signals]] = {
 }
 
 
+@pytest.mark.slow
 def test_a_fault_in_the_signals_is_named_and_the_good_point_survives(
     recorded: Path, model: Library, tmp_path: Path
 ) -> None:

@@ -183,6 +183,7 @@ def test_a_bad_body_of_air_is_refused_by_name_before_any_work():
 
 
 @pytest.mark.parametrize("length", [0, 10, 100, 1000])
+@pytest.mark.slow
 def test_a_step_file_cut_short_is_refused_by_its_name(tmp_path, length):
     whole, cut = tmp_path / "whole.step", tmp_path / "cut.step"
     cq.exporters.export(cq.Workplane(BOX), str(whole))

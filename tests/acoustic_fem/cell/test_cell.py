@@ -335,6 +335,7 @@ def test_bad_input_is_refused_by_name(change, message):
         port_admittance(**{**good, **change})
 
 
+@pytest.mark.slow
 def test_a_mistake_in_a_process_that_solves_a_cell_is_not_taken_for_a_cell_without_solution(
     tmp_path, monkeypatch, capfd
 ):

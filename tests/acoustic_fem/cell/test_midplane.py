@@ -39,6 +39,7 @@ def both_sides(half, height):
 
 
 @pytest.mark.parametrize(("second", "copies"), [(90.0, 2), (180.0, 4)], ids=["right angle", "in line"])
+@pytest.mark.slow
 def test_half_a_cell_and_what_its_membrane_pumps_through_the_midplane_are_the_whole_cell(second, copies):
     """But that in half of it the pressure is zero at the midplane by its weak form alone."""
     cell = Cell("resonator", 3.0, 3.5, 1.75, (CellPort(0.0, 0.9), CellPort(second, 0.6)), 3.0, 0.0)

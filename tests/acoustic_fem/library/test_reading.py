@@ -44,6 +44,7 @@ def test_a_library_is_read_without_a_layout_and_solved_with_one(
     assert measured == []
 
 
+@pytest.mark.slow
 def test_reading_a_library_loads_neither_finite_elements_nor_torch(tmp_path: Path) -> None:
     path = tmp_path / "library.nc"
     acoustic_fem.save(acoustic_fem.solve(geometry.prototype("array-2x6"), [1.0, 10.0], "lumped"), path)

@@ -54,6 +54,7 @@ def equilibria(setup: Setup, loads: list[float], refinement: int = 1, shape: Dis
 
 # -- another program ------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(("design", "largest", "within"), [("array-2x6", 0.3, 0.03), ("fingertip-4x6", 0.03, 0.05)])
+@pytest.mark.slow
 def test_volume_under_a_soft_patch_agrees_with_another_program(design, largest, within):
     force, volume = PressedMembrane(design).patch(largest)
     assert len(force) >= 5
@@ -93,6 +94,7 @@ def test_small_forces_displace_the_volume_of_the_linear_law(design):
     assert bulge(membrane, 0.0).compliance == pytest.approx(disc.static_compliance, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_small_sphere_acts_as_a_force_on_a_point():
     membrane = design_membrane("array-2x6")
     sizes = membrane.radius, membrane.thickness, membrane.youngs_modulus, membrane.poisson_ratio, membrane.rim_width
@@ -244,6 +246,7 @@ def test_volume_rises_with_force_and_its_slope_is_the_derivative(coarse):
     assert curve.volume_fraction([0.001, 0.03]) == pytest.approx([1.08, 0.395], abs=0.01)
 
 
+@pytest.mark.slow
 def test_a_press_finds_the_floor_of_the_cavity(coarse):
     curve = press_curve(design_membrane("array-2x6"), SoftPatch())
     at_floor = curve.force_at_floor
@@ -272,6 +275,7 @@ def test_a_pressed_membrane_is_stiffer_and_stiffer_still_when_held(coarse):
     assert (response.held_compliance < 0.3 * response.compliance[0]).all()
 
 
+@pytest.mark.slow
 def test_pressure_inside_bulges_out_and_stiffens(coarse):
     membrane = design_membrane("array-2x6")
     response = bulge(membrane, [-100.0, 0.0, 100.0, 1500.0])

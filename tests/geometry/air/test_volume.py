@@ -223,6 +223,7 @@ def check_random_shell(size, ports, fraction):
 
 
 @pytest.mark.parametrize("examples", [6, pytest.param(many(40), marks=pytest.mark.slow)])
+@pytest.mark.slow
 def test_random_shells_are_filled_or_refused_by_name(examples):
     built = []
 

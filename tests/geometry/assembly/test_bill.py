@@ -85,6 +85,7 @@ def test_a_board_takes_a_glue_joint_or_a_gasket(bill):
     assert f"{inside:g} x {inside + 1:g} mm" in items["gasket"].note
 
 
+@pytest.mark.slow
 def test_a_bent_spring_is_bought_as_long_as_its_turns_and_each_piece_says_its_lines():
     items = bill_of_materials(geometry.prototype("fingertip-3x4"), built("fingertip-3x4")).items
     spring = next(item for item in items if item.item.startswith("spring") and "between" in item.note)
@@ -156,6 +157,7 @@ def test_losses_are_the_users_own(bill):
 
 
 @pytest.mark.parametrize("name", PHYSICAL)
+@pytest.mark.slow
 def test_a_prototype_costs_what_the_paper_says(name):
     # Published: a few to 15 USD a prototype.
     assert 3 < bill_of_materials(geometry.prototype(name), built(name)).cost < 16

@@ -140,6 +140,7 @@ def test_a_sheath_that_is_too_wide_for_its_sockets_is_found():
     assert any(line.startswith("shell 1 and sheath of tube 2 of line 1 are in each other's way") for line in wide)
 
 
+@pytest.mark.slow
 def test_a_tube_that_comes_back_below_its_shell_is_measured_where_it_leaves_the_shell():
     below = {"layout.microphone_side": "below", "layout.columns": 4, "microphone_tube.length": 15.0}
     wide = {
@@ -171,6 +172,7 @@ def test_an_array_that_is_not_flat_or_not_square_fits_together_too(design):
     assert max(fit.axis_offset for fit in fits) < 5e-3
 
 
+@pytest.mark.slow
 def test_shells_stand_on_the_cylinder_and_collide_where_it_is_too_narrow():
     design = geometry.prototype("array-2x6").with_values(WOUND)
     model = array_model(design)

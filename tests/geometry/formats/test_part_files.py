@@ -119,6 +119,7 @@ def test_3mf_carries_unit_name_and_generating_parameters(exported):
     assert read_design(stated["design_toml"]) == read_design(parts.design_toml)
 
 
+@pytest.mark.slow
 def test_lib3mf_and_trimesh_read_the_plates(exported, tmp_path):
     parts, _, _ = exported
     plates = export_plates(parts, tmp_path, PROCESSES["sla-resin"]).plates

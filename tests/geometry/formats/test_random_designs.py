@@ -175,6 +175,7 @@ def check_random_designs(count: int) -> None:
     assert outcomes["built"] >= BUILT_SHARE * count - 1, (outcomes, reasons)
 
 
+@pytest.mark.slow
 def test_a_socket_that_would_graze_the_seat_of_the_board_leaves_a_wall() -> None:
     """Found at random: the socket's lowest line lay in the underside of the seat, and no mesh was closed."""
     design = geometry.prototype("array-2x6")

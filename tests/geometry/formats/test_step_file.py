@@ -18,6 +18,7 @@ def step(tmp_path_factory: pytest.TempPathFactory) -> str:
     return path.read_text()
 
 
+@pytest.mark.slow
 def test_a_shape_is_read_to_its_last_digit(tmp_path: Path) -> None:
     path = tmp_path / "box (inf).step"
     made = cq.Workplane().box(1 / 3, 4, 20).edges("|Z").fillet(0.1)
@@ -29,6 +30,7 @@ def test_a_shape_is_read_to_its_last_digit(tmp_path: Path) -> None:
     assert read.Center().toTuple() == kernel.Center().toTuple()
 
 
+@pytest.mark.slow
 def test_all_shapes_of_a_file_are_read(tmp_path: Path) -> None:
     path = tmp_path / "two.step"
     two = cq.Assembly().add(cq.Workplane().box(1, 1, 1)).add(cq.Workplane().box(2, 1, 1), loc=cq.Location((5, 0, 0)))
@@ -48,6 +50,7 @@ BAD = {
 
 
 @pytest.mark.parametrize("fault", BAD)
+@pytest.mark.slow
 def test_a_file_that_the_kernel_does_not_survive_is_refused_by_its_name(fault: str, step: str, tmp_path: Path) -> None:
     path = tmp_path / "bad.step"
     old, new = BAD[fault]

@@ -276,6 +276,7 @@ def engraved(part, plan):
     return cq.Compound.makeCompound([cut for cut in lowest.Solids() if cut.BoundingBox().xmax < x - 1e-6])
 
 
+@pytest.mark.slow
 def test_the_mark_tells_thickness_and_material_and_is_engraved_below():
     design = geometry.prototype("array-2x6")
     assert mark_text(design) == ("0.5MM", "A30")

@@ -132,6 +132,7 @@ def test_a_tapered_slot_is_as_narrow_as_its_floor():
     assert narrowest_gap(Faces(slotted, facets_of(slotted))).value == pytest.approx(0.1, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_the_web_of_a_corner_is_found_and_a_thinner_one_fails():
     corner = triangle()
     name, parts = "microphone-housing-60", geometry.build_parts(corner)

@@ -398,6 +398,7 @@ def test_engraved_digits_of_a_small_shell_do_not_break_into_its_sockets():
 
 
 @pytest.mark.parametrize("examples", [6, pytest.param(many(30), marks=pytest.mark.slow)])
+@pytest.mark.slow
 def test_random_shells_are_watertight_or_refused_by_name(examples):
     built = []
 

@@ -152,6 +152,7 @@ def test_the_cells_of_the_example_are_those_of_places_thrown_at_the_capsule(exam
         assert reached == pytest.approx((away <= radius).mean(), abs=0.03)
 
 
+@pytest.mark.slow
 def test_the_example_is_as_the_command_writes_it(tmp_path):
     for name in ("fingertip.toml", "fingertip.step"):
         shutil.copy(EXAMPLE / name, tmp_path / name)
@@ -289,6 +290,7 @@ UNSUITABLE = {
 }
 
 
+@pytest.mark.slow
 def test_messages(tmp_path):
     calls = {name: partial(laid, tmp_path, **case) for name, case in UNSUITABLE.items()}
     check_messages(HERE / "messages.txt", calls, hidden={f"{tmp_path}/": ""})

@@ -52,6 +52,7 @@ def test_a_light_press_is_linear_and_needs_no_solution(monkeypatch):
     assert np.array_equal(made, linear)
 
 
+@pytest.mark.slow
 def test_there_is_no_step_between_the_laws():
     presses = LargePresses(response_of(library()), RATE)
     law = law_of(presses)

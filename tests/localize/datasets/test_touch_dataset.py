@@ -81,6 +81,7 @@ def keyed(batches) -> dict[tuple[int, int], torch.Tensor]:
     return found
 
 
+@pytest.mark.slow
 def test_samples_are_the_same_from_none_two_and_four_workers(array):
     data = localize.TouchDataset(Family(array, [12] * 20), touches=130, batch_size=64, seed=3)
     whole = keyed(data)

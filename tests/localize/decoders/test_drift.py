@@ -70,6 +70,7 @@ def test_a_drift_is_followed_from_the_tenth_touch(modulus: float) -> None:
         pytest.param({"altitude": 1000.0, "hours": 0.0}, id="climbed"),
     ],
 )
+@pytest.mark.slow
 def test_a_sealed_sensor_that_is_worn_or_climbs_is_followed_from_the_tenth_touch(there: dict[str, float]) -> None:
     moved = response_of(calibrated().in_air(**there))
     made = localize.TouchGenerator(moved, 1, "training", NOISE).samples(0, 120)

@@ -133,6 +133,7 @@ def test_bare_transfer_functions_are_refused(library: acoustic_fem.Library) -> N
         localize.TolerantDecoder(response_of(library))  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 def test_it_listens_to_some_of_the_microphones() -> None:
     library = acoustic_fem.solve(triangle(), np.arange(1.0, 201.0), "lumped")
     touches = localize.TouchGenerator(response_of(library), 3, "evaluation", NOISE).samples(0, 40)
@@ -145,6 +146,7 @@ def test_it_listens_to_some_of_the_microphones() -> None:
 
 
 @pytest.mark.physics
+@pytest.mark.slow
 def test_air_and_rubber_that_nobody_gave_cost_it_no_touches() -> None:
     design = geometry.prototype("array-2x6")
     library = acoustic_fem.solve(design, GRID, "lumped")

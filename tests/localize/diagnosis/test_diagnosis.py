@@ -204,6 +204,7 @@ def estimates(fault: SensorFault | None, points: tuple[int, ...]) -> dict[int, T
         pytest.param(None, (2, 6, 11), marks=pytest.mark.slow),
     ],
 )
+@pytest.mark.slow
 def test_measured_transfer_functions_show_a_fault(fault: SensorFault | None, points: tuple[int, ...]) -> None:
     grid = diagnoser().libraries.frequency.astype(float)
     found = diagnoser().diagnose_measured(grid, estimates(fault, points))

@@ -44,6 +44,7 @@ def test_a_small_array_is_decoded_as_in_python_whatever_the_chunks(tmp_path: Pat
 
 
 @needs_compiler
+@pytest.mark.slow
 def test_decisions_are_the_same_when_the_count_of_samples_begins_again(tmp_path: Path) -> None:
     """32 bits of it last 49 days; a sample that was clipped before that is not one that is clipped afterwards."""
     response = calibrated(acoustic_fem.solve(small_design(), np.linspace(1.0, 500.0, 100), "lumped"))
@@ -134,6 +135,7 @@ def test_options_that_assume_lost_samples_away_are_refused_by_the_compiler(optio
 
 
 @needs_compiler
+@pytest.mark.slow
 def test_lost_samples_are_found_by_their_bits_where_the_compiler_takes_them_for_none(tmp_path: Path) -> None:
     """With the refusal undone, 50 lost samples still make frames unreadable, and no frame after them is."""
     response = calibrated(acoustic_fem.solve(small_design(), np.linspace(1.0, 500.0, 100), "lumped"))

@@ -98,6 +98,7 @@ def with_margins(response: ArrayResponse) -> np.ndarray:
     pytest.param(ConnectionFault("late", ("A",), 0.02), marks=pytest.mark.slow),
     ConnectionFault("late", ("A",), -0.0075),
 ], ids=str)  # fmt: skip
+@pytest.mark.slow
 def test_a_fault_of_the_connection_is_found_without_a_calibration(
     decoder: localize.TolerantDecoder, made: ArrayResponse, fault: ConnectionFault
 ) -> None:
@@ -155,6 +156,7 @@ def test_a_signal_is_moved_by_any_number_of_samples(samples: float) -> None:
     assert earlier(smooth, samples) == pytest.approx(moved, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_noise_that_is_louder_than_told_is_no_misfit_once_it_is_measured(
     decoder: localize.TolerantDecoder, made: ArrayResponse
 ) -> None:

@@ -167,6 +167,7 @@ def test_silence_gives_probabilities(pair):
     ("opset", "ir_version"),
     [*(pytest.param(opset, None, marks=pytest.mark.slow) for opset in (18, 21)), (20, 10)],
 )
+@pytest.mark.slow
 def test_an_older_runtime_gets_its_own_opset(array, pair, tmp_path, opset, ir_version):
     localizer, _ = pair
     path = tmp_path / "other.onnx"

@@ -55,6 +55,7 @@ def decisions(events: object) -> list[Decision]:
     return [event for event in events if isinstance(event, Decision)]  # type: ignore[attr-defined]
 
 
+@pytest.mark.slow
 def test_a_stream_decides_on_outputs_as_on_the_pressures(library: Library, pressures: tuple[Array, list[int]]) -> None:
     signals, points = pressures
     assert np.abs(outputs(signals, library)).max() < OVERLOAD
@@ -74,6 +75,7 @@ def test_a_stream_decides_on_outputs_as_on_the_pressures(library: Library, press
     assert points
 
 
+@pytest.mark.slow
 def test_an_overloaded_frame_is_reported_and_has_no_point(
     library: Library, pressures: tuple[Array, list[int]], tmp_path: Path
 ) -> None:

@@ -91,6 +91,7 @@ def notices(model: localize.Model, signals: np.ndarray) -> list[Notice]:
     return [notice for event in stream.push(signals) for notice in watch.take(event)]
 
 
+@pytest.mark.slow
 def test_a_watch_reports_a_wrong_connection_once_while_touches_come_in(
     model: localize.Model, recording: Recording, monkeypatch: pytest.MonkeyPatch
 ) -> None:

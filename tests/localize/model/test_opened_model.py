@@ -126,6 +126,7 @@ def test_tracks_pulses_and_exports_take_what_is_in_memory(folder: Path, tmp_path
     assert judged["model-based decoder"].top1 == judged["Bayes decoder"].top1
 
 
+@pytest.mark.slow
 def test_a_model_that_holds_its_library_is_evaluated_with_it(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     read: list[object] = []
     load = acoustic_fem.load
@@ -181,6 +182,7 @@ def test_a_drift_is_followed_on_where_a_microphone_dies_and_the_model_keeps_noth
     assert np.array_equal(model.stream().state, model.locator.start)
 
 
+@pytest.mark.slow
 def test_a_library_is_decoded_with_the_tolerances_until_its_sensor_is_measured() -> None:
     library = solved("array-2x6", np.arange(1.0, 101.0))
     assert type(localize.open_model(library, microphone_noise=NOISE).locator) is localize.TolerantDecoder

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 from rc_line import rc_line
 from refusals import check_messages
 from shared import solved
@@ -13,6 +14,7 @@ import localize
 from localize.recordings.channel_choice import chosen_channels
 
 
+@pytest.mark.slow
 def test_the_messages_of_decoders_streams_and_models(tmp_path: Path) -> None:
     array, graph = rc_line(4), tmp_path / "decoder.onnx"
     decoder, library = localize.BayesDecoder(array, 1e-3), solved("array-2x6", np.arange(1.0, 101.0, 3.0))

@@ -101,6 +101,7 @@ def test_variants_lean_turn_run_backwards_and_lose_parts() -> None:
     assert np.diff(gap[:, 0]).max() > 1.5 / 49
 
 
+@pytest.mark.slow
 def test_makers_take_hands_in_turn(surface: ArrayResponse) -> None:
     mirrored = {letter: [[[(-x, y) for x, y in each] for each in shapes[0]]] for letter, shapes in HAND.items()}
     hands = (Hand(), Hand(alphabets=(mirrored,)))

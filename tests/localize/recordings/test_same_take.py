@@ -94,6 +94,7 @@ def everywhere(signals):
     ("name", "rate", "bits", "point"),
     [("24-bit.wav", 1000, 24, 2), pytest.param("compact-disc.wav", 44100, 16, 3, marks=pytest.mark.slow)],
 )
+@pytest.mark.slow
 def test_a_copy_of_another_format_is_refused_at_every_point(manifest, rig, response, name, rate, bits, point) -> None:
     take = pascals(manifest, rig, "point-02-taps-2.wav")
     write_wav(manifest.parent / name, scipy.signal.resample_poly(take, rate // 100, 10, axis=1) / 4, rate, bits)

@@ -260,6 +260,7 @@ def test_a_check_in_python_writes_what_it_found(place: Path) -> None:
     assert json.loads(json.dumps(found.to_dict())) == json.loads(text("call.json"))
 
 
+@pytest.mark.slow
 def test_scatter_and_bending_in_python_are_those_of_the_verbs(command: Callable[..., str], place: Path) -> None:
     command("tolerance", "row.toml", "--out", "verb", "--samples", 4, "--base", 0, "--library", 2)
     study = studies.tolerance_study(small_design(), "call", samples=4, base_samples=0, library_size=2)

@@ -130,6 +130,7 @@ def test_a_sweep_needs_torch_for_predicted_accuracies_alone(tmp_path: Path) -> N
         ("locate decoder.onnx touches.wav --full-scale 20", "onnx"),
     ],
 )
+@pytest.mark.slow
 def test_what_is_not_installed_is_told_in_one_line_before_any_work(
     core: Path, tmp_path: Path, words: str, extras: str
 ) -> None:

@@ -205,6 +205,7 @@ def test_one_point_is_enough_for_solve_and_parts(command: Command, tmp_path: Pat
     assert parts.counts["shell-straight"] == parts.counts["membrane"] == 1
 
 
+@pytest.mark.slow
 def test_a_design_that_no_change_helps_is_not_written_again(
     command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

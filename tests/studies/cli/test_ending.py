@@ -150,6 +150,7 @@ def test_a_file_that_fails_is_named(command: Command, monkeypatch: pytest.Monkey
     assert (told.code, told.err) == (1, "acoustic-fem: disk/mine.toml: Input/output error\n")
 
 
+@pytest.mark.slow
 def test_a_process_of_its_own_ends_the_same_way(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "studies.cli", "solve", "array-2x6", "--out", str(tmp_path / "none" / "library.nc")],

@@ -16,6 +16,7 @@ def quick(monkeypatch):
 
 
 @pytest.mark.physics
+@pytest.mark.slow
 def test_the_verb_shows_proposals_and_writes_the_first(command, tmp_path):
     told = command("new", "mine", "--size", "60x30", "--points", 8, "--out", tmp_path / "mine.toml")
     assert told.code == 0, told.err

@@ -99,6 +99,7 @@ def test_what_cannot_be_tracked_is_told_in_one_line(
     assert not Path("x.csv").exists()
 
 
+@pytest.mark.slow
 def test_track_names_a_wrong_connection_and_says_nothing_of_a_right_one(folder: Path, tmp_path: Path) -> None:
     library = acoustic_fem.load(folder / "library.nc")
     array = response_of(library)

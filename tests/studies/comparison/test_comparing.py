@@ -126,6 +126,7 @@ def test_longer_tubes_make_a_longer_and_dearer_array_whose_points_differ_more(tw
     assert better(two, "points") == []
 
 
+@pytest.mark.slow
 def test_fields_of_three_designs_stand_in_the_order_of_a_file() -> None:
     found = studies.compare("array-2x6", "glove", "line-2", printing=False)
     tables = [each.name.split(".")[0] for each in found.fields]
@@ -245,6 +246,7 @@ def test_curves_reach_from_the_strongest_to_the_weakest_point() -> None:
 
 
 # -- what is not compared ----------------------------------------------------------------------------------
+@pytest.mark.slow
 def test_other_numbers_of_points_and_microphones_are_named() -> None:
     found = studies.compare("array-2x6", "line-2", "glove", printing=False)
     assert [bool(each.why) for each in found.differences] == [True, True]

@@ -33,6 +33,7 @@ ROWS = (
 FRACTIONS = (0.25, 0.5, 1.0)
 
 
+@pytest.mark.slow
 def test_conditions_have_touches_enough_for_four_points_either_way_but_no_more_than_were_asked_for(library):
     decoder = localize.BayesDecoder(library, 1e-2)
     for touches, expected in ((250, 600), (4, 12)):
@@ -79,6 +80,7 @@ def test_virtual_rigs_are_judged_as_they_are_made(library):
         assert np.allclose(own[..., inside], rig.transfer_function(response.frequency[inside]), rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_the_page_is_one_file_with_all_figures_and_the_json_has_their_numbers(library, tmp_path):
     response = response_of(library)
     locators = {"first": localize.BayesDecoder(library, 1e-2), "second": localize.BayesDecoder(library, 1e-3)}

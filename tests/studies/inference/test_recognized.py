@@ -25,6 +25,7 @@ from geometry import Kind
         ({"speed": 12.0}, "speed", 12.0),
     ],
 )
+@pytest.mark.slow
 def test_what_says_nothing_of_letters_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, options: dict, field: str, value: float
 ) -> None:
@@ -39,6 +40,7 @@ def test_what_says_nothing_of_letters_is_refused(
         studies.recognize_recording("model", tmp_path / "library.nc", tmp_path / "take.wav", **options)
 
 
+@pytest.mark.slow
 def test_kinds_are_told_in_the_noise_and_air_of_the_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     library = solved("array-2x6", np.arange(1.0, 101.0, 3.0))
     acoustic_fem.save(library, tmp_path / "library.nc")

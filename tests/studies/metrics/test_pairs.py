@@ -199,6 +199,7 @@ def test_every_metric_has_a_unit_a_definition_and_a_value(glove: acoustic_fem.Li
         assert np.isfinite(metric.of_library(glove)), name
 
 
+@pytest.mark.slow
 def test_a_design_has_the_same_metrics_in_any_batch() -> None:
     """Each metric at once for three designs and alone for each; to rounding, for sums are taken in other orders."""
     base = geometry.prototype("array-2x6").with_values({"lines.0.points": 4})

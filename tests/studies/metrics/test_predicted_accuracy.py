@@ -44,6 +44,7 @@ def test_a_light_touch_is_decoded_worse_than_a_firm_one() -> None:
     assert light.multi_sines.mean == pytest.approx(firm.multi_sines.mean, abs=0.02)
 
 
+@pytest.mark.slow
 def test_the_prediction_is_that_of_full_decoding() -> None:
     library = acoustic_fem.solve(CONFUSED, np.arange(1.0, 501.0), "lumped")
     response = response_of(library)

@@ -151,6 +151,7 @@ def test_a_search_killed_for_real_goes_on(tmp_path: Path, problem: Optimization,
     assert [(c.number, c.values) for c in again.candidates] == [(c.number, c.values) for c in found.candidates]
 
 
+@pytest.mark.slow
 def test_what_is_on_disk_is_what_was_found(problem: Optimization, found: OptimizationResult, folder: Path) -> None:
     save_search(problem, found, folder)
     _, again = read_search(folder)

@@ -104,6 +104,7 @@ def test_findings_on_drawn_parts_are_those_of_a_check():
 
 @pytest.mark.physics
 @pytest.mark.usefixtures("quick")
+@pytest.mark.slow
 def test_a_new_design_works_can_be_built_and_bought_and_fits(tmp_path):
     told = []
     made = studies.new_design(

@@ -37,6 +37,7 @@ CALLS: dict[str, Callable[[Any], object]] = {
 
 
 @pytest.mark.parametrize("name", CALLS)
+@pytest.mark.slow
 def test_a_design_is_given_by_name_by_path_or_as_itself(name: str, tmp_path: Path) -> None:
     design = geometry.prototype("line-2")
     geometry.save_design(design, tmp_path / "mine.toml")

@@ -68,6 +68,7 @@ def _coarse() -> Iterator[None]:
 
 
 @pytest.mark.usefixtures("_coarse")
+@pytest.mark.slow
 def test_a_library_is_what_solve_gives_where_every_case_has_a_membrane_of_its_own(tmp_path: Path) -> None:
     """The study of docs/training-libraries.md with more cases than a table of membranes is worth, and with fewer
     frequencies: by default no library has an interpolated membrane.

@@ -47,6 +47,7 @@ def test_a_dry_run_says_that_a_sobol_sample_is_not_balanced(count: int, told: bo
 
 
 @pytest.mark.parametrize(("start_up", "workers"), [(10.0, 1), (0.0, 2)])
+@pytest.mark.slow
 def test_a_sweep_and_its_plan_take_workers_where_they_save_more_than_their_start(
     start_up: float, workers: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -107,6 +108,7 @@ stock = "off"
 
 
 @pytest.mark.parametrize("sampling", ["grid", "random", "sobol", "latin-hypercube"])
+@pytest.mark.slow
 def test_the_plan_of_a_large_study_is_estimated_from_a_sample(sampling: str, monkeypatch: pytest.MonkeyPatch) -> None:
     head = "" if sampling == "grid" else f'sampling = "{sampling}"\ncases = 1284\n'
     study = read_study(head + 'constraints = ["tube.length > 20 * tube.inner_diameter"]\n' + LARGE)
@@ -166,6 +168,7 @@ class _Asked(Exception):
     """How many workers a sweep asked for."""
 
 
+@pytest.mark.slow
 def test_membranes_are_part_of_the_cost_unless_they_are_on_disk(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -300,6 +300,7 @@ def end_first(folder: str, number: int) -> int:
     return number
 
 
+@pytest.mark.slow
 def test_a_task_whose_worker_ends_is_given_to_another(tmp_path: Path) -> None:
     with open_workers(2, None) as team:
         found = dict(team.run(end_first, ((str(tmp_path), number) for number in range(20))))

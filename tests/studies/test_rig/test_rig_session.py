@@ -27,6 +27,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> studies.RigSession:
     return record_rig(small_design(), folder, seed=3, recorder=RECORDER, session=TOUCHES, fidelity="lumped")
 
 
+@pytest.mark.slow
 def test_a_calibration_from_it_finds_the_made_sensor_and_its_touches(made: studies.RigSession, tmp_path: Path) -> None:
     assert made.calibration.parent.parent == made.touches.parent.parent == made.folder
     found = studies.calibrate_sensor(made.calibration.parent, tmp_path / "made.nc", fidelity="lumped")

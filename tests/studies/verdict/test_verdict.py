@@ -117,6 +117,7 @@ def test_many_designs_have_the_values_that_each_has_alone() -> None:
     "rule",
     ["heard", "slow", "fits", "separate", pytest.param("bottoming", marks=pytest.mark.slow), "affordable", "coverage"],
 )
+@pytest.mark.slow
 def test_a_remedy_gives_what_it_promises_and_breaks_no_other_rule(rule: str) -> None:
     design = broken(rule)
     values = measure([design])[0]
@@ -219,6 +220,7 @@ def test_a_membrane_that_stretches_yields_less_than_a_plate() -> None:
     assert deflection < 1.2
 
 
+@pytest.mark.slow
 def test_a_fix_buys_the_nearest_parts_first_even_if_an_accuracy_becomes_marginal(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
