@@ -12,7 +12,7 @@ from localize import TrainingPlan
 from studies.run.pipeline import run_design
 from studies.run.run_result import RunResult
 
-PLAN = TrainingPlan(seconds_per_point=150, epochs=3, microphone_noise="design")
+PLAN = TrainingPlan(seconds_per_point=60, epochs=3, microphone_noise="design")
 
 
 def small_design() -> ArrayDesign:

@@ -236,7 +236,7 @@ def test_a_training_cut_short_is_said() -> None:
     plan = {**result.training["plan"], "time_limit": 7.0}
     short = replace(result, training={**result.training, "touches": 450, "cut_short": True, "plan": plan})
     assert "450 touches" in training_sentence(short)
-    assert "The plan had 1350 touches, but the training reached its limit of 7 s." in training_sentence(short)
+    assert "The plan had 540 touches, but the training reached its limit of 7 s." in training_sentence(short)
 
 
 def test_the_page_says_which_noise_was_used_and_that_its_figures_are_assumed(page: Page) -> None:
