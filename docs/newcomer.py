@@ -1,11 +1,11 @@
-"""Do what the manual says, as printed: ``python docs/newcomer.py [--guides] [PAGE ...]``; by default Start's pages.
+"""Do what the manual says, as printed: ``python docs/newcomer.py [--guides] [PAGE ...]``; by default README and Start.
 
 Writes the files that a page gives (a ``toml`` block below the file's name) and types its ``sh`` blocks, unchanged and
 in order, into one shell in a fresh clone of the checkout. It ends with exit code 1 at the first command that fails, or
 picture or page that a block names and nobody drew, or that shows nothing. What takes recordings of one's own is in
-``bash`` blocks: nobody types it. On a bare machine the first block of Start installs everything; ``--venv .venv`` takes
-an installation that there is. What listens to a sound card or serves a page until it is stopped cannot be done this
-way.
+``bash`` blocks: nobody types it. On a bare machine the first block of README installs everything; ``--venv .venv``
+takes an installation that there is. What listens to a sound card or serves a page until it is stopped cannot be done
+this way.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-START = ("install", "first-minutes", "tutorial")
+START = ("README", "install", "first-minutes", "tutorial")
 GUIDES = (
     *("studies/topology/README", "compare", "first-study", "studies", "cluster", "optimize", "tolerances", "parts"),
     *("assemble", "bending", "calibration", "realtime", "live", "tracks", "kinds", "letters", "pulse", "embed"),
@@ -32,6 +32,11 @@ PICTURE = re.compile(r"(?<![\w./-])[\w./-]+\.(?:png|html)\b")
 MARGINAL = 'acoustic-fem() { command acoustic-fem "$@" || { local code=$?; [ $code = 3 ] || return $code; }; }'
 #: Of a picture that shows something: the least share of pixels unlike its corner; of a page: bytes of its body.
 INKED, SMALLEST = 0.01, 5_000
+
+
+def page_of(root: Path, name: str) -> Path:
+    """The file of a page: README at the top of a checkout, all others in the manual."""
+    return root / "README.md" if name == "README" else root / "docs" / f"{name}.md"
 
 
 def blocks_of(page: Path) -> list[str]:
@@ -61,7 +66,7 @@ def typed(page: Path) -> str:
         lines += [f"cat > {name} <<'END'", text + "END"]
     for block in blocks_of(page):
         lines += [block.rstrip()]
-        lines += [f"python docs/newcomer.py --look {name}" for name in pictures_of(block)]
+        lines += [f".venv/bin/python docs/newcomer.py --look {name}" for name in pictures_of(block)]
     return "\n".join(lines) + "\n"
 
 
@@ -86,8 +91,8 @@ def main() -> int:
             for name in ("pyproject.toml", "constraints.txt"):
                 os.utime(clone / name, (0, 0))  # older than the installation: make leaves it as it is
         for name in asked.pages or (GUIDES if asked.guides else START):
-            script = typed(clone / "docs" / f"{name}.md")
-            if name != START[0]:
+            script = typed(page_of(clone, name))
+            if name not in START[:2]:  # both install
                 script = ". .venv/bin/activate\n" + script  # what the page says was done before
             own = {"PYTHONPATH": str(clone)} if asked.venv is not None else {}
             done = subprocess.run(["bash", "-x", "-c", script], cwd=clone, check=False, env={**os.environ, **own})
