@@ -6,13 +6,13 @@ import hashlib
 import math
 from collections import deque
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import value_of
 from geometry.ground.refusal import Refusal
-from geometry.schema.declared_fields import DesignField, field_named
+from geometry.schema.declared_fields import field_named
 
 #: Steps that can be taken back.
 MOST_STEPS = 500
@@ -34,6 +34,20 @@ class Refused:
     """Range of the field alone in words, with the unit; empty where anything of its kind goes."""
     mend: float | int | None
     """Value nearest to the refused one, in its unit, with which the design is valid; None where none is known."""
+
+
+@dataclass(frozen=True)
+class Dragged:
+    """Design after a part of it was dragged."""
+
+    design: ArrayDesign
+    """Valid design nearest to what was asked for."""
+    values: Mapping[str, Any] = field(default_factory=dict)
+    """Fields that were changed, by dotted name."""
+    refused: str = ""
+    """Reason why it is not exactly what was asked for; empty where it is."""
+    anchor: int | None = None
+    """Index of the point that stays in place; None where the layout's own places say it."""
 
 
 class DesignState:
@@ -139,12 +153,22 @@ def refusal_of(design: ArrayDesign, name: str, value: Any, error: Refusal) -> Re
         value: the value that was refused.
         error: the refusal.
     """
-    field = field_named(ArrayDesign, name)
-    return Refused(name, str(error), field.allowed if field is not None else "", _mend(design, name, value, field))
+    declared = field_named(ArrayDesign, name)
+    allowed = declared.allowed if declared is not None else ""
+    return Refused(name, str(error), allowed, nearest_valid(design, name, value))
 
 
-def _mend(design: ArrayDesign, name: str, refused: Any, field: DesignField | None) -> float | int | None:
-    """The valid value nearest to a refused one, on the way to it from the value that the design has."""
+def nearest_valid(design: ArrayDesign, name: str, refused: Any) -> float | int | None:
+    """The valid value nearest to a refused one, on the way to it from the value that the design has.
+
+    Args:
+        design: the valid design.
+        name: dotted name of the field.
+        refused: value that is not valid.
+
+    Returns:
+        None where no other value than the design's own is known to be valid.
+    """
     try:
         now = value_of(design, name)
     except Refusal:
@@ -152,8 +176,9 @@ def _mend(design: ArrayDesign, name: str, refused: Any, field: DesignField | Non
     if not _is_number(now) or not _is_number(refused):
         return None
     whole = isinstance(now, int)
-    if field is not None:  # the end of the field's own range
-        end = min(max(refused, field.range[0]), field.range[1])
+    declared = field_named(ArrayDesign, name)
+    if declared is not None:  # the end of the field's own range
+        end = min(max(refused, declared.range[0]), declared.range[1])
         if end != refused and _is_valid(design, name, int(end) if whole else end):
             return int(end) if whole else end
     good, bad = float(now), float(refused)

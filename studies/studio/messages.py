@@ -13,6 +13,7 @@ from studies.studio.stage import Job
 
 #: Digits of the longest whole number that is read: any such is a finite number too.
 _DIGITS = 300
+_COUNTS = {2: "two", 3: "three"}
 
 
 class MessageError(Refusal):
@@ -82,16 +83,26 @@ def is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
 
 
+def numbers_of(message: Mapping[str, Any], key: str, count: int) -> tuple[float, ...]:
+    """Numbers of a message, such as a place.
+
+    Raises:
+        MessageError: they are not so many finite numbers.
+    """
+    value = message.get(key)
+    if not isinstance(value, list) or len(value) != count or not all(map(is_number, value)):
+        raise MessageError(kind=Kind.WRONG_TYPE, field=key, allowed=f"{_COUNTS[count]} numbers")
+    return tuple(map(float, value))
+
+
 def place_of(message: Mapping[str, Any], key: str) -> tuple[float, float]:
     """A place in plan, x and y.
 
     Raises:
         MessageError: it is not a place.
     """
-    value = message.get(key)
-    if not isinstance(value, list) or len(value) != 2 or not all(map(is_number, value)):
-        raise MessageError(kind=Kind.WRONG_TYPE, field=key, allowed="two numbers")
-    return float(value[0]), float(value[1])
+    x, y = numbers_of(message, key, 2)
+    return x, y
 
 
 def packed_signals(header: Mapping[str, Any], found: Mapping[str, Any]) -> bytes:

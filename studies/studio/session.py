@@ -23,6 +23,7 @@ from studies.panels.export_files import EXPORTS
 from studies.panels.form import sizes_sold, stated_values
 from studies.panels.form_hints import fields_without_effect, values_in_use
 from studies.panels.pinned_panel import COMPARISON, field_rows, figure_rows
+from studies.studio.drags import Drags
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.job_search import JobSearch
 from studies.studio.messages import MessageError, packed, text_of, written
@@ -54,6 +55,7 @@ class Session:
         self.page: Any = None
         self.state = DesignState(design)
         self.pinned: ArrayDesign | None = None
+        self._drags = Drags(self.state, self._post)
         self.files: dict[str, tuple[Path, str]] = {}
         self.exploration = Exploration(workplace, self._post)
         self._search = JobSearch(workplace, self._post)
@@ -153,6 +155,15 @@ class Session:
             await self._post({"type": "refused", **refused.__dict__})
             return
         await self._changed()
+
+    async def _drag(self, message: Mapping[str, Any]) -> None:
+        before = self.state.revision
+        await self._drags.drag(message)
+        await (self._post_design(whole=False) if self.state.revision == before else self._changed())
+
+    async def _resize(self, message: Mapping[str, Any]) -> None:
+        if await self._drags.resize(message):
+            await self._changed()
 
     async def _remedy(self, message: Mapping[str, Any]) -> None:
         values = message.get("values")
@@ -462,6 +473,8 @@ class Session:
 _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
     "set": Session._set,
     "remedy": Session._remedy,
+    "drag": Session._drag,
+    "resize": Session._resize,
     "undo": Session._undo,
     "redo": Session._redo,
     "prototype": Session._prototype,

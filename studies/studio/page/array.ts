@@ -1,14 +1,15 @@
 // The Array panel: the project's own glTF, drawn when something changes and at no other time. What is shown is a copy
 // on a flat canvas: a renderer in software would put together one in three dimensions anew for every picture of the page.
 import {
-  AmbientLight, Box3, BufferGeometry, CanvasTexture, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineSegments,
-  Material, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, PerspectiveCamera, Plane, Raycaster, Scene, SphereGeometry, Sprite,
-  SpriteMaterial, Vector2, Vector3, WebGLRenderer,
+  AmbientLight, Box3, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, type Intersection, Material, Mesh, MeshBasicMaterial,
+  MeshStandardMaterial, Object3D, PerspectiveCamera, Plane, Quaternion, Raycaster, Scene, SphereGeometry, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { access } from "./access";
+import { Dimensions } from "./dimensions";
 import { byId, colour, hand, make, words } from "./dom";
+import { Dragging, type Hold, type Moved, toScene } from "./dragging";
 
 export interface Part { label: string; part: string; kind: string; group: string; }
 export interface Model { file: string; parts: Part[]; size: number[]; notes: string[]; }
@@ -19,8 +20,14 @@ const KINDS: Record<string, string> = {
 /** How far kinds are lifted in an exploded view, per height of the array. */
 const LIFT: Record<string, number> = { membrane: 2.2, shell: 0, sheath: -1.2, spring: 1.1, housing: 0, board: 1.6, package: 3 };
 
-/** Width of the text of a dimension line, of the distance at which the eye sees its own height as 0.63. */
-const LABEL = 0.14;
+/** Kinds of parts that are dragged, by what the readout says of them. */
+const DRAGGED: Record<string, string> = {
+  membrane: "drag it to move it", housing: "drag it to another place or side", board: "drag it to another place or side",
+  package: "drag it to another place or side", sheath: "drag its end to change its length", spring: "drag its end to change its length",
+};
+/** What can be changed in the picture; null where it is only looked at. */
+export interface Changes { drag: (message: object) => void; resize: (size: string, value: number | string) => void; }
+interface Home { position: Vector3; turn: Quaternion; }
 
 export class ArrayPanel {
   private renderer: WebGLRenderer | null = null;
@@ -29,14 +36,18 @@ export class ArrayPanel {
   private controls: OrbitControls | null = null;
   private model = new Group();
   private parts = new Map<string, Part>();
-  private home = new Map<Object3D, number>();
+  private home = new Map<Object3D, Home>();
   private hidden = new Set<string>();
   private marks: Mesh[] = [];
-  private lines = new Group();
-  private texts = new Group();
+  private dimensions: Dimensions;
+  private dragging: Dragging | null = null;
+  /** Where the parts are that were dragged, until the array is drawn anew. */
+  private moved: Moved | null = null;
   /** The array as it is built, however its parts are lifted: to its corners, not to boxes of its turned parts. */
   private extent = new Box3();
   private fittedTo = 0;
+  /** The designer has chosen how the array is seen. */
+  private turned = false;
   private cut = new Plane(new Vector3(0, 0, -1), 0);
   private lit: (part: Part) => boolean = () => false;
   private sheet = make("canvas", { tabindex: "0", role: "img", "aria-label": "the array in three dimensions; arrow keys turn it, plus and minus zoom" });
@@ -50,7 +61,8 @@ export class ArrayPanel {
   private size: number[] = [0, 0, 0];
 
   constructor(private place: HTMLElement, private colourOf: (point: number) => string,
-    private choose: (point: number | null, second: boolean) => void, private hover: (point: number | null) => void) {
+    private choose: (point: number | null, second: boolean) => void, private hover: (point: number | null) => void, changes: Changes | null) {
+    this.dimensions = new Dimensions(place, changes?.resize ?? null, () => this.ask());
     try {
       this.renderer = new WebGLRenderer({ antialias: true });
     } catch {
@@ -63,21 +75,26 @@ export class ArrayPanel {
     this.renderer.localClippingEnabled = true;
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.ask());
+    this.controls.addEventListener("start", () => { this.turned = true; });
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(0.4, 1, 0.7);
-    this.scene.add(new HemisphereLight(0xffffff, 0x8a929c, 1.6), new AmbientLight(0xffffff, 0.35), sun, this.model, this.lines, this.texts);
+    this.scene.add(new HemisphereLight(0xffffff, 0x8a929c, 1.6), new AmbientLight(0xffffff, 0.35), sun, this.model);
     new ResizeObserver(() => this.fit()).observe(place);
     // A picture that nobody sees costs what one costs that is seen: without a graphics card, a tenth of a second.
     new IntersectionObserver((entries) => {
       this.inSight = entries.at(-1)!.isIntersecting;
       if (this.inSight && this.owed) this.ask();
     }).observe(place);
+    if (changes) {
+      const turn = (on: boolean) => { this.controls!.enabled = on; };
+      this.dragging = new Dragging(place, canvas, this.camera, () => this.model.position, (event) => this.hold(event), turn, changes.drag, () => this.copy());
+    }
     let down = [0, 0];
     canvas.addEventListener("pointerdown", (event) => { down = [event.clientX, event.clientY]; });
     canvas.addEventListener("pointermove", (event) => { if (!event.buttons) this.name(event); });
     canvas.addEventListener("pointerleave", () => this.hover(null));
     canvas.addEventListener("click", (event) => {
-      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) this.choose(this.pointOf(this.under(event)), event.shiftKey);
+      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) this.choose(this.pointOf(this.under(event)?.part ?? null), event.shiftKey);
     });
     canvas.addEventListener("keydown", (event) => this.key(event));
     for (const id of ["exploded", "section"]) byId(id).addEventListener("input", () => this.arrange());
@@ -85,19 +102,28 @@ export class ArrayPanel {
     byId("refit").addEventListener("click", () => this.see());
   }
 
-  async take(model: Model): Promise<void> {
+  /** True while a part is dragged: what is drawn of an earlier place would take it out of the hand. */
+  get isDragged(): boolean { return this.dragging?.active ?? false; }
+
+  /** True while parts are shown where they were dragged, ahead of the model. */
+  get isMoved(): boolean { return this.moved !== null; }
+
+  async take(model: Model, revision: number): Promise<void> {
     byId("array-note").textContent = model.notes.join(" ");
     if (!this.renderer) return;
     const answer = await fetch(model.file, { headers: access() });
     if (!answer.ok) throw new Error(`${model.file}: ${answer.status}`);
     const found = await new GLTFLoader().parseAsync(await answer.arrayBuffer(), "");
+    if (this.moved && revision < this.moved.revision) return; // it would take the parts back
+    if (this.moved?.revision === revision) this.model.position.add(toScene(this.moved.shift));
+    this.moved = null;
     this.clear();
     this.parts = new Map(model.parts.map((part) => [part.label, part]));
     this.size = model.size;
     this.model.add(found.scene);
     this.home.clear();
     found.scene.traverse((each) => {
-      if (this.parts.has(each.name)) this.home.set(each, each.position.y);
+      if (this.parts.has(each.name)) this.home.set(each, { position: each.position.clone(), turn: each.quaternion.clone() });
       if (!(each instanceof Mesh)) return;
       const material = (each.material as MeshStandardMaterial).clone();
       material.userData = { colour: material.color.clone(), opacity: material.opacity };
@@ -109,6 +135,13 @@ export class ArrayPanel {
     const extent = Math.hypot(...model.size);
     this.arrange();
     if (Math.abs(Math.log(extent / (this.fittedTo || 1))) > 0.08) this.see();
+  }
+
+  /** The parts are where they were dragged; tubes are lines until they are drawn anew. */
+  follow(moved: Moved): void {
+    this.dragging?.say(moved);
+    this.moved = moved.words || this.moved ? moved : null;
+    this.arrange();
   }
 
   light(test: (part: Part) => boolean, places: { part: string; place: number[] | null }[] = []): void {
@@ -158,6 +191,7 @@ export class ArrayPanel {
 
   picture(name: string): void {
     this.draw();
+    this.copy(true); // the numbers of dimension lines are not on the canvas
     this.sheet.toBlob((blob) => blob && hand(blob, `${name}-array.png`));
   }
 
@@ -180,10 +214,17 @@ export class ArrayPanel {
     const bounds = this.extent;
     this.cut.constant = bounds.isEmpty() ? 1e3 : bounds.max.z - share * (bounds.max.z - bounds.min.z) + (share === 0 ? 1 : 0);
     const accent = new Color(colour("--accent"));
-    for (const [node, y] of this.home) {
-      const part = this.parts.get(node.name)!;
-      node.visible = !this.hidden.has(part.kind);
-      node.position.y = y + away * (LIFT[part.kind] ?? 0) * height;
+    const carried = this.carried();
+    for (const [node, { position, turn }] of this.home) {
+      const part = this.parts.get(node.name)!, carry = carried.get(part.group);
+      node.visible = !this.hidden.has(part.kind) && !(this.moved && part.group.startsWith("tube "));
+      node.position.copy(position);
+      node.quaternion.copy(turn);
+      if (carry) {
+        node.position.sub(carry.from).applyQuaternion(carry.turn).add(carry.to);
+        node.quaternion.premultiply(carry.turn);
+      }
+      node.position.y += away * (LIFT[part.kind] ?? 0) * height;
       const lit = this.lit(part), point = part.kind === "membrane" ? this.pointOf(part) : null;
       const own = point === null ? null : new Color(this.colourOf(point));
       node.traverse((each) => {
@@ -196,49 +237,60 @@ export class ArrayPanel {
         material.opacity = lit || own ? 1 : material.userData.opacity;
       });
     }
-    for (const each of [...this.lines.children, ...this.texts.children] as (LineSegments | Sprite)[]) {
-      if (each instanceof Sprite) each.material.map?.dispose();
-      else each.geometry.dispose();
-      (each.material as Material).dispose();
-    }
-    this.lines.clear();
-    this.texts.clear();
-    if (byId<HTMLInputElement>("dimensions").checked && !bounds.isEmpty()) this.measure(bounds);
+    this.measure();
     const [x, y, z] = this.size;
     if (x) byId("size").textContent = `${words(Math.max(x, y))} × ${words(Math.min(x, y))} × ${words(z)} mm`;
     this.ask();
   }
 
-  /** Dimension lines along three edges of the array as it is shown, with what they measure, mm. */
-  private measure(box: Box3): void {
-    const { min, max } = box;
-    this.place.dataset.measured = [max.x - min.x, max.z - min.z, max.y - min.y].map((each) => words(1000 * each, 3)).join(" ");
-    const off = 0.06 * Math.max(max.x - min.x, max.z - min.z), tick = off / 4, ink = new Color(colour("--ink-soft"));
-    const draw = (from: Vector3, to: Vector3, across: Vector3) => {
-      const side = across.clone().setLength(tick), at = [from, to];
-      for (const end of [from, to]) at.push(end.clone().sub(side), end.clone().add(side));
-      this.lines.add(new LineSegments(new BufferGeometry().setFromPoints(at), new LineBasicMaterial({ color: ink })));
-      const label = sprite(`${words(from.distanceTo(to) * 1000, 3)} mm`, colour("--ink"));
-      label.position.copy(from).add(to).multiplyScalar(0.5).add(across.clone().setLength(off));
-      this.texts.add(label);
-    };
-    const x = new Vector3(1, 0, 0), z = new Vector3(0, 0, 1);
-    draw(new Vector3(min.x, min.y, max.z + off), new Vector3(max.x, min.y, max.z + off), z);
-    draw(new Vector3(max.x + off, min.y, min.z), new Vector3(max.x + off, min.y, max.z), x);
-    draw(new Vector3(max.x + off, min.y, min.z), new Vector3(max.x + off, max.y, min.z), x);
+  /** Where parts that were dragged are carried from and to, by their group. */
+  private carried(): Map<string, { from: Vector3; to: Vector3; turn: Quaternion }> {
+    const found = new Map<string, { from: Vector3; to: Vector3; turn: Quaternion }>();
+    if (!this.moved) return found;
+    for (const [node, { position, turn }] of this.home) {
+      const { kind, group } = this.parts.get(node.name)!, number = this.pointOf(this.parts.get(node.name)!);
+      const place = kind === "shell" && number ? this.moved.points[number - 1] : kind === "housing" ? this.moved.microphones[group.replace("microphone ", "")] : undefined;
+      if (!place) continue;
+      const before = new Vector3(0, 0, 1).applyQuaternion(turn), after = toScene(place.slice(3)).normalize();
+      found.set(group, { from: position, to: toScene(place), turn: new Quaternion().setFromUnitVectors(before, after) });
+    }
+    return found;
   }
+
+  /** Dimension lines along three edges of the array as it is built, and between its first two points, mm. */
+  private measure(): void {
+    const { min, max } = this.extent, [x, y, z] = this.size;
+    if (!byId<HTMLInputElement>("dimensions").checked || this.extent.isEmpty() || this.moved) return this.dimensions.measure([], this.extent.min);
+    this.place.dataset.measured = [max.x - min.x, max.z - min.z, max.y - min.y].map((each) => words(1000 * each, 3)).join(" ");
+    const corner = (...at: [number, number, number]) => new Vector3(...at);
+    const spans = [
+      { size: "x", title: "length along x", from: corner(min.x, min.y, max.z), to: corner(max.x, min.y, max.z), value: x },
+      { size: "y", title: "length along y", from: corner(max.x, min.y, min.z), to: corner(max.x, min.y, max.z), value: y },
+      { size: "z", title: "height", from: corner(max.x, min.y, min.z), to: corner(max.x, max.y, min.z), value: z },
+    ];
+    const [first, second] = [1, 2].map((number) => [...this.home].find(([node]) => { const part = this.parts.get(node.name)!; return part.kind === "membrane" && part.group === `point ${number}`; }));
+    if (first && second) {
+      const [from, to] = [first, second].map(([, home]) => home.position.clone().add(this.model.position));
+      spans.push({ size: "pitch", title: "pitch, from point 1 to point 2", from, to, value: 1000 * from.distanceTo(to) });
+    }
+    this.dimensions.measure(spans, this.extent.getCenter(new Vector3()));
+  }
+
+  /** What the dimension line of a size says of a number that is not allowed. */
+  refuseSize(size: string): void { this.dimensions.refuse(size); }
 
   private see(): void {
     const bounds = new Box3().setFromObject(this.model);
-    bounds.union(new Box3().setFromObject(this.lines));
     if (bounds.isEmpty() || !this.controls) return;
     const middle = bounds.getCenter(new Vector3()), size = bounds.getSize(new Vector3());
     const tangent = Math.tan((this.camera.fov * Math.PI) / 360);
-    const away = Math.max(size.x / (2 * tangent * this.camera.aspect), (size.z * 0.75 + size.y) / (2 * tangent)) * 1.12 + size.z / 3;
+    const room = byId<HTMLInputElement>("dimensions").checked ? 1.3 : 1.12; // the lines are outside
+    const away = Math.max(size.x / (2 * tangent * this.camera.aspect), (size.z * 0.75 + size.y) / (2 * tangent)) * room + size.z / 3;
     this.camera.position.copy(middle).add(new Vector3(0, 0.78, 0.62).normalize().multiplyScalar(away));
     this.controls.target.copy(middle);
     this.controls.update();
     this.fittedTo = Math.hypot(...this.size);
+    this.turned = false;
     this.ask();
   }
 
@@ -251,7 +303,8 @@ export class ArrayPanel {
     Object.assign(this.sheet.style, { width: `${width}px`, height: `${height}px` });
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.see();
+    if (this.turned || this.moved) this.ask();
+    else this.see();
   }
 
   private ask(): void {
@@ -270,7 +323,7 @@ export class ArrayPanel {
     document.documentElement.dataset.drawn = String(Number(document.documentElement.dataset.drawn ?? 0) + 1);
   }
 
-  private copy(): void {
+  private copy(withNumbers = false): void {
     const c = flat(this.sheet);
     c.drawImage(this.still, 0, 0);
     for (const [node] of this.home) {
@@ -279,6 +332,25 @@ export class ArrayPanel {
       if (part.group === `point ${this.touched}`) this.fill(c, node, 1);
       else if (part.group === `point ${this.pointed}`) this.fill(c, node, 0.6);
     }
+    if (this.moved) this.trace(c, this.moved);
+    this.dimensions.draw(c, this.camera, withNumbers);
+    this.dragging?.draw(c, 14 * (this.sheet.width / this.place.clientWidth));
+  }
+
+  /** The courses of tubes that are drawn anew soon. */
+  private trace(c: CanvasRenderingContext2D, moved: Moved): void {
+    c.save();
+    c.strokeStyle = colour("--ink-soft");
+    c.lineWidth = 2.5 * (this.sheet.width / this.place.clientWidth);
+    c.beginPath();
+    for (const course of moved.tubes) {
+      course.forEach((point, k) => {
+        const { x, y } = toScene(point).add(this.model.position).project(this.camera), at: [number, number] = [(0.5 + 0.5 * x) * this.sheet.width, (0.5 - 0.5 * y) * this.sheet.height];
+        if (k) c.lineTo(...at); else c.moveTo(...at);
+      });
+    }
+    c.stroke();
+    c.restore();
   }
 
   /** Colour a part as the eye sees it, without what hides it. */
@@ -304,7 +376,7 @@ export class ArrayPanel {
     c.globalAlpha = 1;
   }
 
-  private under(event: MouseEvent): Part | null {
+  private under(event: MouseEvent): { part: Part; hit: Intersection } | null {
     const frame = this.sheet.getBoundingClientRect();
     const at = new Vector2((2 * (event.clientX - frame.left)) / frame.width - 1, 1 - (2 * (event.clientY - frame.top)) / frame.height);
     const ray = new Raycaster();
@@ -312,9 +384,19 @@ export class ArrayPanel {
     for (const hit of ray.intersectObject(this.model, true)) {
       let node: Object3D | null = hit.object;
       while (node && !this.parts.has(node.name)) node = node.parent;
-      if (node?.visible) return this.parts.get(node.name)!;
+      if (node?.visible) return { part: this.parts.get(node.name)!, hit };
     }
     return null;
+  }
+
+  /** The part under the pointer, if it can be dragged; it moves across the normal of the membrane that is nearest to it. */
+  private hold(event: MouseEvent): Hold | null {
+    const found = this.under(event);
+    if (!found || !DRAGGED[found.part.kind]) return null;
+    const at = found.hit.point, away = (node: Object3D) => node.getWorldPosition(new Vector3()).distanceTo(at);
+    const membranes = [...this.home.keys()].filter((node) => this.parts.get(node.name)!.kind === "membrane");
+    const nearest = membranes.reduce((best, node) => (away(node) < away(best) ? node : best));
+    return { group: found.part.group, at, normal: new Vector3(0, 0, 1).applyQuaternion(nearest.quaternion) };
   }
 
   private pointOf(part: Part | null): number | null {
@@ -323,8 +405,9 @@ export class ArrayPanel {
   }
 
   private name(event: MouseEvent): void {
-    const part = this.under(event);
-    byId("pointed-part").textContent = part ? part.label.replaceAll("_", " ") : "\u00a0";
+    const part = this.under(event)?.part ?? null, movable = part && this.dragging && byId<HTMLInputElement>("movable").checked ? DRAGGED[part.kind] : undefined;
+    byId("pointed-part").textContent = part ? part.label.replaceAll("_", " ") + (movable ? `: ${movable}` : "") : "\u00a0";
+    this.sheet.style.cursor = movable ? "move" : "grab";
     this.hover(this.pointOf(part));
   }
 
@@ -336,6 +419,7 @@ export class ArrayPanel {
     event.preventDefault();
     const from = this.camera.position.clone().sub(this.controls!.target);
     const length = from.length() * zoom, up = Math.acos(from.y / from.length()) + by[1], around = Math.atan2(from.x, from.z) + by[0];
+    this.turned = true;
     const polar = Math.min(Math.max(up, 0.02), 3.1);
     this.camera.position.copy(this.controls!.target).add(new Vector3(
       length * Math.sin(polar) * Math.sin(around), length * Math.cos(polar), length * Math.sin(polar) * Math.cos(around),
@@ -355,17 +439,3 @@ export class ArrayPanel {
 
 /** Drawn by the processor: see the curves. */
 function flat(canvas: HTMLCanvasElement): CanvasRenderingContext2D { return canvas.getContext("2d", { willReadFrequently: true })!; }
-
-/** A text that faces the eye. */
-function sprite(text: string, ink: string): Sprite {
-  const canvas = document.createElement("canvas"), c = canvas.getContext("2d")!;
-  [canvas.width, canvas.height] = [256, 64];
-  c.font = "40px system-ui";
-  c.textAlign = "center";
-  c.textBaseline = "middle";
-  c.fillStyle = ink;
-  c.fillText(text, 128, 32, 250);
-  const found = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false, sizeAttenuation: false }));
-  found.scale.set(LABEL, LABEL / 4, 1);
-  return found;
-}

@@ -9,7 +9,7 @@ import { Colouring } from "./colouring";
 import { ComparePanel } from "./compare";
 import { CurvesPanel, unpack } from "./curves";
 import { tablePicture } from "./chart";
-import { button, byId, csv, download, forgetColours, grey, make } from "./dom";
+import { button, byId, csv, download, forgetColours, grey, make, words } from "./dom";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
 import { handIn } from "./handing";
@@ -62,7 +62,7 @@ const colouring = new Colouring(recolour);
 const card = new PointCard(colouring);
 const colourOf = (point: number) => colouring.of(point);
 const curves = new CurvesPanel(byId("plots"), () => curveTitles, colourOf, choose, hover);
-const array = new ArrayPanel(byId("space"), colourOf, choose, hover);
+const array = new ArrayPanel(byId("space"), colourOf, choose, hover, shared ? null : { drag: change, resize: (size, value) => change({ do: "resize", size, value }) });
 let figureWords: Record<string, Word> = {};
 const table = new PointsPanel(() => figureWords, colourOf, choose, hover);
 const check = new CheckPanel((part, place) => {
@@ -175,6 +175,12 @@ function take(message: any): void {
     case "error":
       notice(message.message);
       return answered();
+    case "moved":
+      array.follow(message);
+      return stale();
+    case "refused-size":
+      refusedSize(message);
+      return answered();
     case "progress": return progress(message.stage, message.line || document.querySelector<HTMLElement>(`[data-status="${message.stage}"]`)?.dataset.said || "computing…");
     case "failed": return failed(message);
     case "figures": return void figures(message);
@@ -208,6 +214,13 @@ function take(message: any): void {
   }
 }
 
+/** A size that is not allowed, with the nearest one that is. */
+function refusedSize({ size, message, nearest }: { size: string; message: string; nearest: number | null }): void {
+  array.refuseSize(size);
+  const mend = nearest === null ? [] : [button(`Set ${words(nearest)} mm`, () => change({ do: "resize", size, value: nearest }), { class: "mend" })];
+  byId("size-refusal").replaceChildren(make("span", {}, message), ...mend);
+}
+
 function progress(stage: string, line: string): void {
   if (stage === "proposals") return job.progress(line);
   const place = document.querySelector(`[data-status="${stage}"]`);
@@ -237,7 +250,7 @@ function refigured(): void { if (colouring.isByFigure) recolour(); else card.red
 
 /** Until no change has been made for a moment: drawing an array would hold up the curves of a slider that is dragged. */
 async function calm(): Promise<void> {
-  while (performance.now() - changed < CALM) await new Promise((go) => setTimeout(go, CALM / 2));
+  while (performance.now() - changed < CALM || array.isDragged) await new Promise((go) => setTimeout(go, CALM / 2));
 }
 
 /** Models are fetched one after the other: the one asked for last is the one that stays. */
@@ -247,7 +260,7 @@ async function figures(message: any): Promise<void> {
   const { stage, found } = message;
   if (message.revision < (shownRevision[stage] ?? -1)) return;
   if (stage === "model") {
-    const own = fetched.then(calm).then(() => array.take(found));
+    const own = fetched.then(calm).then(() => array.take(found, message.revision));
     fetched = own.catch(() => {});
     try {
       await own;
@@ -316,6 +329,7 @@ function design(message: any): void {
     if ("name" in message.values) name = message.values.name;
     if (Object.keys(message.values).some((each) => each.endsWith(".points"))) points(null);
   }
+  byId("size-refusal").replaceChildren();
   form.offer(message.sizes);
   if (message.hints) form.hint(message.hints.without_effect, message.hints.in_use);
   picture.take(stated, message.hints?.in_use ?? null);
@@ -380,7 +394,7 @@ function points(fields: any[] | null): void {
 function stale(): void {
   grey(byId("plots"), curves.revision !== revision);
   for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["points", "compared-figures"], ["points", "point-card"], ["as_built", "as-built-shown"], ["verdict", "verdict-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
-    grey(byId(place), shownRevision[stage] !== revision);
+    grey(byId(place), shownRevision[stage] !== revision && !(stage === "model" && array.isMoved));
   }
 }
 

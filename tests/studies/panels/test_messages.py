@@ -5,10 +5,12 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 from refusals import check_messages
 
 from geometry import prototype
 from studies.panels.curves import curves_of, quick_library
+from studies.panels.dragging import dragged, resized
 from studies.panels.exploring import study_file
 from studies.panels.export_files import make_export
 from studies.panels.recognizing import store_recognizer
@@ -36,6 +38,9 @@ def test_messages_of_panels_and_studio() -> None:
             "point": partial(simulate_touch, ARRAY, 0, "tap", 1),
             "kind of touch": partial(simulate_touch, ARRAY, 1, "hit", 1),
             "slide": partial(simulate_slide, ARRAY, [0.0, 0.0], [0.0, 0.0], 1),
+            "part": partial(dragged, ARRAY, "shell 1", np.zeros(3), np.zeros(3)),
+            "part of another design": partial(dragged, ARRAY, "point 99", np.zeros(3), np.zeros(3)),
+            "size": partial(resized, ARRAY, "depth", 1.0),
             "place": partial(place_of, {}, "start"),
             "text": partial(text_of, {}, "name"),
             "not JSON": partial(read_message, "{"),

@@ -99,6 +99,54 @@ def test_a_change_is_told_with_what_changed_alone_and_its_curves_follow(workplac
     ended(play())
 
 
+def test_a_drag_is_one_step_and_counts_from_its_beginning(workplace: Workplace) -> None:
+    async def play() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        drag = {"do": "drag", "part": "point 6", "at": [92.5, 0, 3], "gesture": "a"}
+        for way, length in ((2.5, 13.0), (10.0, 14.5), (5.0, 13.5)):
+            page.texts.clear()
+            await session.take({**drag, "by": [way, 0.0, 0.0]})
+            assert session.state.design.tube.length == length
+            moved = next(each for each in page.texts if each["type"] == "moved")
+            assert (moved["words"], moved["refused"]) == (f"tube.length = {length:g} mm", "")
+            assert moved["revision"] == session.state.revision
+            assert (await page.until("design"))["values"] == {"tube.length": length}
+        await session.take({"do": "undo"})
+        assert session.state.design == ARRAY
+        assert not session.state.can_undo
+
+        page.texts.clear()
+        await session.take({**drag, "by": [-500.0, 0.0, 0.0], "gesture": "b"})
+        moved = next(each for each in page.texts if each["type"] == "moved")
+        assert "the two walls" in moved["refused"]
+        assert session.state.design.tube.length == 4.01
+
+        await session.take({**drag, "part": "point 1", "by": [-5.0, 0.0, 0.0], "gesture": "c"})
+        moved = [each for each in page.texts if each["type"] == "moved"][-1]
+        before = moved["points"][6][0] - moved["shift"][0]
+        assert moved["shift"][0] < 0
+        assert before + moved["shift"][0] == pytest.approx(5 * 10.01, abs=1e-3)  # point 7 holds still
+
+    ended(play())
+
+
+def test_a_size_that_is_typed_is_taken_or_refused_with_the_nearest_one(workplace: Workplace) -> None:
+    async def play() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        await session.take({"do": "resize", "size": "x", "value": 150.0})
+        assert session.state.design.tube.length == 19.04
+        await session.take({"do": "resize", "size": "x", "value": 20.0})
+        told = await page.until("refused-size")
+        assert (told["size"], round(told["nearest"], 2)) == ("x", 74.85)
+        await session.take({"do": "resize", "size": "x", "value": "wide"})
+        assert (await page.until("refused-size"))["message"] == "x = 'wide' must be a length in mm"
+        assert session.state.design.tube.length == 19.04
+
+    ended(play())
+
+
 def test_a_bought_size_brings_the_parts_that_go_with_it(workplace: Workplace) -> None:
     async def play() -> None:
         page, session = Page(), Session(ARRAY, workplace)
