@@ -13,6 +13,7 @@ from typing import Any
 
 import geometry
 from geometry.formats.part_files import ExportedFile
+from geometry.ground.page_parts import page_parts
 from geometry.ground.whole_files import write_text
 from geometry.printing.printability import PrintReport
 from geometry.schema.print_processes import NUMBERS, RULES, Rule
@@ -95,7 +96,10 @@ def render(report: PrintReport, title: str, content: dict[str, Any]) -> str:
     )
     process = report.process
     rules: list[tuple[str, Rule]] = [(name.replace("_", " "), getattr(process, name)) for name in RULES]
+    style, script = page_parts()
     return template.render(
+        style=style,
+        script=script,
         title=title,
         report=report,
         process=process,

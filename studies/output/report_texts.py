@@ -6,11 +6,10 @@ import base64
 import io
 import re
 from collections.abc import Iterator, Mapping
-from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import studies
+from geometry.ground.page_parts import page_parts
 from geometry.ground.refusal import counted
 from studies.output.display import number
 
@@ -35,8 +34,10 @@ def rendered_page(template: str, **values: Any) -> str:
         lstrip_blocks=True,
     )
     environment.filters |= {"number": number, "counted": counted}
-    style = (resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8")
-    return environment.get_template(template).render(style=style, **values)
+    style, script = page_parts()
+    page = environment.get_template(template).render(style=style, **values)
+    before, _, after = page.rpartition("</body>")
+    return f"{before}<script>{script}</script>\n</body>{after}"
 
 
 def inlined_picture(path: Path) -> str:
@@ -52,7 +53,7 @@ def inlined_drawing(figure: Figure) -> str:
     with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "acoustic-fem", "font.family": "sans-serif"}):
         figure.savefig(out, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
     text = out.getvalue()
-    for colour, own in (("#000000", "currentColor"), ("#dddddd", "var(--line)"), ("black", "currentColor")):
+    for colour, own in (("#000000", "currentColor"), ("#dddddd", "var(--grid)"), ("black", "currentColor")):
         text = text.replace(f": {colour}", f": {own}")
     return re.sub(r"(?s)<metadata>.*?</metadata>", "", text[text.index("<svg") :])
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -29,6 +30,55 @@ LARGEST_NUMBERED_MATRIX = 16
 """Number of points up to which the cells of a matrix carry their numbers."""
 
 
+@dataclass(frozen=True)
+class CurvePanel:
+    """Panel of a figure over frequency, with a curve for each point."""
+
+    title: str
+    """Title of the panel."""
+    label: str
+    """Quantity and unit of its values."""
+    values: NDArray[np.float64]
+    """Curves, (n_point, n_freq) float64."""
+    limit: float | None = None
+    """Bound of the magnitude of the values, drawn dashed."""
+
+
+def transfer_panels(transfer_function: xr.DataArray) -> list[CurvePanel]:
+    """Level (dB) and unwrapped phase (degrees) at each microphone."""
+    h, _ = in_band(transfer_function)
+    panels = []
+    for m, name in enumerate(transfer_function["microphone"].values):
+        level, phase = 20 * np.log10(np.abs(h[:, m])), np.degrees(np.unwrap(np.angle(h[:, m])))
+        panels.append(CurvePanel(f"microphone {name}: level", "|H|  (dB)", level))
+        panels.append(CurvePanel(f"microphone {name}: phase", "arg H  (degrees)", phase))
+    return panels
+
+
+def difference_panels(transfer_function: xr.DataArray) -> list[CurvePanel]:
+    """Level difference, ILD (dB), and unwrapped phase difference, IPD (degrees), of each pair of microphones."""
+    ratios = microphone_ratios(transfer_function)[..., _inside(transfer_function)]
+    panels = []
+    for p, (a, b) in enumerate(combinations([str(name) for name in transfer_function["microphone"].values], 2)):
+        level, phase = 20 * np.log10(np.abs(ratios[:, p])), np.degrees(np.unwrap(np.angle(ratios[:, p])))
+        panels.append(CurvePanel(f"ILD of {a} and {b}", f"20 log |{a} / {b}|  (dB)", level))
+        panels.append(CurvePanel(f"IPD of {a} and {b}", f"arg ({a} / {b})  (degrees)", phase))
+    return panels
+
+
+def comparison_panels(
+    transfer_function: xr.DataArray, reference: xr.DataArray, limits: tuple[float, float]
+) -> list[CurvePanel]:
+    """Deviation in magnitude (%) and phase (degrees) from a reference on the same grid, with a limit for each."""
+    ratio = in_band(transfer_function)[0] / in_band(reference)[0]
+    words, panels = "lumped - Navier-Stokes", []
+    for m, name in enumerate(transfer_function["microphone"].values):
+        magnitude, phase = 100 * (np.abs(ratio[:, m]) - 1), np.degrees(np.angle(ratio[:, m]))
+        panels.append(CurvePanel(f"microphone {name}: magnitude", f"{words}  (%)", magnitude, limits[0]))
+        panels.append(CurvePanel(f"microphone {name}: phase", f"{words}  (degrees)", phase, limits[1]))
+    return panels
+
+
 def draw_transfer_functions(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
     """Picture of level (dB) and unwrapped phase (degrees) against frequency, a row per microphone, a curve per point.
 
@@ -36,16 +86,7 @@ def draw_transfer_functions(transfer_function: xr.DataArray, path: str | os.Path
         transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
         path: of the PNG, which is handed back.
     """
-    h, frequency = _in_band(transfer_function)
-    names = [str(name) for name in transfer_function["microphone"].values]
-    with frequency_panels(len(names)) as (figure, rows):
-        for m, (axes, name) in enumerate(zip(rows, names, strict=True)):
-            _curves(axes[0], frequency, 20 * np.log10(np.abs(h[:, m])))
-            _curves(axes[1], frequency, np.degrees(np.unwrap(np.angle(h[:, m]))))
-            axes[0].set(title=f"microphone {name}: level", ylabel="|H|  (dB)")
-            axes[1].set(title=f"microphone {name}: phase", ylabel="arg H  (degrees)")
-        _name_points(figure, transfer_function["point"].values)
-        return save_figure(figure, path)
+    return _draw_panels(transfer_function, transfer_panels(transfer_function), path)
 
 
 def draw_differences(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
@@ -55,17 +96,7 @@ def draw_differences(transfer_function: xr.DataArray, path: str | os.PathLike[st
         transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
         path: of the PNG, which is handed back.
     """
-    _, frequency = _in_band(transfer_function)
-    ratios = microphone_ratios(transfer_function)[..., _inside(transfer_function)]
-    names = list(combinations([str(name) for name in transfer_function["microphone"].values], 2))
-    with frequency_panels(len(names)) as (figure, rows):
-        for p, (axes, (a, b)) in enumerate(zip(rows, names, strict=True)):
-            _curves(axes[0], frequency, 20 * np.log10(np.abs(ratios[:, p])))
-            _curves(axes[1], frequency, np.degrees(np.unwrap(np.angle(ratios[:, p]))))
-            axes[0].set(title=f"ILD of {a} and {b}", ylabel=f"20 log |{a} / {b}|  (dB)")
-            axes[1].set(title=f"IPD of {a} and {b}", ylabel=f"arg ({a} / {b})  (degrees)")
-        _name_points(figure, transfer_function["point"].values)
-        return save_figure(figure, path)
+    return _draw_panels(transfer_function, difference_panels(transfer_function), path)
 
 
 def draw_comparison(
@@ -82,18 +113,18 @@ def draw_comparison(
         path: of the PNG, which is handed back.
         limits: in magnitude, percent, and in phase, degrees.
     """
-    h, frequency = _in_band(transfer_function)
-    ratio = h / _in_band(reference)[0]
-    names = [str(name) for name in transfer_function["microphone"].values]
-    with frequency_panels(len(names)) as (figure, rows):
-        for m, (axes, name) in enumerate(zip(rows, names, strict=True)):
-            _curves(axes[0], frequency, 100 * (np.abs(ratio[:, m]) - 1))
-            _curves(axes[1], frequency, np.degrees(np.angle(ratio[:, m])))
-            axes[0].set(title=f"microphone {name}: magnitude", ylabel="lumped - Navier-Stokes  (%)")
-            axes[1].set(title=f"microphone {name}: phase", ylabel="lumped - Navier-Stokes  (degrees)")
-            for axis, limit in zip(axes, limits, strict=True):
-                for sign in (-1, 1):
-                    axis.axhline(sign * limit, color="#b03030", linestyle="--", linewidth=1)
+    return _draw_panels(transfer_function, comparison_panels(transfer_function, reference, limits), path)
+
+
+def _draw_panels(transfer_function: xr.DataArray, panels: Sequence[CurvePanel], path: str | os.PathLike[str]) -> Path:
+    """Picture of panels, two to a row."""
+    frequency = in_band(transfer_function)[1]
+    with frequency_panels(len(panels) // 2) as (figure, rows):
+        for axis, panel in zip((axis for row in rows for axis in row), panels, strict=True):
+            _curves(axis, frequency, panel.values)
+            axis.set(title=panel.title, ylabel=panel.label)
+            for bound in () if panel.limit is None else (-panel.limit, panel.limit):
+                axis.axhline(bound, color="#b03030", linestyle="--", linewidth=1)
         _name_points(figure, transfer_function["point"].values)
         return save_figure(figure, path)
 
@@ -265,7 +296,7 @@ def _inside(transfer_function: xr.DataArray) -> NDArray[np.bool_]:
     return np.asarray((frequency >= BAND[0] - 1e-9) & (frequency <= BAND[1] + 1e-9))
 
 
-def _in_band(transfer_function: xr.DataArray) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
+def in_band(transfer_function: xr.DataArray) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
     """Values (point, microphone, frequency) and frequencies within 1 to 100 Hz."""
     inside = _inside(transfer_function)
     values = transfer_function.transpose("point", "microphone", "frequency").values[..., inside]

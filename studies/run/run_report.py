@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from localize.signals.finger_strokes import PEAK, TAP_SECONDS
 from localize.signals.stimulus import BAND
 from studies.output.report_texts import inlined_picture, record_rows, rendered_page
 from studies.run.check import cell_uses
+from studies.run.figure_data import figure_data
 from studies.run.findings import (
     SENSITIVITY_AT,
     accuracy_rows,
@@ -43,7 +45,7 @@ _ORDER = {"fail": 0, "warn": 1, "ok": 2}
 
 
 def write_report(result: RunResult, path: Path) -> None:
-    """Write the page of a run: pictures inlined, no script, nothing fetched."""
+    """Write the page of a run: pictures, figures as data and the script that draws them inlined, nothing fetched."""
     write_text(path, render(result))
 
 
@@ -65,6 +67,8 @@ def render(result: RunResult) -> str:
         summary=summary(result),
         accuracies=accuracy_rows(result),
         figures=key_figures(result),
+        # JSON reads the escaped sign as the plain one, and no text of a design ends the element too early.
+        figure_data=json.dumps(figure_data(result), allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"),
         pictures={name: inlined_picture(path) for name, path in result.figures.items()},
         confusion=confusion_sentence(result),
         agreement=agreement_sentence(result),

@@ -1,7 +1,11 @@
 "use strict";
 const data = JSON.parse(document.getElementById("data").textContent);
 const P = data.parameters, F = P.slice(0, data.free), M = data.metrics, cloud = data.cloud;
-const INK = "#1d2730", SOFT = "#5a6772", ACCENT = "#2a6f97", HOT = "#c8553d", LINE = "#d8dee3";
+const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const ACCENT = "#2a86b8";
+let INK, SOFT, HOT, LINE, CARD;
+function colours() { [INK, SOFT, HOT, LINE, CARD] = ["--ink", "--ink-soft", "--accent", "--grid", "--card"].map(style); }
+colours();
 const byId = (id) => document.getElementById(id);
 const config = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["lasso2d", "select2d", "autoScale2d"] };
 
@@ -20,10 +24,10 @@ const short = (column) => column.title.replace(/\./g, ".<wbr>");
 function layout(more) {
   return Object.assign({
     font: { family: "system-ui, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif", size: 13, color: INK },
-    paper_bgcolor: "#fff", plot_bgcolor: "#fff", margin: { l: 70, r: 20, t: 30, b: 55 }, hovermode: "closest", showlegend: false,
+    paper_bgcolor: CARD, plot_bgcolor: CARD, margin: { l: 70, r: 20, t: 30, b: 55 }, hovermode: "closest", showlegend: false,
   }, more);
 }
-const axis = (title, more) => Object.assign({ title: { text: title, standoff: 8 }, gridcolor: "#eceff2", linecolor: LINE, zeroline: false, automargin: true }, more);
+const axis = (title, more) => Object.assign({ title: { text: title, standoff: 8 }, gridcolor: LINE, linecolor: LINE, zeroline: false, automargin: true }, more);
 function ticks(column) {
   return column.labels.length ? { tickvals: column.labels.map((_, k) => k), ticktext: column.labels, range: [-0.5, column.labels.length - 0.5] } : {};
 }
@@ -97,7 +101,7 @@ function drawBest() {
   const m = chosen("best-metric"), table = byId("best-table");
   table.textContent = "";
   const row = (cells, kind) => {
-    const line = table.insertRow();
+    const line = (table.tBodies[0] ?? table.createTBody()).insertRow();
     cells.forEach((cell) => {
       const place = document.createElement(kind);
       if (cell instanceof Node) place.append(cell); else place.innerHTML = cell;
@@ -108,6 +112,7 @@ function drawBest() {
   const columns = [M[m], ...M.filter((_, k) => k !== m)];
   const values = (k) => columns.map((column) => text(cloud.metrics[M.indexOf(column)][k]));
   row(["design", "", ...columns.map(label), ...P.map((column) => short({ title: label(column) }))], "th");
+  table.createTHead().append(table.rows[0]);
   if (Object.keys(data.base).length)
     row(["base", "", ...columns.map((column) => text(data.base[column.name])), ...P.map((column) => text(data.baseValues[column.name]))], "td");
   data.best[M[m].name].forEach((number) => {
@@ -161,7 +166,10 @@ fill("front-colour", P.concat(M), strongest[0], drawFront);
 fill("best-metric", M, data.leading, drawBest);
 data.families.forEach((own, k) => byId("family").add(new Option(own.title, k)));
 byId("family").addEventListener("change", drawFamily);
-drawEffects(); drawMap(); drawFront(); drawBest(); drawFamily();
+const drawPlots = () => { drawEffects(); drawMap(); drawFront(); drawFamily(); };
+drawPlots();
+drawBest();
+addEventListener("themechange", () => { colours(); drawPlots(); });
 byId("front-plot").on("plotly_click", (event) => {
   const n = event.points[0].customdata;
   if (n === undefined) return;

@@ -15,7 +15,7 @@ export interface Part { label: string; part: string; kind: string; group: string
 export interface Model { file: string; parts: Part[]; size: number[]; notes: string[]; }
 const KINDS: Record<string, string> = {
   shell: "shells", membrane: "membranes", sheath: "tube sheaths", spring: "tube springs", housing: "microphone housings",
-  board: "boards", package: "microphones",
+  board: "boards", package: "microphones", base: "base plate",
 };
 /** How far kinds are lifted in an exploded view, per height of the array. */
 const LIFT: Record<string, number> = { membrane: 2.2, shell: 0, sheath: -1.2, spring: 1.1, housing: 0, board: 1.6, package: 3 };
@@ -199,12 +199,12 @@ export class ArrayPanel {
 
   private switches(parts: Part[]): void {
     const place = byId("kinds");
-    const kinds = Object.keys(KINDS).filter((kind) => parts.some((part) => part.kind === kind));
+    const there = new Set(parts.map((part) => part.kind)), kinds = [...Object.keys(KINDS).filter((kind) => there.delete(kind)), ...there];
     place.replaceChildren(...kinds.map((kind) => {
       const box = make("input", { type: "checkbox" });
       box.checked = !this.hidden.has(kind);
       box.addEventListener("change", () => { if (box.checked) this.hidden.delete(kind); else this.hidden.add(kind); this.arrange(); });
-      return make("label", {}, box, ` ${KINDS[kind]} (${parts.filter((part) => part.kind === kind).length})`);
+      return make("label", {}, box, ` ${KINDS[kind] ?? kind} (${parts.filter((part) => part.kind === kind).length})`);
     }));
   }
 

@@ -9,7 +9,10 @@ from pathlib import Path
 
 import pytest
 
-STUDIO = Path(__file__).parents[3] / "studies" / "studio"
+ROOT = Path(__file__).parents[3]
+STUDIO = ROOT / "studies" / "studio"
+#: Folders that are built into, below the root.
+BUILT = (Path("studies/studio/static"), Path("geometry/templates"))
 MOST = 300_000
 
 
@@ -24,12 +27,14 @@ def test_the_bundle_is_made_of_the_source(tmp_path: Path) -> None:
     npm = shutil.which("npm")
     if npm is None:
         pytest.skip("npm is not installed")
-    shutil.copytree(STUDIO / "page", tmp_path / "page", ignore=shutil.ignore_patterns("node_modules"))
-    (tmp_path / "static").mkdir()
+    page = tmp_path / "studies" / "studio" / "page"
+    shutil.copytree(STUDIO / "page", page, ignore=shutil.ignore_patterns("node_modules"))
+    for folder in BUILT:
+        (tmp_path / folder).mkdir(parents=True)
 
     def run(*words: str) -> subprocess.CompletedProcess[str]:
         # What npm prints is UTF-8, whatever the locale.
-        return subprocess.run([npm, *words], cwd=tmp_path / "page", capture_output=True, encoding="utf-8", check=False)
+        return subprocess.run([npm, *words], cwd=page, capture_output=True, encoding="utf-8", check=False)
 
     installed = run("ci", "--silent", "--no-audit", "--no-fund")
     if installed.returncode != 0:
@@ -37,5 +42,8 @@ def test_the_bundle_is_made_of_the_source(tmp_path: Path) -> None:
     for task in ("check", "build"):
         done = run("run", task)
         assert done.returncode == 0, done.stdout + done.stderr
-    for made in sorted((tmp_path / "static").iterdir()):
-        assert made.read_bytes() == (STUDIO / "static" / made.name).read_bytes(), f"npm run build: {made.name}"
+    for folder in BUILT:
+        made = sorted((tmp_path / folder).iterdir())
+        assert made
+        for path in made:
+            assert path.read_bytes() == (ROOT / folder / path.name).read_bytes(), f"npm run build: {path.name}"
