@@ -17,7 +17,8 @@ function theme(choice: string): void {
 
 /** What each cell is, for a screen on which a row is a block. */
 function fold(table: HTMLTableElement): void {
-  const names = [...(table.tHead?.rows[0]?.cells ?? [])].map((cell) => cell.innerText.replace(/\s+/g, " ").trim());
+  // What is in a folded section has no text as it is seen: lines end where the markup says so.
+  const names = [...(table.tHead?.rows[0]?.cells ?? [])].map((cell) => [...cell.childNodes].map((node) => node.textContent || " ").join("").trim());
   if (!names.length) return;
   table.classList.add("fold");
   for (const body of table.tBodies) for (const row of body.rows) {
