@@ -145,6 +145,28 @@ def shown(page: Any, *stages: str, seconds: float = 240.0) -> None:
         until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision", seconds)
 
 
+#: Points at places of the picture until the page names a part.
+_SEARCH = """(name) => {
+  const sheet = document.querySelector("#space canvas"), frame = sheet.getBoundingClientRect();
+  for (let down = 0.05; down < 0.95; down += 0.02) {
+    for (let across = 0.02; across < 0.98; across += 0.01) {
+      const [clientX, clientY] = [frame.left + across * frame.width, frame.top + down * frame.height];
+      sheet.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY }));
+      if (document.getElementById("pointed-part").textContent.startsWith(`${name}:`)) return [clientX, clientY];
+    }
+  }
+  return null;
+}"""
+
+
+def place_of(page: Any, part: str) -> tuple[float, float]:
+    """Place of the pointer at which the page names a part of the array that can be dragged."""
+    place = page.evaluate(_SEARCH, part)
+    if place is None:
+        pytest.fail(f"{part} is not found")
+    return place[0], place[1]
+
+
 def field(page: Any, name: str) -> Any:
     """The control of a field of the design, in sight."""
     panel(page, "design")

@@ -5,30 +5,16 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from browser import ROOT, Studio, field, opened, shown, until
+from browser import ROOT, Studio, field, opened, place_of, shown, until
 
 pytestmark = pytest.mark.slow
-#: Points at places of the picture until the page names a part.
-SEARCH = """(name) => {
-  const sheet = document.querySelector("#space canvas"), frame = sheet.getBoundingClientRect();
-  for (let down = 0.05; down < 0.95; down += 0.02) {
-    for (let across = 0.02; across < 0.98; across += 0.01) {
-      const [clientX, clientY] = [frame.left + across * frame.width, frame.top + down * frame.height];
-      sheet.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY }));
-      if (document.getElementById("pointed-part").textContent.startsWith(`${name}:`)) return [clientX, clientY];
-    }
-  }
-  return null;
-}"""
 DRAWN = f"{ROOT}.shown_model === {ROOT}.revision"
 
 
 def found(page: Any, name: str) -> tuple[float, float]:
-    """Place of the pointer at which the page names a part."""
+    """Place of the pointer at which the page names a part of the array at hand."""
     shown(page, "model")
-    place = page.evaluate(SEARCH, name)
-    assert place is not None, name
-    return place[0], place[1]
+    return place_of(page, name)
 
 
 def drag(page: Any, start: tuple[float, float], across: float, down: float = 0.0) -> None:
