@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import lru_cache
 from importlib import resources
 
+import geometry
+
 
 @lru_cache(maxsize=1)
 def page_parts() -> tuple[str, str]:
@@ -13,6 +15,6 @@ def page_parts() -> tuple[str, str]:
     The script folds tables on narrow screens, opens all sections for a printer and draws figures that a page has as
     data; without it a page shows everything all the same.
     """
-    folder = resources.files("geometry") / "templates"
+    folder = resources.files(geometry) / "templates"
     style, script = ((folder / name).read_text(encoding="utf-8") for name in ("page.css", "page.js"))
     return style, script.replace("</script", "<\\/script")

@@ -67,7 +67,7 @@ def write_viewer(
         "size": list(array_size(design, model.layout)),
         "notes": list(schematic_notes(design, model.layout)),
     }
-    folder = resources.files("geometry") / "templates"
+    folder = resources.files(geometry) / "templates"
     template, style, script = (
         (folder / f"array-page.{suffix}").read_text(encoding="utf-8") for suffix in ("html", "css", "js")
     )

@@ -262,16 +262,18 @@ export class ArrayPanel {
     const { min, max } = this.extent, [x, y, z] = this.size;
     if (!byId<HTMLInputElement>("dimensions").checked || this.extent.isEmpty() || this.moved) return this.dimensions.measure([], this.extent.min);
     this.place.dataset.measured = [max.x - min.x, max.z - min.z, max.y - min.y].map((each) => words(1000 * each, 3)).join(" ");
-    const corner = (...at: [number, number, number]) => new Vector3(...at);
+    const at = (x: number, y: number, z: number) => new Vector3(x, y, z), ends = [min, max];
+    /** The four edges of the box along an axis, by the two other coordinates of each. */
+    const edges = (edge: (a: Vector3, b: Vector3) => [Vector3, Vector3]) => ends.flatMap((a) => ends.map((b) => edge(a, b)));
     const spans = [
-      { size: "x", title: "length along x", from: corner(min.x, min.y, max.z), to: corner(max.x, min.y, max.z), value: x },
-      { size: "y", title: "length along y", from: corner(max.x, min.y, min.z), to: corner(max.x, min.y, max.z), value: y },
-      { size: "z", title: "height", from: corner(max.x, min.y, min.z), to: corner(max.x, max.y, min.z), value: z },
+      { size: "x", title: "length along x", edges: edges((a, b) => [at(min.x, a.y, b.z), at(max.x, a.y, b.z)]), value: x },
+      { size: "y", title: "length along y", edges: edges((a, b) => [at(a.x, b.y, min.z), at(a.x, b.y, max.z)]), value: y },
+      { size: "z", title: "height", edges: edges((a, b) => [at(a.x, min.y, b.z), at(a.x, max.y, b.z)]), value: z },
     ];
     const [first, second] = [1, 2].map((number) => [...this.home].find(([node]) => { const part = this.parts.get(node.name)!; return part.kind === "membrane" && part.group === `point ${number}`; }));
     if (first && second) {
       const [from, to] = [first, second].map(([, home]) => home.position.clone().add(this.model.position));
-      spans.push({ size: "pitch", title: "pitch, from point 1 to point 2", from, to, value: 1000 * from.distanceTo(to) });
+      spans.push({ size: "pitch", title: "pitch, from point 1 to point 2", edges: [[from, to]], value: 1000 * from.distanceTo(to) });
     }
     this.dimensions.measure(spans, this.extent.getCenter(new Vector3()));
   }

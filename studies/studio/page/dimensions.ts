@@ -3,10 +3,12 @@
 import { type PerspectiveCamera, Vector3 } from "three";
 import { colour, make, words } from "./dom";
 
-export interface Span { size: string; title: string; from: Vector3; to: Vector3; value: number; }
+/** A size with the parallel edges along which it may be drawn; the one that the eye sees outermost is. */
+export interface Span { size: string; title: string; edges: [Vector3, Vector3][]; value: number; }
 /** Pixels of the page: from the array to a line, from the line to its number, half a tick, half a number. */
 const AWAY = 18, TO_TEXT = 17, TICK = 4, SHORT = 40, HALF = [27, 10];
 interface Place { x: number; y: number; }
+interface Seen extends Place { behind: boolean; }
 
 export class Dimensions {
   private spans: Span[] = [];
@@ -50,7 +52,7 @@ export class Dimensions {
   draw(c: CanvasRenderingContext2D, camera: PerspectiveCamera, withNumbers = false): void {
     const width = this.place.clientWidth, height = this.place.clientHeight, taken: Place[] = [];
     if (!this.spans.length || !width) return;
-    const seen = (point: Vector3): Place & { behind: boolean } => {
+    const seen = (point: Vector3): Seen => {
       const { x, y, z } = point.clone().project(camera);
       return { x: (0.5 + 0.5 * x) * width, y: (0.5 - 0.5 * y) * height, behind: z > 1 };
     };
@@ -58,7 +60,8 @@ export class Dimensions {
     c.save();
     c.setTransform(c.canvas.width / width, 0, 0, c.canvas.height / height, 0, 0);
     for (const span of this.spans) {
-      const [a, b] = [seen(span.from), seen(span.to)], input = this.inputs.get(span.size)!;
+      const outermost = ([p, q]: Seen[], [r, s]: Seen[]) => Math.hypot(r.x + s.x - 2 * centre.x, r.y + s.y - 2 * centre.y) - Math.hypot(p.x + q.x - 2 * centre.x, p.y + q.y - 2 * centre.y);
+      const [a, b] = span.edges.map((edge) => edge.map(seen)).sort(outermost)[0], input = this.inputs.get(span.size)!;
       input.style.visibility = a.behind || b.behind ? "hidden" : "";
       if (a.behind || b.behind) continue;
       const length = Math.hypot(b.x - a.x, b.y - a.y), outward = { x: (a.x + b.x) / 2 - centre.x, y: (a.y + b.y) / 2 - centre.y };

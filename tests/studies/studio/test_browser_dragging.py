@@ -64,7 +64,9 @@ def test_a_microphone_is_dragged_to_another_side(page: Any) -> None:
 
 def test_parts_that_are_held_are_turned_with_the_array(page: Any) -> None:
     start = found(page, "membrane 6")
+    page.evaluate("document.querySelector('.stage .pop').open = true")
     page.uncheck("#movable")
+    page.evaluate("document.querySelector('.stage .pop').open = false")
     drag(page, start, 60)
     page.mouse.up()
     page.wait_for_timeout(300)
