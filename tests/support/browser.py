@@ -167,6 +167,12 @@ def place_of(page: Any, part: str) -> tuple[float, float]:
     return place[0], place[1]
 
 
+def figure_value(text: str) -> float:
+    """Value of a figure as the page writes it, in its unit; small forces are in uN or nN."""
+    number, *unit = text.replace("\N{MINUS SIGN}", "-").split()
+    return float(number) * {"\N{MICRO SIGN}N": 1e-6, "nN": 1e-9}.get(unit[0] if unit else "", 1.0)
+
+
 def field(page: Any, name: str) -> Any:
     """The control of a field of the design, in sight."""
     panel(page, "design")

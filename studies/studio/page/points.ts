@@ -169,5 +169,7 @@ export class PointsPanel {
 }
 
 export function show(value: number, unit: string): string {
+  const small = unit === "N" && value !== 0 && Math.abs(value) < 1e-3; // forces are as small as nothing else
+  if (small) return Math.abs(value) < 1e-6 ? `${words(1e9 * value)} nN` : `${words(1e6 * value)} µN`;
   return `${words(value)}${unit && unit !== "1" ? ` ${shownUnit(unit)}` : ""}`;
 }

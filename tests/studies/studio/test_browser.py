@@ -6,7 +6,22 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import PAINTED, ROOT, Studio, downloaded, field, give, lit, opened, panel, shown, studio, until, until_lit
+from browser import (
+    PAINTED,
+    ROOT,
+    Studio,
+    downloaded,
+    field,
+    figure_value,
+    give,
+    lit,
+    opened,
+    panel,
+    shown,
+    studio,
+    until,
+    until_lit,
+)
 
 from geometry import load_design, prototype
 from studies.panels.points import point_figures
@@ -47,8 +62,8 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(
     figures = point_figures(design)
     assert page.locator("#points-table tbody tr").count() == design.point_count
     for figure, value in figures["figures"].items():
-        text = page.locator(f"#figures [data-figure='{figure}'] dd").inner_text().split()[0]
-        assert float(text.replace("\N{MINUS SIGN}", "-")) == pytest.approx(value, rel=1e-3)
+        text = page.locator(f"#figures [data-figure='{figure}'] dd").inner_text()
+        assert figure_value(text) == pytest.approx(value, rel=1e-3)
     before = page.locator("#space canvas").screenshot()
     page.locator("tr[data-point='3']").click()
     assert page.locator("#point").input_value() == "3"
