@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 
 from geometry.design.kind_rules import GRADED_LAYOUTS
+from geometry.design.shell_rules import membrane_top
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.plan.frozen import frame_of
 from geometry.plan.frozen_ways import ways_of
@@ -108,7 +109,8 @@ def _ports(field: str, part: FrozenPart, count: int, what: str) -> Iterator[Refu
 def _sizes(design: StatedArray, frozen: FrozenPlaces) -> Iterator[Refusal]:
     for field, (name, value) in sizes_of(design).items():
         made_for = getattr(frozen.sizes, field)
-        if made_for is not None and not math.isclose(made_for, value, rel_tol=1e-9):
+        near = _FLUSH if field == "membrane_height" else 0.0
+        if made_for is not None and not math.isclose(made_for, value, rel_tol=1e-9, abs_tol=near):
             problem = f"makes the {name} {value:g} mm; the frozen places were fitted for {made_for:g} mm"
             yield conflict(_STATED_BY[field], problem=problem, remedy=_AGAIN)
 
@@ -121,13 +123,22 @@ _STATED_BY = {
     "seat_length": "microphone.board_length",
     "seat_width": "microphone.board_width",
     "tube_diameter": "tube.outer_diameter",
+    "floor_thickness": "resonator.floor_thickness",
+    "membrane_height": "resonator.cavity_height",
 }
+#: How far membranes may stand above or below a body in whose pockets their shells lie, mm.
+_FLUSH = 0.1
 
 
 def sizes_of(design: StatedArray) -> dict[str, tuple[str, float]]:
     """Words and value, mm, of the sizes that frozen places are made for, by their fields."""
     microphone = design.microphone
     seat = [side + 2 * (microphone.board_gap + microphone.wall_thickness) for side in microphone.board_size]
+    upright = {}
+    if design.surface is not None and design.surface.seat == "in":
+        upright["membrane_height"] = ("tops of the membranes above the floors of the cavities", membrane_top(design))
+    elif design.surface is not None:
+        upright["floor_thickness"] = ("floors", design.resonator.floor_thickness)
     return {
         "cavity_diameter": ("cavities", design.resonator.cavity_diameter),
         "shell_diameter": ("shells", design.resonator.outer_diameter),
@@ -135,6 +146,7 @@ def sizes_of(design: StatedArray) -> dict[str, tuple[str, float]]:
         "seat_length": ("length of the microphones' seats", seat[0]),
         "seat_width": ("width of the microphones' seats", seat[1]),
         "tube_diameter": ("tubes", max(tube.outer_diameter for tube in design.tubes)),
+        **upright,
     }
 
 
@@ -149,6 +161,8 @@ _FITTED = (
     "microphone.board_width",
     "microphone.board_gap",
 )
+#: The same of shells in pockets of the body, and of shells on it.
+_FITTED_BY_SEAT = {"in": "resonator.cavity_height", "on": "resonator.floor_thickness"}
 
 
 def check_variable(design: StatedArray, name: str) -> None:
@@ -162,7 +176,8 @@ def check_variable(design: StatedArray, name: str) -> None:
         Refusal: the places were fitted for the field's value, or lengths of the lines take its place.
     """
     group, _, field = name.rpartition(".")
-    if design.layout.frozen is not None and (name in _FITTED or group.partition(".")[0] == "surface"):
+    fitted = (*_FITTED, *(() if design.surface is None else (_FITTED_BY_SEAT[design.surface.seat],)))
+    if design.layout.frozen is not None and (name in fitted or group.partition(".")[0] == "surface"):
         problem = "cannot vary, because the places of the array were fitted for its value"
         raise conflict(name, problem=problem, remedy="change it in the design, and fit again for each value")
     if field == "length" and all(line.lengths is not None for line in design.lines):

@@ -69,6 +69,14 @@ class FrozenSizes(Section):
     seat_length: Millimetre | None = Field(default=None, description="outside length of the microphones' seats")
     seat_width: Millimetre | None = Field(default=None, description="outside width of the microphones' seats")
     tube_diameter: Millimetre | None = Field(default=None, description="largest outside diameter of the tubes")
+    floor_thickness: Millimetre | None = Field(
+        default=None, description="thickness of the floors of shells that stand on the body"
+    )
+    membrane_height: Millimetre | None = Field(
+        default=None,
+        description="height of the membranes above the floors of shells in pockets, whose membranes are flush with the "
+        "body",
+    )
 
 
 class FrozenPlaces(Section):

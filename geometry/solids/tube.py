@@ -12,6 +12,7 @@ from geometry.ground.argument_checks import unsuitable
 from geometry.ground.typed import Array
 from geometry.plan.routing import path_length, tightest_bend, trimmed
 from geometry.schema.part_fields import Tube
+from geometry.solids.arc_chain import arc_ends
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -107,31 +108,34 @@ def _sleeve(points: Array, inner: float, outer: float, name: str) -> cq.Workplan
 
 
 def _wire(points: Array) -> cq.Wire:
-    """Lines and arcs through the points, each tangent to the one before; of other curves a spline between two lines."""
+    """Lines and arcs along the points, each tangent to the one before.
+
+    Where the points lie on none, arcs between two lines follow them, see :func:`geometry.solids.arc_chain.arc_ends`. A
+    spline would do for the eye, but its pipe takes the kernel a minute to divide into facets, and some cannot be drawn.
+    """
     import cadquery as cq
 
     pieces = _pieces(points)
     if pieces is None:
-        bend = points[1:-1]
-        chosen = np.linspace(0, len(bend) - 1, -(-(len(bend) - 1) // 4) + 1).round().astype(int)
-        tangents = [cq.Vector(*(points[1] - points[0])), cq.Vector(*(points[-1] - points[-2]))]
-        spline = cq.Edge.makeSpline([cq.Vector(*point) for point in bend[chosen]], tangents=tangents)
-        ends = [cq.Edge.makeLine(cq.Vector(*one), cq.Vector(*other)) for one, other in (points[:2], points[-2:])]
-        return cq.Wire.assembleEdges([ends[0], spline, ends[1]])
-    edges, place, along = [], cq.Vector(*points[0]), cq.Vector(*(points[1] - points[0])).normalized()
-    for first, last, is_line in pieces:
+        ends = [points[1], *arc_ends(points), points[-1]]
+        runs = [(end, 0 < k < len(ends) - 1) for k, end in enumerate(ends)]
+    else:
+        runs = [(points[last], not is_line) for _, last, is_line in pieces]
+    edges: list[cq.Edge] = []
+    place, along = cq.Vector(*points[0]), cq.Vector(*(points[1] - points[0])).normalized()
+    for end, is_arc in runs:
+        target = cq.Vector(*end)
         # Without a kink: the path's own numbers are rounded.
-        length = float(np.linalg.norm(points[last] - points[first]))
-        if is_line:
-            edges.append(cq.Edge.makeLine(place, place + along * length))
+        if is_arc:
+            edges.append(cq.Edge.makeTangentArc(place, along, target))
         else:
-            edges.append(cq.Edge.makeTangentArc(place, along, cq.Vector(*points[last])))
+            edges.append(cq.Edge.makeLine(place, place + along * (target - place).Length))
         place, along = edges[-1].endPoint(), edges[-1].tangentAt(1).normalized()
     return cq.Wire.assembleEdges(edges)
 
 
 def _pieces(points: Array) -> list[tuple[int, int, bool]] | None:
-    """First and last index of each line and arc of a polyline, and whether it is a line; None of other curves."""
+    """First and last index of each line and arc of a polyline, and whether it is a line; None for other curves."""
     pieces, first, end = [], 0, len(points) - 1
     while first < end:
         last = next(each for each in range(end, first, -1) if _is_straight(points[first : each + 1]))

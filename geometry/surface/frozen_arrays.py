@@ -9,6 +9,7 @@ import numpy as np
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.frozen_rules import sizes_of
+from geometry.design.shell_rules import membrane_top
 from geometry.ground.typed import Array
 from geometry.layout.placement import ArrayLayout
 from geometry.plan.frozen_ways import ways_of
@@ -86,7 +87,9 @@ def frozen_design(design: ArrayDesign, stated: SurfaceFit, laid: Laid) -> tuple[
     before, after = _neighbours(laid)
     forward, backward = (directions(laid.points, laid.normals, each) for each in (after, before))
     x, angles, _ = rounded_ports(forward, backward, laid.normals, stated.port_step)
-    plan = unrolled(laid.all_places(), laid.all_normals(), laid.spacing).places.round(_PLACE)
+    # At the height of the membranes, on which touches and tracks are computed in the plan.
+    up = membrane_top(design) - axis
+    plan = unrolled(laid.all_places() + up * laid.all_normals(), laid.all_normals(), laid.spacing).round(_PLACE)
     points = [
         _part(at - axis * normal, normal, way, [float(angle), 0.0], own)
         for at, normal, way, angle, own in zip(laid.points, laid.normals, x, angles, plan, strict=False)

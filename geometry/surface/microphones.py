@@ -16,11 +16,12 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.plan.frozen import Ways, smooth_courses
 from geometry.schema.surface_fields import SurfaceFit
-from geometry.surface.regions import Mask, Region
+from geometry.surface.regions import RIM_GAP, Mask, Region
 from geometry.surface.tubes import bends, directions, rounded_ports
 
-#: Largest gap between the flat bottom of a housing and the body under its corner, mm.
-_CORNER_GAP = 1.2
+#: How far the body may bend away below the corners of a board's seat, mm. The seat stands above the floor of its
+#: housing, which is narrower and leaves a gap like that of a shell.
+_CORNER_DROP = 1.2
 #: Clearance of housings from shells and from each other, mm.
 CLEARANCE = 0.4
 #: Most places that are tried for a microphone.
@@ -82,12 +83,12 @@ def room_for_microphones(samples: Samples, stated: SurfaceFit, seats: Seats) -> 
     Raises:
         Refusal: there is none.
     """
-    room = samples.bend(seats.corner) * seats.corner**2 <= 2 * _CORNER_GAP
+    least = max(seats.corner**2 / (2 * _CORNER_DROP), seats.trunk**2 / (2 * RIM_GAP))
+    room = samples.bend(seats.corner) * least <= 1
     room &= ~np.isin(samples.faces, stated.forbidden)
     if not room.any():
         raise Refusal(
-            f"has no place for a microphone, whose housing needs a radius of "
-            f"{seats.corner**2 / (2 * _CORNER_GAP):.3g} mm",
+            f"has no place for a microphone, whose housing needs a radius of {least:.3g} mm",
             kind=Kind.CONFLICT,
             field="surface.microphones",
             file=stated.body,

@@ -51,12 +51,12 @@ class Order:
         count = len(self.cost)
         if count == 1:
             return [0]
-        cost, chance = self.cost.tolist(), random.Random(seed)
+        cost, chance = self.cost.tolist(), random.Random(seed).random
         first, last = self.ends[0].tolist(), self.ends[-1].tolist()
         joints = {
             stop - 1: (self.ends[k].tolist(), self.ends[k].tolist()) for k, stop in enumerate(self.stops[1:-1], start=1)
         }
-        tour = self._greedy()
+        tour, near = self._greedy(), self.near
 
         def edge(place: int, a: int, b: int) -> float:
             """Cost of a step from the point at a place of the tour to the next one."""
@@ -95,23 +95,26 @@ class Order:
         cooling = math.log(_COLD / _HOT)
         for k in range(tries):
             heat = _HOT * math.exp(cooling * k / tries)
-            p = chance.randrange(count)
-            q = self.near[p][chance.randrange(len(self.near[p]))]
-            i, j = sorted((where[p], where[q]))
-            kind = chance.random()
+            # By products of random numbers below 1: a third of the time of randrange.
+            p = int(chance() * count)
+            q = near[p][int(chance() * len(near[p]))]
+            i, j = where[p], where[q]
+            if i > j:
+                i, j = j, i
+            kind = chance()
             if kind < 0.35:
                 moves = [(i + 1, j)]
             elif kind < 0.7:
                 moves = [(i, j - 1)]
             elif kind < 0.95:
                 # A piece of one to three points moves along the tour: the reversal of both, then of each.
-                long = chance.randrange(1, 4)
-                if chance.random() < 0.5:
+                long = 1 + int(chance() * 3)
+                if chance() < 0.5:
                     moves = [(i, j), (j - long + 1, j)] if j - long > i else []
                 else:
                     moves = [(i, j), (i, i + long - 1)] if i + long < j else []
             else:
-                moves = [(i, count - 1)] if chance.random() < 0.5 else [(0, i)]
+                moves = [(i, count - 1)] if chance() < 0.5 else [(0, i)]
             done, total = [], 0.0
             for low, high in moves:
                 if low >= high:
@@ -125,7 +128,7 @@ class Order:
                 done.append((low, high))
             if not done and total != math.inf:
                 continue
-            if total <= 0 or (total < 40 * heat and chance.random() < math.exp(-total / heat)):
+            if total <= 0 or (total < 40 * heat and chance() < math.exp(-total / heat)):
                 now += total
                 for low, high in done:
                     for place in range(low, high + 1):

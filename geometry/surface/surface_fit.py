@@ -27,12 +27,12 @@ from geometry.schema.part_fields import STUB_LENGTH_IN_RADII
 from geometry.schema.surface_fields import SurfaceFit
 from geometry.surface.covered_cells import cells_of
 from geometry.surface.frozen_arrays import Laid, frozen_design
+from geometry.surface.in_space import plan_in_space
 from geometry.surface.microphones import Seats, placed_microphone, room_for_microphones, wanted_places
 from geometry.surface.order import Order, crossings, steps_of
 from geometry.surface.regions import Mask, region_of
+from geometry.surface.rims import lifted_over, widest_gap
 from geometry.surface.spread import arc_lengths, nearest_spacing, relaxed, spread
-from geometry.surface.tubes import directions, turned
-from geometry.surface.unrolled import unrolled
 
 #: Facets of the body by the pitch.
 _FACETS = 9
@@ -44,8 +44,6 @@ _APART = 0.3
 _MARGIN = 0.45
 #: Seeds that are tried, and searches with dearer steps for each.
 _SEEDS, _REPAIRS = 3, 6
-#: Places around the rim of a shell, and the height below which it is not raised, mm.
-_RIM_PLACES, _LEAST_LIFT = 24, 0.01
 #: As how many overlaps counts a try that is not a design.
 _NOT_A_DESIGN = 5
 _NAMED, _SHELL = re.compile(r"tube (\d+) of line (\d+)"), re.compile(r"^ports of shell (\d+)")
@@ -67,6 +65,8 @@ class FittedSurface:
     """Smallest radius of the tubes, mm."""
     stretch: float
     """Root mean square by which distances of neighbours differ in the unrolled plan, as a fraction."""
+    rim_gap: float
+    """Largest gap that the bend of the body leaves under the floor of a shell or a housing, mm."""
 
     @property
     def uncovered(self) -> float:
@@ -278,18 +278,12 @@ class _Fit:
     def _raised(self, at: Array, normals: Array, radius: float, floor: float) -> Array:
         """Axes at the height of the ports, raised where the rim of the floor would come closer to a hollow body.
 
-        Shells that stand on a body keep the stated base under their rims too; both places are (n, 3) float64, mm.
+        Parts that stand on a body keep the stated base under their rims too; both places are (n, 3) float64, mm.
         """
         if self.stated.seat == "in":
             return at
-        across = directions(at, normals, at + np.roll(normals, 1, axis=1))
-        under = at - (floor - self.stated.base + self.design.resonator.port_axis_height) * normals
-        lift = np.zeros(len(at))
-        for angle in np.linspace(0, 2 * math.pi, _RIM_PLACES, endpoint=False):
-            rim = under + radius * turned(across, normals, np.full(len(at), angle))
-            foot, own = self.ground.projected(rim)
-            lift = np.maximum(lift, self.stated.base - np.einsum("nc,nc->n", rim - foot, own))
-        return np.asarray(at + np.where(lift > _LEAST_LIFT, lift, 0.0)[:, None] * normals)
+        below = floor - self.stated.base + self.design.resonator.port_axis_height
+        return lifted_over(self.ground, at, normals, radius, below, self.stated.base)
 
     def _spread(self, seed: int) -> Array:
         count = self.points
@@ -396,12 +390,17 @@ class _Fit:
             laid.normals,
             self.cavity,
         )
-        plan = unrolled(laid.all_places(), laid.all_normals(), laid.spacing)
+        gap = max(
+            widest_gap(self.ground, laid.points, laid.normals, self.outer),
+            widest_gap(self.ground, laid.microphones, laid.microphone_normals, self.seats.trunk),
+        )
+        stretch = plan_in_space(laid.design, laid.layout).stretch
         findings = [
             *self.findings,
             f"{len(laid.points)} points, {mean:.3g} mm apart with a scatter of {100 * scatter:.1f} %",
             f"{counted(kinds, 'kind')} of shells; tubes in steps of {laid.step:g} mm, bent to {bend:.2g} mm at most",
-            f"the unrolled plan is off by {100 * plan.stretch:.1f} % between neighbours",
+            f"gaps of up to {gap:.2g} mm under the rims of shells and housings, where the body is bent",
+            f"the unrolled plan is off by {100 * stretch:.1f} % between neighbours",
         ]
         if len(laid.points) != self.points:
             findings.append(f"{self.points} points would have been too close")
@@ -415,4 +414,4 @@ class _Fit:
             "layout.frozen.inputs": inputs,
         }
         design = laid.design.with_values(values)
-        return FittedSurface(design, laid.layout, (mean, scatter), kinds, bend, plan.stretch)
+        return FittedSurface(design, laid.layout, (mean, scatter), kinds, bend, stretch, gap)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.sparse.csgraph import shortest_path
 
@@ -14,18 +12,8 @@ from geometry.surface.spread import arc_lengths
 _ROUNDS, _NEIGHBOURS = 200, 1.6
 
 
-@dataclass(frozen=True)
-class Plan:
-    """Places in the plan."""
-
-    places: Array
-    """(n, 2) float64, mm, from the mean of all."""
-    stretch: float
-    """Root mean square of what distances to neighbours are off, as a fraction."""
-
-
-def unrolled(places: Array, normals: Array, spacing: float) -> Plan:
-    """Unroll places on a surface so that neighbours keep their distance.
+def unrolled(places: Array, normals: Array, spacing: float) -> Array:
+    """Places in a plan, (n, 2) float64, mm, from their mean: unrolled so that neighbours keep their distance.
 
     Distances are arcs between near places and their sums beyond; the plan minimises their squared relative errors,
     near ones first, by majorization (de Leeuw 1977) from classical scaling (Torgerson 1952).
@@ -61,7 +49,7 @@ def unrolled(places: Array, normals: Array, spacing: float) -> Plan:
             break
     if _handedness(plan, places, normals) < 0:
         plan = plan * np.array([1.0, -1.0])
-    return Plan(plan - plan.mean(axis=0), stretch_of(plan, places, normals, spacing)[0])
+    return np.asarray(plan - plan.mean(axis=0))
 
 
 def stretch_of(plan: Array, places: Array, normals: Array, spacing: float) -> tuple[float, float]:

@@ -11,7 +11,7 @@ import numpy as np
 from geometry.assembly.model import ArrayModel
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_file
-from geometry.surface.unrolled import stretch_of
+from geometry.surface.in_space import plan_in_space
 from studies.kit.cutting_template import PAGES, SCALE_BAR
 from studies.output.figure_style import figure_in_style
 
@@ -28,22 +28,12 @@ def write_pattern(model: ArrayModel, folder: Path) -> tuple[float, float]:
     Returns:
         Root mean square and largest of what distances between neighbours are off in the pattern, as fractions.
     """
-    stretch = pattern_stretch(model)
+    found = plan_in_space(model.design, model.layout)
+    stretch = found.stretch, found.worst
     for page in PAGES:
         with whole_file(folder / f"pattern-{page}.pdf") as beside:
             _write(model, beside, page, stretch)
     return stretch
-
-
-def pattern_stretch(model: ArrayModel) -> tuple[float, float]:
-    """Root mean square and largest of what distances between neighbours are off in the plan, as fractions."""
-    layout = model.layout
-    frames = [layout.frame(point) for point in layout.points]
-    places, normals = np.array([f.origin for f in frames]), np.array([f.axes[2] for f in frames])
-    apart = np.linalg.norm(places[:, None] - places[None], axis=-1)
-    np.fill_diagonal(apart, np.inf)
-    plan = np.array([point.position for point in layout.points])
-    return stretch_of(plan, places, normals, float(np.median(apart.min(axis=1))))
 
 
 def _write(model: ArrayModel, path: Path, page: str, stretch: tuple[float, float]) -> None:

@@ -126,6 +126,7 @@ def write_kit(
         order,
         process,
         electronics,
+        on_body,
         lambda what, done: report(what, 0.75 + 0.25 * done),
     )
     write_text(folder / FIRST, _first_words(design.name, on_body is not None))

@@ -22,9 +22,10 @@ from geometry.schema.print_processes import PrintProcess
 from geometry.solids.membrane import membrane_radius
 from geometry.stock import Silicone, Sleeve, catalogue
 from studies.kit import step_drawings, step_pictures
+from studies.kit.body_files import BodyFiles
 from studies.kit.build_facts import casts_of, dangers_of, glue_of
 from studies.kit.casting_sheet import casting_words, closing_words, opening_words
-from studies.kit.cutting_template import template_strips
+from studies.kit.cutting_template import SCALE_BAR, template_strips
 from studies.kit.electronics_files import BOARD_FOLDER, Electronics
 from studies.kit.expected_signals import FREQUENCY, HOLE, LEAK_FREQUENCY, as_built_levels, expected_signals
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
@@ -52,6 +53,7 @@ def write_manual(
     order: OrderList,
     process: PrintProcess,
     electronics: Electronics,
+    body: BodyFiles | None,
     report: Report,
 ) -> Path:
     """Write ``5-build/manual.html`` into the folder of a kit.
@@ -65,6 +67,7 @@ def write_manual(
         order: order list.
         process: printing process.
         electronics: its electronics.
+        body: solids for the body that the array lies on.
         report: shows progress.
 
     Returns:
@@ -91,6 +94,7 @@ def write_manual(
         expected_signals(model.design, built),
         leak_signs(model.design, built),
         electronics,
+        body,
     )
     page = environment.from_string(text).render(**_content(facts, shapes, report))
     path = folder / BUILD / "manual.html"
@@ -119,6 +123,8 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "bores": sorted({tube.inner_diameter for tube in tubes}),
         "steps": assembly_steps(model),
         "tube_words": _tube_words,
+        "scale_bar": SCALE_BAR,
+        "carved": None if facts.body is None else facts.body.carved,
         "labels": _labels(model),
         "record": _record_rows(model),
         "counted": COUNTED,
@@ -159,6 +165,9 @@ def _pictures(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> di
         "microphone": lambda: step_pictures.microphone_picture(model),
         "array": lambda: step_pictures.array_picture(model),
     }
+    shown = {} if facts.body is None else facts.body.shown
+    if shown:
+        drawn["body"] = lambda: step_pictures.body_picture(model, shown)
     pictures = {}
     for number, (name, draw) in enumerate(drawn.items()):
         report(f"picture of the {name}", 0.1 + 0.9 * number / len(drawn))

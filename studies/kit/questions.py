@@ -13,6 +13,7 @@ from geometry.ground.text_files import parse_toml
 from geometry.printing.plates import Plates
 from geometry.schema.print_processes import PrintProcess
 from geometry.stock import Silicone, catalogue
+from studies.kit.body_files import BodyFiles
 from studies.kit.build_facts import Cast, glue_of
 from studies.kit.cutting_template import Strip
 from studies.kit.electronics_files import Electronics
@@ -21,6 +22,9 @@ from studies.kit.jobs import BUILD, CUT, PRINT
 from studies.kit.leak_testing import WATCHED, LeakTest
 from studies.kit.ordering import OrderList
 from studies.kit.touch_leak_test import LeakSign
+
+#: Number of the step of the first recording in the manual of an array that lies on no body.
+_RECORDING = 13
 
 
 @dataclass(frozen=True)
@@ -61,6 +65,13 @@ class Facts:
     """Changes by which touches show leaks."""
     electronics: Electronics
     """Wiring, board and levels of the microphones."""
+    body: BodyFiles | None
+    """Solids for the body that the array lies on; None for other arrays, and where its file is not at hand."""
+
+    @property
+    def recording_step(self) -> int:
+        """Number of the step of the first recording: an array on a body has one step more before it."""
+        return _RECORDING + (self.model.design.layout.frozen is not None)
 
 
 def answers_of(facts: Facts) -> tuple[Answer, ...]:
@@ -225,13 +236,13 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
             _pin_words(electronics),
             "step-12",
         ),
-        ("logger", _logger_words(electronics), "step-13"),
-        ("overload", " ".join(electronics.levels.verdict), "step-13"),
+        ("logger", _logger_words(electronics), f"step-{facts.recording_step}"),
+        ("overload", " ".join(electronics.levels.verdict), f"step-{facts.recording_step}"),
         (
             "recording",
             f"For point 1, microphone {first.louder} is {first.difference:.1f} dB louder than "
             f"{first.softer or 'no other'} at {FREQUENCY:g} Hz; the table has every point.",
-            "step-13",
+            f"step-{facts.recording_step}",
         ),
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,7 @@ from geometry.ground.typed import Array
 from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
 from geometry.printing.plates import Plate
 from geometry.schema.print_processes import PrintProcess
+from geometry.solids.measure import Tessellation
 from studies.output.figure_style import crop_picture
 
 #: Width and height of a picture before the white around it is cut away, pixels.
@@ -26,6 +27,9 @@ _TOOL, _PLATE = "#d9c27a", "#e8ebee"
 _FROM_ABOVE = (0.0, -1.0, 0.8)
 #: Words of a picture, pixels.
 _WORDS = 18
+#: Colour of a body and of its skin; length of a mean normal below which an array goes round its body; cosines of
+#: directions that are seen from straight above, and of parts that face the viewer; height of their numbers, mm.
+_WALL, _ROUND, _STEEP, _FACING, _ABOVE_PARTS = "#d8d4c8", 0.2, 0.95, 0.25, 4.0
 #: Parts of the sheet of parts that stand in one row.
 _A_ROW = 5
 
@@ -102,6 +106,38 @@ def order_picture(model: ArrayModel) -> bytes:
 def array_picture(model: ArrayModel) -> bytes:
     """The finished array."""
     return _png(lambda path: geometry.pictures.draw_array(model, path, (1300, 760)))
+
+
+def body_picture(model: ArrayModel, shown: Mapping[str, Tessellation]) -> bytes:
+    """The body of an array with the array lying in its skin or in its pockets, seen from the middle of the array.
+
+    Args:
+        model: the array.
+        shown: facets of the body and of its skin by name, as :class:`studies.kit.body_files.BodyFiles` holds them.
+    """
+    frames = [model.layout.frame(point) for point in model.layout.points]
+    middle = np.mean([frame.axes[2] for frame in frames], axis=0)
+    # An array all round a body has no middle: it is seen from its side.
+    towards = middle / np.linalg.norm(middle) if np.linalg.norm(middle) > _ROUND else np.array(frames[0].axes[2])
+    upwards = (0.0, 0.0, 1.0) if abs(towards[2]) < _STEEP else (0.0, 1.0, 0.0)
+
+    def draw(path: Path) -> None:
+        plotter = open_plotter(_SIZE)
+        for facets in shown.values():
+            mesh = pv.PolyData.from_regular_faces(facets.vertices, facets.triangles)
+            plotter.add_mesh(mesh, color=_WALL, split_sharp_edges=True, smooth_shading=True)
+        for part in model.placed:
+            mesh = _placed(model, part.part, part.matrix)
+            plotter.add_mesh(mesh, color=LOOKS[part.kind][0], split_sharp_edges=True, smooth_shading=True)
+        names = [str(point.number) for point in model.layout.points] + [each.name for each in model.layout.microphones]
+        frames = [model.layout.frame(each) for each in (*model.layout.points, *model.layout.microphones)]
+        front = [k for k, frame in enumerate(frames) if np.dot(frame.axes[2], towards) > _FACING]
+        anchors = [tuple(frames[k].at(0.0, 0.0, _ABOVE_PARTS).tolist()) for k in front]
+        draw_labels(plotter, anchors, [names[k] for k in front], _WORDS, ("center", "center"))
+        aim(plotter, tuple(towards.tolist()), upwards)
+        save_picture(plotter, path)
+
+    return _png(draw)
 
 
 def membrane_picture(model: ArrayModel) -> bytes:

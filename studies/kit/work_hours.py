@@ -60,6 +60,7 @@ def work_of(model: ArrayModel, plates: int, process: PrintProcess, cure_hours: f
     springs = sum(cut.count for cut in cutting_list(design, model.layout) if cut.tube.bore != "smooth")
     ports = 2 * cuts
     resin = process.name in ("sla-resin", "dlp-fine")
+    laid = 0 if design.layout.frozen is None else design.point_count + len(design.microphones)
     return (
         Work(PRINT, "prepare and clear a plate", plates, 15, waits=3.0 * plates),
         Work(PRINT, "wash, clear and sort a part" if resin else "clean, clear and sort a part", printed, 1.5),
@@ -71,6 +72,7 @@ def work_of(model: ArrayModel, plates: int, process: PrintProcess, cure_hours: f
         Work(BUILD, "glue the end of a tube", ports, 2),
         Work(BUILD, "test a joint", ports + design.point_count, 1),
         Work(BUILD, "mount and wire a microphone", len(design.microphones), 20, waits=1.0),
+        *((Work(BUILD, "lay a shell or a housing into its pocket", laid, 1, waits=1.0),) if laid else ()),
         Work(BUILD, "first recording of a point", design.point_count, 1),
         Work(BUILD, "record a point for the calibration", design.point_count, 3),
     )

@@ -8,6 +8,7 @@ from pathlib import Path
 import bodies
 import numpy as np
 import pytest
+from bodies import FINE, PAD, cases, design_of, half, wishes
 from refusals import check_messages, refused
 
 import geometry
@@ -25,56 +26,6 @@ from geometry.surface.unrolled import unrolled
 
 HERE = Path(__file__).parent
 EXAMPLE = Path("docs/examples/robot")
-FINE = geometry.prototype("fingertip-3x4")
-#: What each body carries: parts, microphones, and the table [surface].
-PAD = {"normal": {"towards": (0.8, 0, 0.6), "within": 78}, "above": ({"point": (0, 0, 5), "normal": (0, 0, 1)},)}
-
-
-def wishes(**places):
-    return tuple({"name": name, "at": place} for name, place in places.items())
-
-
-def half(point, normal):
-    return {"point": point, "normal": normal}
-
-
-def cases():
-    wrist = geometry.load_design("docs/examples/wristband-16.toml")
-    ends = (half((0, 0, 14), (0, 0, 1)), half((0, 0, 96), (0, 0, -1)))
-    sides = (half((38, 0, 0), (-1, 0, 0)), half((-38, 0, 0), (1, 0, 0)), half((0, 41, 0), (0, -1, 0)))
-    up = {"towards": (0, 0, 1), "within": 45}
-    return {
-        "capsule": (FINE, "AB", {"pitch": 4.0, "region": PAD, "microphones": wishes(A=(-6, -7, 7), B=(-6, 7, 7))}),
-        "capsule in pockets": (FINE, "AB", {"pitch": 4.0, "region": PAD, "seat": "in"}),
-        "handle": (wrist, "AB", {"pitch": 15.0, "region": {"above": ends}}),
-        "palm": (
-            wrist,
-            "ABC",
-            {
-                "pitch": 14.0,
-                "region": {"normal": up, "above": (*sides, half((0, -41, 0), (0, 1, 0)))},
-                "microphones": wishes(A=(-40, -44, 20), B=(40, -44, 20), C=(40, 44, 20)),
-            },
-        ),
-        "panel": (
-            wrist,
-            "ABCD",
-            {
-                "pitch": 15.0,
-                "region": {"normal": up},
-                "microphones": wishes(A=(-70, 0, 108), B=(0, 70, 108), C=(70, 0, 108), D=(0, -70, 108)),
-            },
-        ),
-    }
-
-
-def design_of(parts, names, stated, points=1):
-    data = parts.model_dump()
-    lines = [{"between": pair, "points": points} for pair in itertools.pairwise(names)]
-    return geometry.ArrayDesign.model_validate(
-        {**data, "microphones": tuple(names), "lines": lines, "layout": {"kind": "serpentine"},
-         "surface": {"body": "body.step", **stated}}
-    )  # fmt: skip
 
 
 def fitted(case, folder):
@@ -89,6 +40,7 @@ def check_fit(found):
     assert overlaps(design, layout) == ()
     assert found.spacing[1] <= 0.08
     assert found.shell_kinds <= 12
+    assert found.rim_gap <= 0.8
     for tube in layout.tubes:
         assert tightest_bend(tube.course) >= tube.tube.smallest_bend_radius * (1 - 1e-6)
         assert path_length(tube.course) == pytest.approx(tube.tube.length, rel=1e-6)
@@ -241,12 +193,12 @@ def test_ports_are_rounded_by_turning_both_tubes_alike():
 def test_a_plan_of_places_in_a_plane_is_that_plane():
     places = np.column_stack([np.random.default_rng(1).uniform(0, 40, (30, 2)), np.zeros(30)])
     found = unrolled(places, np.tile([0.0, 0.0, 1.0], (30, 1)), 8.0)
-    apart, own = (np.linalg.norm(p[:, None] - p[None], axis=2) for p in (places[:, :2], found.places))
+    apart, own = (np.linalg.norm(p[:, None] - p[None], axis=2) for p in (places[:, :2], found))
     near = apart < 10
     np.testing.assert_allclose(own[near], apart[near], rtol=0.03, atol=0.05)
     # Seen from outside: three places turn the same way round.
     a, b = places[1, :2] - places[0, :2], places[2, :2] - places[0, :2]
-    p, q = found.places[1] - found.places[0], found.places[2] - found.places[0]
+    p, q = found[1] - found[0], found[2] - found[0]
     assert np.sign(a[0] * b[1] - a[1] * b[0]) == np.sign(p[0] * q[1] - p[1] * q[0])
 
 
