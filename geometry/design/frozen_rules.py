@@ -122,7 +122,6 @@ _STATED_BY = {
     "chamber_diameter": "microphone.chamber_diameter",
     "seat_length": "microphone.board_length",
     "seat_width": "microphone.board_width",
-    "tube_diameter": "tube.outer_diameter",
     "floor_thickness": "resonator.floor_thickness",
     "membrane_height": "resonator.cavity_height",
 }
@@ -145,7 +144,6 @@ def sizes_of(design: StatedArray) -> dict[str, tuple[str, float]]:
         "chamber_diameter": ("chambers", microphone.chamber_diameter),
         "seat_length": ("length of the microphones' seats", seat[0]),
         "seat_width": ("width of the microphones' seats", seat[1]),
-        "tube_diameter": ("tubes", max(tube.outer_diameter for tube in design.tubes)),
         **upright,
     }
 

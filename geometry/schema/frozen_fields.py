@@ -68,7 +68,6 @@ class FrozenSizes(Section):
     chamber_diameter: Millimetre | None = Field(default=None, description="diameter of the microphones' chambers")
     seat_length: Millimetre | None = Field(default=None, description="outside length of the microphones' seats")
     seat_width: Millimetre | None = Field(default=None, description="outside width of the microphones' seats")
-    tube_diameter: Millimetre | None = Field(default=None, description="largest outside diameter of the tubes")
     floor_thickness: Millimetre | None = Field(
         default=None, description="thickness of the floors of shells that stand on the body"
     )

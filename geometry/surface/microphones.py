@@ -30,6 +30,8 @@ _TRIED = 240
 _OVERLAP, _LENGTH, _AWAY = 60.0, 0.3, 0.2
 #: Least distance between the mouths of a tube to a microphone, by its outside diameter.
 _GAP = 3.0
+#: Radius of the bends of these tubes that costs nothing, by the smallest allowed.
+_SPARE = 1.8
 #: Angle below which two tubes at a part cost, degrees.
 _WIDE = 65.0
 
@@ -251,7 +253,7 @@ def placed_microphone(
         courses = smooth_courses(ways, length)
         laid.append(courses)
         leaving.append(back)
-        cost += _LENGTH * length + _OVERLAP * np.maximum(1.1 * seats.smallest_bend - bends(courses), 0)
+        cost += _LENGTH * length + _OVERLAP * np.maximum(_SPARE * seats.smallest_bend - bends(courses), 0)
         cost += _OVERLAP * _overlap(courses, np.delete(at, end, axis=0), seats.shell[1] + seats.tube / 2 + 0.1)
         if len(tubes):
             away = tubes[np.linalg.norm(tubes - at[end], axis=1) > seats.shell[1] + 1.2 * seats.tube]

@@ -14,6 +14,10 @@ from geometry.plan.frozen import Ways, smooth_courses
 LEAST_ANGLE = 45.0
 #: Steps of the lengths that are tried, mm, below the stated one.
 _FINER = (0.2, 0.1, 0.05, 0.02, 0.01)
+#: By how much more than a tube needs its bends are wide if they can be, so that studies may vary its bore.
+_SLACK = 0.5
+#: Slack for which a finer step of the lengths is chosen, and the finest step that is chosen for it, mm.
+_WORTH, _FINE = 0.1, 0.1
 
 
 def directions(places: Array, normals: Array, targets: Array) -> Array:
@@ -67,7 +71,7 @@ def chosen_lengths(
 ) -> tuple[Array, Array, float]:
     """Lengths in steps, and the side to which each tube bulges.
 
-    Each tube has the coarsest step at which it bends no further than it may.
+    Each tube has the coarsest step at which it bends no further than it may, or a finer one at which it bends less.
 
     Args:
         ways: both ends of each tube.
@@ -91,16 +95,18 @@ def chosen_lengths(
         for own in (longer, np.where(possible, shorter, longer)):
             for side in (1.0, -1.0):
                 courses = smooth_courses(replace(ways, sides=np.full(count, side)), own)
-                spare = np.minimum(bends(courses) / smallest - 1, 0.0)
+                slack = np.minimum(bends(courses) / smallest - 1, _SLACK)
                 room = np.minimum(_room(courses, obstacles, reach), reach)
-                options.append((10 * spare + 0.01 * room / reach, own, np.full(count, side), spare))
+                score = 10 * np.minimum(slack, 0.0) + 0.1 * slack + 0.01 * room / reach
+                options.append((score, own, np.full(count, side), slack))
         best = np.argmax(np.stack([score for score, *_ in options]), axis=0)
         pick = np.arange(count)
-        own, side_of, spare = (np.stack(column)[best, pick] for column in list(zip(*options, strict=True))[1:])
-        better = (bent < -1e-6) & (spare > bent + 1e-9)
+        own, side_of, slack = (np.stack(column)[best, pick] for column in list(zip(*options, strict=True))[1:])
+        # A finer step for a wider bend is worth its cut down to a tenth of a millimetre only.
+        better = np.where(bent < -1e-6, slack > bent + 1e-9, (slack > bent + _WORTH) & (step >= _FINE - 1e-9))
         lengths, sides = np.where(better, own, lengths), np.where(better, side_of, sides)
-        bent, coarse = np.where(better, spare, bent), np.where(better, step, coarse)
-        if bent.min() > -1e-6:
+        bent, coarse = np.where(better, slack, bent), np.where(better, step, coarse)
+        if bent.min() > (_SLACK - _WORTH if step > _FINE + 1e-9 else -1e-6):
             break
     return np.asarray(np.round(lengths, 6), np.float64), sides, float(coarse.min())
 
