@@ -27,9 +27,11 @@ _TOOL, _PLATE = "#d9c27a", "#e8ebee"
 _FROM_ABOVE = (0.0, -1.0, 0.8)
 #: Words of a picture, pixels.
 _WORDS = 18
-#: Colour of a body and of its skin; length of a mean normal below which an array goes round its body; cosines of
-#: directions that are seen from straight above, and of parts that face the viewer; height of their numbers, mm.
-_WALL, _ROUND, _STEEP, _FACING, _ABOVE_PARTS = "#d8d4c8", 0.2, 0.95, 0.25, 4.0
+#: Colours of a body, and of what has the pockets.
+_BODY, _WALL = "#8f9aa3", "#e2ddcf"
+#: Length of a mean normal below which an array goes round its body; cosines of directions that are seen from straight
+#: above, and of parts that face the viewer; height of their numbers, mm.
+_ROUND, _STEEP, _FACING, _ABOVE_PARTS = 0.2, 0.95, 0.25, 4.0
 #: Parts of the sheet of parts that stand in one row.
 _A_ROW = 5
 
@@ -123,9 +125,10 @@ def body_picture(model: ArrayModel, shown: Mapping[str, Tessellation]) -> bytes:
 
     def draw(path: Path) -> None:
         plotter = open_plotter(_SIZE)
-        for facets in shown.values():
+        for name, facets in shown.items():
             mesh = pv.PolyData.from_regular_faces(facets.vertices, facets.triangles)
-            plotter.add_mesh(mesh, color=_WALL, split_sharp_edges=True, smooth_shading=True)
+            colour = _BODY if name == "body" else _WALL
+            plotter.add_mesh(mesh, color=colour, split_sharp_edges=True, smooth_shading=True)
         for part in model.placed:
             mesh = _placed(model, part.part, part.matrix)
             plotter.add_mesh(mesh, color=LOOKS[part.kind][0], split_sharp_edges=True, smooth_shading=True)
