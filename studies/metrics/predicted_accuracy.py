@@ -335,7 +335,7 @@ def _frames(
 
 
 class _Chance:
-    """Which touches the points have and the noise of each, drawn once for all designs that have equally many parts."""
+    """Touches of the points and the noise of each, drawn once for all designs that have equally many parts."""
 
     def __init__(self, seed: int) -> None:
         self.seed = seed
