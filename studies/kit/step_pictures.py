@@ -132,8 +132,9 @@ def body_picture(model: ArrayModel, shown: Mapping[str, Tessellation]) -> bytes:
         for part in model.placed:
             mesh = _placed(model, part.part, part.matrix)
             plotter.add_mesh(mesh, color=LOOKS[part.kind][0], split_sharp_edges=True, smooth_shading=True)
-        names = [str(point.number) for point in model.layout.points] + [each.name for each in model.layout.microphones]
-        frames = [model.layout.frame(each) for each in (*model.layout.points, *model.layout.microphones)]
+        layout = model.layout
+        names = [*(str(point.number) for point in layout.points), *(each.name for each in layout.microphones)]
+        frames = [*map(layout.frame, layout.points), *map(layout.frame, layout.microphones)]
         front = [k for k, frame in enumerate(frames) if np.dot(frame.axes[2], towards) > _FACING]
         anchors = [tuple(frames[k].at(0.0, 0.0, _ABOVE_PARTS).tolist()) for k in front]
         draw_labels(plotter, anchors, [names[k] for k in front], _WORDS, ("center", "center"))

@@ -33,7 +33,10 @@ def test_the_page_shows_what_the_fit_of_the_fingertip_said():
     assert "".join(f"- {each}\n" for each in design.layout.frozen.findings) in PAGE
 
 
-def test_the_accuracy_of_the_fingertip_is_that_of_the_gallery():
+def test_the_figures_of_the_fingertip_are_those_of_the_gallery():
     rows = {row["name"]: row for row in json.loads((DOCS / "gallery.json").read_text(encoding="utf-8"))}
     own = rows["robot-fingertip"]
     assert f"fingertip is {own['as_built']:.0f} %, against {own['nominal']:.0f} % for the nominal sensor" in PAGE
+    worked = (DOCS / "applications/fingertip.md").read_text(encoding="utf-8")
+    assert f"| taps of the target, as built, predicted | {own['taps']} % |" in worked
+    assert all(each in worked for each in own["broken"])
