@@ -40,3 +40,7 @@ def test_the_figures_of_the_fingertip_are_those_of_the_gallery():
     worked = (DOCS / "applications/fingertip.md").read_text(encoding="utf-8")
     assert f"| taps of the target, as built, predicted | {own['taps']} % |" in worked
     assert all(each in worked for each in own["broken"])
+    evidence = (DOCS / "evidence/bodies.md").read_text(encoding="utf-8")
+    for name in ("robot-fingertip", "robot-handle", "robot-palm"):
+        row = rows[name]
+        assert f"| `{name}` | {row['as_built']} | {row['worst']} | {row['nominal']} |" in evidence

@@ -51,7 +51,7 @@ def test_the_messages_on_settled_fields() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "value"), [("membrane.thickness", 0.3), ("resonator.cavity_height", 1.5), ("tube.wire_diameter", 0.04)]
+    ("name", "value"), [("membrane.thickness", 0.3), ("resonator.cavity_height", 1.1), ("tube.wire_diameter", 0.04)]
 )
 def test_what_lies_inside_the_parts_varies_while_the_places_stay(name: str, value: float) -> None:
     given = read_study(study(name, value), "s.toml")
