@@ -16,6 +16,8 @@ from geometry.stock import catalogue
 
 #: Ends of the names of fields whose text is the name of a material.
 _MATERIAL = "material"
+#: Beginning of the names of fields of frozen places.
+_FROZEN = "layout.frozen."
 
 
 def stated_values(design: ArrayDesign) -> dict[str, Any]:
@@ -30,6 +32,8 @@ def stated_values(design: ArrayDesign) -> dict[str, Any]:
 def form_of(design: ArrayDesign) -> list[dict[str, Any]]:
     """The fields of a design as a form shows them, in the order of its file.
 
+    Frozen places have none: they are in a file of their own, and ``acoustic-fem fit`` writes them.
+
     Args:
         design: the design, whose lines, kinds and materials have fields each of their own.
 
@@ -39,7 +43,8 @@ def form_of(design: ArrayDesign) -> list[dict[str, Any]]:
         ``allowed`` (in words), ``lowest`` and ``highest`` (None where there is none), ``choices``, ``suggestions``,
         ``optional``, ``description`` and ``value``.
     """
-    return [_entry(name, value, design) for name, value in field_values(design).items()]
+    fields = field_values(design).items()
+    return [_entry(name, value, design) for name, value in fields if not name.startswith(_FROZEN)]
 
 
 def sizes_sold(design: ArrayDesign) -> dict[str, list[float]]:

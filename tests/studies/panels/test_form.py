@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from geometry import DesignError, prototype
+from geometry import DesignError, load_design, prototype
 from geometry.design.array_design import validated
 from geometry.design.field_values import declared_at, field_values
 from geometry.schema.declared_fields import field_named
@@ -108,3 +108,11 @@ def test_a_field_counts_once_its_shape_is_chosen() -> None:
     assert "resonator.dome_depth" in fields_without_effect(box)
     assert "resonator.box_width" not in fields_without_effect(box)
     assert values_in_use(box)["resonator.box_width"] == 3.0
+
+
+def test_places_on_a_body_are_no_fields_of_the_form() -> None:
+    design = load_design("docs/examples/robot/fingertip.toml")
+    assert design.layout.frozen is not None
+    names = [entry["name"] for entry in form_of(design)]
+    assert "layout.kind" in names
+    assert not [name for name in names if "frozen" in name]
