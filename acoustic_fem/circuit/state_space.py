@@ -19,7 +19,7 @@ from acoustic_fem.library.transfer_functions import VARIABLES, Library
 from acoustic_fem.network.microphone import response
 from acoustic_fem.numerics.vector_fitting import RationalFit, VectorFitError, fit_poles
 from geometry.ground.argument_checks import check_choice, check_range, real_numbers
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Field, Kind, Refusal, Text
 from geometry.ground.typed import Array, ComplexArray
 
 #: What drives a membrane, and its unit: a force on the patch of ``Library.force_response``, or a volume velocity.
@@ -37,6 +37,12 @@ TOLERANCES = 1e-6, 0.1
 #: Frequency at which a microphone's sensitivity is stated, Hz.
 STATED_AT = 1000.0
 _SMALLEST, _FITTED, _CHECKED = 6, 240, 600
+#: Most pairs of poles from one order to the next that is tried.
+_MOST_PAIRS = 6
+#: Number of orders in turn that keep the error and give energy, after which no larger one is tried.
+_IN_TURN = 3
+#: Number of poles that lower the error by a tenth, or no more are tried.
+_NO_GAIN = 16
 #: Responses from which the poles are found; the others have them too, and their errors count as well.
 _POLES_FROM = 96
 _FIELDS = {"point_impedance": "point", "source_response": "source", "microphone_impedance": "microphones"}
@@ -160,7 +166,7 @@ def fit_sensor(
 
     Raises:
         Refusal: an unknown input or output, a value out of range.
-        VectorFitError: no order up to 60 keeps the error and is passive.
+        VectorFitError: no order up to 60 keeps the error and is passive; the message has the error that one reaches.
     """
     check_choice("touch", touch, tuple(INPUTS))
     check_choice("output", output, tuple(OUTPUTS))
@@ -307,39 +313,77 @@ def _smallest(
     rows = fitted.rows(passive)
     rows = rows[:: -(-len(rows) // _POLES_FROM)]
     largest = min(LARGEST_ORDER, len(fitted.frequency) // 2)
-    order, best, gives_energy = _SMALLEST, np.inf, None
-    while order <= largest:
+    order, tried = _SMALLEST, list[_Tried]()
+    while order <= largest and not _is_hopeless(tried, tolerance):
         poles = fit_poles(rows, fitted.frequency, order)
         fit = poles.of_responses(wanted.responses, grid)
         impedances = wanted.impedances(poles) if passive else {}
-        checked = [fit.error(wanted.responses, grid)]
-        checked += [each.error(getattr(wanted, _FIELDS[name]), grid) for name, each in impedances.items()]
-        best = min(best, max(checked))
-        if max(checked) <= tolerance:
-            margin = passivity_margin(impedances)
-            if margin is None or margin >= -ROUNDING:
-                return SensorModel(
-                    fit=fit,
-                    impedances=impedances,
-                    touch=touch,
-                    output=output,
-                    name=library.design.name,
-                    microphones=tuple(library.design.microphones),
-                    band=(float(grid[0]), float(grid[-1])),
-                    error=max(checked),
-                    margin=margin,
-                )
-            gives_energy = order, margin
+        errors = [fit.error(wanted.responses, grid)]
+        errors += [each.error(getattr(wanted, _FIELDS[name]), grid) for name, each in impedances.items()]
+        now = _Tried(order, max(errors), passivity_margin(impedances))
+        if now.error <= tolerance and now.is_passive:
+            return SensorModel(
+                fit=fit,
+                impedances=impedances,
+                touch=touch,
+                output=output,
+                name=library.design.name,
+                microphones=tuple(library.design.microphones),
+                band=(float(grid[0]), float(grid[-1])),
+                error=now.error,
+                margin=now.margin,
+            )
+        tried.append(now)
         # Each pair of poles takes about a factor of four off the error.
-        order += 2 * int(np.clip(np.log(max(checked) / tolerance) / np.log(16.0), 1, 3))
-    why = f"the smallest error of {largest} poles and fewer is {best:.2g}"
-    if gives_energy is not None:
-        order, margin = gives_energy
-        why = f"fits that keep it give energy, such as that of {order} poles with an eigenvalue of {margin:.2g}"
-    raise VectorFitError(
-        f"{library.design.name}: {why}",
-        kind=Kind.NO_RESULT,
-        field="tolerance",
-        value=tolerance,
-        remedy="allow a larger error or a smaller band",
-    )
+        order += 2 * int(np.clip(np.log(now.error / tolerance) / np.log(16.0), 1, _MOST_PAIRS))
+    raise _unreached(library.design.name, tried, tolerance)
+
+
+@dataclass(frozen=True)
+class _Tried:
+    """Order that was tried."""
+
+    order: int
+    error: float
+    margin: float | None
+
+    @property
+    def is_passive(self) -> bool:
+        """True if the fit gives energy at no frequency, or nobody can know."""
+        return self.margin is None or self.margin >= -ROUNDING
+
+
+def _is_hopeless(tried: list[_Tried], tolerance: float) -> bool:
+    """True if more poles will not help, by the orders that were tried.
+
+    Once three orders in turn keep the error and give energy, all poles that are added lie outside the band, where
+    nothing holds them. An error that poles no longer lower is that of the values themselves.
+    """
+    kept = [each.error <= tolerance for each in tried[-_IN_TURN:]]
+    if len(kept) == _IN_TURN and all(kept):
+        return True
+    if not tried:
+        return False
+    before = [each.error for each in tried if each.order <= tried[-1].order - _NO_GAIN]
+    return bool(before) and min(before) < 1 and min(each.error for each in tried) > 0.9 * min(before)
+
+
+def _unreached(name: str, tried: list[_Tried], tolerance: float) -> VectorFitError:
+    """Refusal of an error that no passive fit keeps, with the smallest one that a passive fit has."""
+    if any(each.error <= tolerance for each in tried):
+        last = tried[-1]
+        problem = f"is kept for {name} only by fits that give energy, such as that of {last.order} poles"
+    else:
+        least = min(tried, key=lambda each: each.error)
+        problem = f"is not reached for {name}: the smallest error is {least.error:.2g}, with {least.order} poles"
+    passive = min((each for each in tried if each.is_passive), key=lambda each: each.error, default=None)
+    remedy: Text = "solve the library at more frequencies, or give a smaller band"
+    if passive is not None and passive.error <= TOLERANCES[1]:
+        remedy = ("give ", Field("tolerance"), f" {_rounded_up(passive.error)}, which {passive.order} poles reach")
+    return VectorFitError(problem, kind=Kind.NO_RESULT, field="tolerance", value=tolerance, remedy=remedy)
+
+
+def _rounded_up(value: float) -> str:
+    """A positive number in two digits that is not below it."""
+    step = 10.0 ** (np.floor(np.log10(value)) - 1)
+    return f"{np.ceil(value / step) * step:.2g}"

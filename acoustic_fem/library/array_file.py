@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.library.library_parts import TEXTS, data_set, units_of
 from acoustic_fem.library.netcdf_file import TIME_CONVENTION, LibraryError, coordinates_of, dataset_of, real_variables
+from acoustic_fem.library.other_files import refuse_other_arrays
 from acoustic_fem.library.transfer_functions import VARIABLES, Library
 from geometry.ground.array_files import read_mat as mat_arrays, read_npz as npz_arrays
 from geometry.ground.refusal import Kind, Refusal
@@ -55,10 +56,11 @@ def read_npz(path: Path) -> xr.Dataset:
         LibraryError: no NPZ file, or damaged.
         Refusal: a part that is missing or not of a library.
     """
-    return _content(npz_arrays(path, "an NPZ file", LibraryError))
+    return _content(path, npz_arrays(path, "an NPZ file", LibraryError))
 
 
-def _content(arrays: dict[str, NDArray[Any]]) -> xr.Dataset:
+def _content(path: Path, arrays: dict[str, NDArray[Any]]) -> xr.Dataset:
+    refuse_other_arrays(path, arrays)
     if "frequency" not in arrays:
         raise Refusal("is missing: this program did not write it", kind=Kind.MISSING, field="frequency")
     attributes = {name: str(arrays[name]) for name in TEXTS if name in arrays}
@@ -110,4 +112,4 @@ def read_mat(path: Path) -> xr.Dataset:
             # MATLAB drops dimensions of one at the end, and the imaginary part where it is 0
             values = values.reshape(values.shape + (1,) * (len(dimensions) - values.ndim))
             arrays |= {f"{name}_real": np.array(values.real), f"{name}_imag": np.array(values.imag)}
-    return _content(arrays)
+    return _content(path, arrays)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from acoustic_fem.library.array_file import read_mat, read_npz, write_mat, write_npz
 from acoustic_fem.library.netcdf_file import LibraryError, library_in, load_netcdf, refused_in, write_netcdf
+from acoustic_fem.library.other_files import refuse_other_content
 from acoustic_fem.library.sofa_file import read_sofa, write_sofa
 from acoustic_fem.library.table_file import read_table, write_table
 from acoustic_fem.library.transfer_functions import MEASURED, Library
@@ -124,6 +125,7 @@ def _format_of(path: Path) -> str:
             # By its bytes: HDF5 follows what a damaged file says.
             with mmap(file.fileno(), 0, access=ACCESS_READ) as content:
                 return ".nc" if content.find(b"SOFAConventions") < 0 else ".sofa"
+    refuse_other_content(path, head)
     if head.startswith(b"PK"):
         return ".npz"
     if head.startswith(b"MATLAB"):

@@ -7,11 +7,11 @@ refusal by name, such as ``kind``, ``file`` and ``remedy``, and its class as ``e
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sized
+from collections.abc import Iterable, Mapping, Sized
 from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Kind, Refusal, Text
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -177,6 +177,29 @@ def check_given(field: str, values: Sized, why: str = "", *, error: type[Refusal
     """Reject a list, mapping or text with nothing in it; ``why`` says what is needed, such as ``a batch needs one``."""
     if not len(values):
         raise error(f"is empty; {why}" if why else "is empty", kind=Kind.MISSING, field=field, **more)
+
+
+def check_unused(
+    given: Mapping[str, object],
+    why: Text,
+    remedy: Text = "leave it out",
+    error: type[Refusal] = Refusal,
+    **more: Any,
+) -> None:
+    """Reject the first of some arguments that is given, because it has no effect beside the other arguments.
+
+    Args:
+        given: values of the arguments by name; None or False for one that is not given.
+        why: words that follow "has no effect", such as ``: a recording is played at its own rate``.
+        remedy: what to do instead.
+        error: class of the refusal.
+        more: more of its facts.
+    """
+    problem = ("has no effect", *((why,) if isinstance(why, str) else why))
+    for field, value in given.items():
+        if value is not None and value is not False:
+            shown = {} if value is True else {"value": value}
+            raise error(problem, **{"kind": Kind.CONFLICT, "field": field, "remedy": remedy, **shown, **more})
 
 
 def out_of_range(field: str, value: object, allowed: str | Iterable[object], unit: str = "", **more: Any) -> Refusal:

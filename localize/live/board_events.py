@@ -83,7 +83,7 @@ class BoardListener:
                 try:
                     frames = self._line.read()
                 except SourceError as error:
-                    reason = str(error)
+                    reason = error.notice()
                 if not reason and perf_counter() - heard_at > self._options.stall:
                     reason = f"{self._line.port}: no frames for {self._options.stall:g} s"
                 if reason:
@@ -153,9 +153,10 @@ class BoardListener:
             try:
                 self._line.open()
             except SourceError as error:
-                if str(error) != reason:
-                    yield self._notice("source lost", str(error))
-                reason = str(error)
+                notice = error.notice()
+                if notice != reason:
+                    yield self._notice("source lost", notice)
+                reason = notice
             else:
                 return
 

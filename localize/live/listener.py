@@ -175,9 +175,10 @@ class LiveListener:
             try:
                 return self.source.open()
             except SourceError as error:
-                if str(error) != reason:
-                    yield self._notice("source lost", str(error))
-                reason = str(error)
+                notice = error.notice()
+                if notice != reason:
+                    yield self._notice("source lost", notice)
+                reason = notice
 
     def _take(self, block: Block) -> Iterator[Heard]:
         if self._offset is None:

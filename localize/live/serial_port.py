@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from importlib import import_module
@@ -11,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from geometry.ground.argument_checks import check_range
+from geometry.ground.argument_checks import check_range, check_unused
 from geometry.ground.extras import check_extras
-from geometry.ground.refusal import Kind, Refusal, counted, said_by
+from geometry.ground.refusal import Field, Kind, counted, said_by
 from geometry.ground.typed import Array
 from localize.live.serial_frames import BoardFrame, FrameReader, LineCounts, SampleFrame, StatusFrame, TouchFrame
 from localize.live.sources import QUEUE, Block, BlockQueue, SourceError, rate_out_of_range
@@ -28,6 +30,20 @@ NEARLY = 1 - 1e-4
 """Share of the limit of a board from which a sample is clipped: 16 bits round it."""
 _POLL = 0.05
 _RATES = (300, 20_000_000)
+#: Beginnings of addresses whose line has no speed.
+_WITHOUT_SPEED = ("socket://",)
+#: Errors of the system, and what they say of a port.
+_IS_ABSENT = (errno.ENOENT, errno.ENODEV, errno.ENXIO)
+_IS_FORBIDDEN = (errno.EACCES, errno.EPERM)
+
+
+def check_baud(port: str, baud: int | None) -> None:
+    """Reject a speed, bit/s, that is out of range, or of a port that has no speed; None is no speed that is given."""
+    if baud is None:
+        return
+    check_range("baud", baud, *_RATES, "bit/s", whole=True)
+    if port.startswith(_WITHOUT_SPEED):
+        check_unused({"baud": baud}, f": {port} is a connection over a network, which has no speed", unit="bit/s")
 
 
 class BoardLine:
@@ -43,11 +59,11 @@ class BoardLine:
         Refusal: a speed out of range.
     """
 
-    def __init__(self, port: str, baud: int = BAUD) -> None:
+    def __init__(self, port: str, baud: int | None = None) -> None:
         check_extras("what reads a serial port", "serial")
-        check_range("baud", baud, *_RATES, "bit/s", whole=True)
+        check_baud(str(port), baud)
         self._serial: Any = import_module("serial")
-        self.port, self.baud = str(port), baud
+        self.port, self.baud = str(port), BAUD if baud is None else baud
         self.counts = LineCounts()
         """Counts of the line, whenever it was opened."""
         self._port: Any = None
@@ -71,8 +87,7 @@ class BoardLine:
         try:
             self._port = self._serial.serial_for_url(self.port, baudrate=self.baud, timeout=_POLL)
         except (self._serial.SerialException, ValueError, OSError) as error:
-            problem = f"cannot be opened: {said_by(error)}"
-            raise SourceError(problem, kind=Kind.MISSING, field="serial", value=self.port) from None
+            raise _not_opened(self.port, error) from None
         self._reader = FrameReader(self.counts)
         began, self.first = perf_counter(), []
         try:
@@ -81,7 +96,10 @@ class BoardLine:
                 if perf_counter() - began > FIRST_FRAME and not self.first:
                     passed = "other bytes came" if self.counts.damaged else "nothing came"
                     problem = f"sent no frame within {FIRST_FRAME:g} s at {self.baud} bit/s; {passed}"
-                    remedy = "check that the board runs the exported firmware, and its speed"
+                    remedy = (
+                        "check that the board runs the firmware of acoustic-fem embed",
+                        *(() if self.port.startswith(_WITHOUT_SPEED) else (", and its speed, ", Field("baud"))),
+                    )
                     raise SourceError(problem, kind=Kind.MISSING, field="serial", value=self.port, remedy=remedy)
         except BaseException:
             self.close()
@@ -96,8 +114,9 @@ class BoardLine:
         try:
             received = self._port.read(max(1, self._port.in_waiting))
         except (self._serial.SerialException, OSError, TypeError) as error:  # TypeError: closed meanwhile
-            problem = f"has gone: {said_by(error)}"
-            raise SourceError(problem, kind=Kind.STOPPED, field="serial", value=self.port) from None
+            problem = f"has gone: the board was unplugged, or another program reads it too ({said_by(error)})"
+            remedy = "plug the board in again, and close the other program"
+            raise SourceError(problem, kind=Kind.STOPPED, field="serial", value=self.port, remedy=remedy) from None
         return self._reader.push(received)
 
     def taken(self) -> list[BoardFrame]:
@@ -111,6 +130,33 @@ class BoardLine:
         if port is not None:
             with suppress(self._serial.SerialException, OSError):  # a port that is gone cannot be closed
                 port.close()
+
+
+def _not_opened(port: str, error: Exception) -> SourceError:
+    """Refusal of a port that cannot be opened: what happened, and what to do."""
+    problem, remedy = _reason(port, getattr(error, "errno", None), said_by(error))
+    return SourceError(problem, kind=Kind.MISSING, field="serial", value=port, remedy=remedy)
+
+
+def _reason(port: str, number: int | None, text: str) -> tuple[str, str]:
+    """Problem of a port and its remedy, by the number of an error and its words."""
+    if "://" in port:
+        return f"cannot be opened: {text}", "check the address, and that a program answers there"
+    # Windows gives pyserial no number of an error.
+    if number in _IS_ABSENT or "FileNotFoundError" in text:
+        return "is not there", f"plug the board in, or give another port; {_ports_here()}"
+    if number in _IS_FORBIDDEN and os.name == "posix":
+        remedy = "add your user to the group of serial ports, on most systems dialout, and log in again"
+        return "may not be opened by your user", remedy
+    if number == errno.EBUSY or "PermissionError" in text:
+        return "is in use by another program", "close that program"
+    return f"cannot be opened: {text}", f"give the port of a board; {_ports_here()}"
+
+
+def _ports_here() -> str:
+    """Serial ports of this computer in words."""
+    found = sorted(each.device for each in import_module("serial.tools.list_ports").comports())
+    return f"the ports of this computer are {', '.join(found)}" if found else "this computer has no serial port now"
 
 
 class SerialSource:
@@ -216,8 +262,8 @@ class SerialSource:
                 return
             try:
                 frames = self._line.read()
-            except Refusal as error:
-                self.trouble = str(error)
+            except SourceError as error:
+                self.trouble = str(error.problem)
                 return
 
 

@@ -33,6 +33,12 @@ QUEUE = 2.0
 class SourceError(Refusal):
     """Refusal of a source that cannot be listened to: one line with the reason."""
 
+    def notice(self) -> str:
+        """The refusal while the source is waited for: its name, the problem and the remedy, no argument of a call."""
+        if self.field != "serial":
+            return str(self)
+        return Refusal.of(self, file=str(self.value), field="", value=self.NOT_GIVEN).sentence()
+
 
 @dataclass(frozen=True, eq=False)
 class Block:

@@ -18,7 +18,7 @@ from acoustic_fem.network.microphone_output import Equaliser
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from acoustic_fem.quantities.microphone_signals import LOWEST, LOWEST_RANGE, OUTPUTS, Output
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
-from geometry.ground.argument_checks import check_choice, check_range, check_type
+from geometry.ground.argument_checks import check_choice, check_range, check_type, check_unused
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.shown import Shown
 from geometry.ground.typed import Array
@@ -114,6 +114,10 @@ class Decoding:
         check_choice("microphone_output", self.microphone_output, OUTPUTS)
         if self.lowest is not None:
             check_range("lowest", self.lowest, *LOWEST_RANGE, "Hz")
+            if self.microphone_output == "pressure":
+                why = ": signals that are pressures are not equalised"
+                remedy = ("leave it out, or give ", Field("microphone_output"), " voltage")
+                check_unused({"lowest": self.lowest}, why, remedy, unit="Hz")
         if self.rejected_fraction is not None:
             StreamOptions(rejected_fraction=self.rejected_fraction)  # which knows the range
 

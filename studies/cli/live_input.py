@@ -45,7 +45,10 @@ if TYPE_CHECKING:
     from studies.cli.live_display import LivePicture
     from studies.inference.live import LiveSession, LiveSummary
 
-Baud = Annotated[int, typer.Option(help="Speed of the serial line, bit/s. USB serial ports ignore it.")]
+Baud = Annotated[
+    int | None,
+    typer.Option(help=f"Speed of the serial line, bit/s. USB serial ports ignore it. Default: {BAUD}."),
+]
 
 
 def _list_devices(wanted: bool) -> None:
@@ -84,8 +87,9 @@ def live(
         ),
     ] = None,
     full_scale: Annotated[
-        float, typer.Option(help="Pressure at full scale of the sound card or file, Pa.")
-    ] = FULL_SCALE,
+        float | None,
+        typer.Option(help=f"Pressure at full scale of the sound card or file, Pa. Default: {FULL_SCALE:g}."),
+    ] = None,
     microphone_output: MicrophoneOutput = "pressure",
     lowest: Lowest = None,
     replay: Annotated[
@@ -99,7 +103,7 @@ def live(
             "a sound card.",
         ),
     ] = None,
-    baud: Baud = BAUD,
+    baud: Baud = None,
     record: Annotated[
         Path | None,
         typer.Option(
@@ -140,12 +144,6 @@ def live(
     """
     from studies.inference.live import listen
 
-    if device is not None and replay is not None:
-        raise typer.BadParameter("--device must not be given beside --replay")
-    if serial is not None and (device is not None or replay is not None):
-        raise typer.BadParameter("--serial must not be given beside --device or --replay")
-    if rate is not None and replay is not None:
-        raise typer.BadParameter("--rate must not be given beside --replay, which has its own rate")
     number = -1 if device is None else whole_number(device)
     wanted = device if number < 0 else number
     source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate, serial=serial, baud=baud)
@@ -181,7 +179,7 @@ def record(
     ],
     out: Annotated[Path, typer.Option(metavar="FILE.wav", help="New file to record to.")],
     seconds: Annotated[float | None, typer.Option(help="Length of the recording, s. Default: until Ctrl-C.")] = None,
-    baud: Baud = BAUD,
+    baud: Baud = None,
 ) -> None:
     r"""Record the samples of a board on a serial port.
 

@@ -18,7 +18,6 @@ from localize.live.serial_frames import LineCounts
 from localize.live.serial_port import BoardLine, SerialSource
 from localize.live.sources import BlockQueue, SourceError
 from localize.live.stream_options import ListenerOptions
-from studies.output.call_defaults import BAUD
 from studies.output.folders import check_new_file, claimed_file
 
 _LONGEST = 86_400.0
@@ -49,7 +48,7 @@ def record_board(
     out: str | os.PathLike[str],
     *,
     seconds: float | None = None,
-    baud: int = BAUD,
+    baud: int | None = None,
     hear: Callable[[str], object] | None = None,
 ) -> RecordedBoard:
     """Recording of a board in raw mode, until it has the length that is asked for, or until Ctrl-C.
@@ -60,7 +59,7 @@ def record_board(
         serial: port of the board, such as ``/dev/ttyACM0`` or ``COM3``.
         out: a new WAV file, in Pa; readable even if the program is killed.
         seconds: length of the recording, s; by default until Ctrl-C.
-        baud: speed of the line, bit/s. USB serial ports ignore it.
+        baud: speed of the line, bit/s, by default 115,200. USB serial ports ignore it.
         hear: function that is called with a line of text when the board is lost or back.
 
     Raises:
@@ -111,7 +110,7 @@ class _Recording:
             if reason is None:
                 return
             self._source.close()
-            hear(f"{self._source.name}: {reason}")
+            hear(f"{self._source.name}: {reason}; waiting until it is back, or press Ctrl-C to end the recording")
             queue = self._opened_again(reason, hear)
             hear(f"{self._source.name} is back")
 
@@ -147,6 +146,7 @@ class _Recording:
             try:
                 return self._source.open()
             except SourceError as error:
-                if str(error) != reason:
-                    hear(str(error))
-                reason = str(error)
+                notice = error.notice()
+                if notice != reason:
+                    hear(notice)
+                reason = notice

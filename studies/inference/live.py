@@ -7,14 +7,14 @@ import os
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, closing, contextmanager
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, fields
 from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import TypeAlias
 
 from acoustic_fem.quantities.local_air import LocalAir
-from geometry.ground.argument_checks import check_range
+from geometry.ground.argument_checks import check_range, check_unused
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_lines
@@ -25,7 +25,7 @@ from localize.live.events import Decision, Fault, TouchEvent
 from localize.live.listener import Heard, Latencies, LiveListener, Notice
 from localize.live.recorder import LiveRecorder
 from localize.live.serial_frames import LineCounts
-from localize.live.serial_port import BAUD, BoardLine, SerialSource
+from localize.live.serial_port import BoardLine, SerialSource, check_baud
 from localize.live.sound_device import DeviceSource
 from localize.live.sources import ReplaySource, Source
 from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
@@ -34,6 +34,15 @@ from localize.signals.array_facts import ArrayFacts
 from localize.signals.resampling import check_full_scale
 from studies.output.call_defaults import FULL_SCALE
 from studies.output.folders import check_new_file, claimed_file
+
+#: Arguments of :class:`LiveInput` that only some sources take: those sources, and what to do with another one.
+_TAKEN_BY = {
+    "device": (("device",), "choose one of the two"),
+    "replay": (("replay",), "choose one of the two"),
+    "rate": (("device",), "leave it out: boards and recordings have a rate of their own"),
+    "full_scale": (("device", "replay"), "leave it out: a board sends its samples in Pa"),
+    "baud": (("serial",), "leave it out: it is the speed of a board's serial line"),
+}
 
 
 @dataclass(frozen=True)
@@ -47,37 +56,32 @@ class LiveInput:
     """WAV file to play in real time instead of listening."""
     channels: Mapping[str, int] | None = None
     """Channel of each microphone, from 1; by default the first ones, in the order of the design."""
-    full_scale: float = FULL_SCALE
-    """Pressure at full scale of the sound card or file, Pa."""
+    full_scale: float | None = None
+    """Pressure at full scale of the sound card or file, Pa; by default 1 Pa."""
     rate: int | None = None
     """Sample rate of the sound card, Hz; by default its own."""
     serial: str | None = None
     """Serial port of a board, such as ``/dev/ttyACM0`` or ``COM3``, to read instead of a sound card."""
-    baud: int = BAUD
-    """Speed of the serial line, bit/s. USB serial ports ignore it."""
+    baud: int | None = None
+    """Speed of the serial line, bit/s, by default 115,200. USB serial ports ignore it."""
 
     def __post_init__(self) -> None:
-        for name, given in (
-            ("device", self.device),
-            ("replay", self.replay),
-            ("rate", self.rate),
-            ("full_scale", None if self.full_scale == FULL_SCALE else self.full_scale),
-        ):
-            if self.serial is not None and given is not None:
-                remedy = "a board sends its rate, and its samples in Pa"
-                problem = ("must not be given beside ", Field("serial"))
-                raise Refusal(problem, kind=Kind.CONFLICT, field=name, remedy=remedy)
-        if self.device is not None and self.replay is not None:
-            problem = ("must not be given beside ", Field("replay"))
-            raise Refusal(problem, kind=Kind.CONFLICT, field="device")
+        source = next((name for name in ("serial", "replay") if getattr(self, name) is not None), "device")
+        for name, (sources, remedy) in _TAKEN_BY.items():
+            if source not in sources:
+                of_source = " beside " if source != "device" else " without "
+                beside = Field(source if source != "device" else "serial")
+                check_unused({name: getattr(self, name)}, (of_source, beside), remedy)
         if self.rate is not None:
             check_range("rate", self.rate, LOWEST_RATE, HIGHEST_RATE, "Hz", whole=True)
-            if self.replay is not None:
-                remedy = "a recording is played at its own rate"
-                raise Refusal(
-                    ("must not be given beside ", Field("replay")), kind=Kind.CONFLICT, field="rate", remedy=remedy
-                )
-        check_full_scale(self.full_scale)
+        if self.serial is not None:
+            check_baud(self.serial, self.baud)
+        check_full_scale(self.pascals)
+
+    @property
+    def pascals(self) -> float:
+        """Pressure at full scale, Pa."""
+        return FULL_SCALE if self.full_scale is None else self.full_scale
 
     def open(self, microphones: tuple[str, ...]) -> Source:
         """Source of the samples of these microphones; reading has not begun."""
@@ -88,8 +92,8 @@ class LiveInput:
         if board is not None:
             return SerialSource(board, microphones, self.channels)
         if self.replay is not None:
-            return ReplaySource(self.replay, microphones, self.full_scale, self.channels)
-        return DeviceSource(microphones, self.device, self.full_scale, self.channels, rate=self.rate)
+            return ReplaySource(self.replay, microphones, self.pascals, self.channels)
+        return DeviceSource(microphones, self.device, self.pascals, self.channels, rate=self.rate)
 
 
 class LiveSession:
@@ -207,7 +211,7 @@ def listen(
     board = None if heard_from.serial is None else BoardLine(heard_from.serial, heard_from.baud)
     decides = board is not None and board.mode == "events"
     if board is not None and decides:
-        _check_needs_no_samples(board, kept, contact_radius_mm, decoding)
+        check_needs_no_samples(board, heard_from, kept, contact_radius_mm, decoding)
     samples = None if decides else heard_from.source(found.locator.microphones, board)
     recorder = None
     counts, loud = _Counts(), LoudFrames()
@@ -215,7 +219,7 @@ def listen(
         stack.enter_context(claimed_file(lines, check_lines))
         stack.enter_context(claimed_file(kept, check_kept))
         if kept is not None and samples is not None:
-            recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.full_scale)
+            recorder = LiveRecorder(kept, samples.rate, len(found.locator.microphones), heard_from.pascals)
         listener: LiveListener | BoardListener
         if samples is None:
             assert board is not None
@@ -248,29 +252,23 @@ def listen(
     return counts.summary(session, fit, listener.stopped, None if board is None else board.counts)
 
 
-def _check_needs_no_samples(
-    board: BoardLine, record: Path | None, radius: float | None, decoding: Decoding | None
+def check_needs_no_samples(
+    board: BoardLine, heard_from: LiveInput, record: Path | None, radius: float | None, decoding: Decoding | None
 ) -> None:
     """Refuse options that need samples, because a board that decides sends none."""
     options, usual = decoding or Decoding(), Decoding()
-    given = {"record": record is not None, "contact_radius_mm": radius is not None}
-    given["air"] = options.air not in (None, LocalAir())
-    for name in (
-        "microphone_noise",
-        "waveform",
-        "ambient",
-        "rejected_fraction",
-        "follow_drift",
-        "two_touches",
-        "motion",
-        "microphone_output",
-    ):
-        given[name] = getattr(options, name) != getattr(usual, name)
-    for name, is_given in given.items():
-        if is_given:
-            board.close()
-            problem = "needs samples, and the board sends touches"
-            raise Refusal(problem, kind=Kind.CONFLICT, field=name, remedy="set the board to raw mode")
+    chosen = {each.name: getattr(options, each.name) for each in fields(Decoding) if each.name != "tolerances"}
+    given = {"record": record, "contact_radius_mm": radius, "channels": heard_from.channels}
+    given |= {name: value for name, value in chosen.items() if value != getattr(usual, name)}
+    air = given.pop("air", None)
+    given |= asdict(air) if isinstance(air, LocalAir) else {}
+    try:
+        check_unused(
+            given, ": it needs samples, and the board sends touches", "leave it out, or set the board to raw mode"
+        )
+    except Refusal:
+        board.close()
+        raise
 
 
 @contextmanager

@@ -14,7 +14,7 @@ from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS, ONE_DESIGN
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from geometry.design.design_file import DesignLike, resolve_design
-from geometry.ground.argument_checks import check_choice
+from geometry.ground.argument_checks import check_choice, check_unused
 from geometry.ground.extras import check_extras
 from geometry.ground.missing_packages import check_system_libraries
 from geometry.ground.refusal import Field, Kind, Refusal, counted
@@ -99,9 +99,11 @@ def convert_library(
     if content is None:
         content = "circuit" if path.suffix.lower() == NETLIST_FORMAT else "library"
     check_choice("content", content, CONTENTS)
-    for name, given in (("touch", touch), ("output", output), ("tolerance", tolerance)):
-        if given is not None and content != "state-space":
-            _refuse_unused(name, given, content)
+    if content != "state-space":
+        what = "a circuit has its own pins for" if content == "circuit" else "a library has"
+        remedy = ("leave it out, or ask for a state space with ", Field("content"), " state-space")
+        given = {"touch": touch, "output": output, "tolerance": tolerance}
+        check_unused(given, f": {what} all inputs and outputs, and no fit", remedy)
     if content == "library":
         with claimed_file(path, partial(check_new_library, path, FORMATS, reads=(library,))):
             loaded = _opened(library, design)
@@ -121,13 +123,6 @@ def convert_library(
         )
         acoustic_fem.circuit.save_state_space(model, path)
     return model
-
-
-def _refuse_unused(name: str, given: object, content: str) -> None:
-    what = "a circuit has its own pins for" if content == "circuit" else "a library has"
-    problem = f"has no effect: {what} all inputs and outputs, and no fit"
-    remedy = ("leave it out, or ask for a state space with ", Field("content"), " state-space")
-    raise Refusal(problem, kind=Kind.CONFLICT, field=name, value=given, remedy=remedy)
 
 
 def _opened(library: PathLike, design: DesignLike | None) -> Library:

@@ -1,5 +1,6 @@
 """The state space of a sensor is its library, in frequency, in time and in files."""
 
+import re
 from dataclasses import replace
 from functools import cache
 
@@ -11,7 +12,7 @@ from refusals import refused
 
 import acoustic_fem
 import geometry
-from acoustic_fem.circuit import fit_sensor, save_state_space
+from acoustic_fem.circuit import fit_sensor, save_state_space, state_space
 from acoustic_fem.circuit.state_space import PASSIVE_BAND, ROUNDING, passivity_margin, voltage_per_pascal
 from acoustic_fem.numerics import RationalFit
 from benchmarks.held_presses import held_press, press
@@ -68,8 +69,39 @@ def test_an_error_that_no_passive_fit_keeps_is_refused_with_the_smallest_that_wa
     random = np.random.default_rng(0)
     noise = 1 + 0.05 * random.normal(size=few.transfer_function.shape)
     noisy = replace(few, transfer_function=few.transfer_function * noise)
-    with refused(Kind.NO_RESULT, "tolerance", 1e-3):
+    with refused(Kind.NO_RESULT, "tolerance", 1e-3) as found:
         fit_sensor(noisy)
+    assert "is not reached for array-2x6: the smallest error is" in str(found.value)
+
+
+@pytest.mark.slow
+def test_an_error_that_only_fits_with_energy_keep_is_refused_with_one_that_can_be_kept(monkeypatch):
+    tried = []
+    fit = state_space.fit_poles
+    monkeypatch.setattr(state_space, "fit_poles", lambda *given: tried.append(given[-1]) or fit(*given))
+    glove = acoustic_fem.solve(geometry.prototype("glove"), np.arange(1.0, 501.0), "lumped")
+    with refused(Kind.NO_RESULT, "tolerance", 1e-6) as found:
+        fit_sensor(glove, tolerance=1e-6)
+    assert max(tried) < 45  # of 60
+    given, order = re.search(r"give tolerance (\S+), which (\d+) poles reach", str(found.value)).groups()
+    assert float(given) > 1e-6
+    reached = fit_sensor(glove, tolerance=float(given))
+    assert reached.order <= int(order)
+    assert reached.error <= float(given)
+
+
+def test_noise_ends_the_search_early(monkeypatch):
+    exact = library()
+    random = np.random.default_rng(0)
+    noise = 1 + 0.01 * random.normal(size=exact.transfer_function.shape)
+    tried = []
+    fit = state_space.fit_poles
+    monkeypatch.setattr(state_space, "fit_poles", lambda *given: tried.append(given[-1]) or fit(*given))
+    noisy = replace(exact, transfer_function=exact.transfer_function * noise)
+    with refused(Kind.NO_RESULT, "tolerance", 1e-3) as found:
+        fit_sensor(noisy)
+    assert max(tried) <= 40  # of 60
+    assert re.search(r"the smallest error is 0\.0\d+, with \d+ poles", str(found.value))
 
 
 def test_the_matrices_are_the_poles_and_residues():

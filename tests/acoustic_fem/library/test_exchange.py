@@ -14,9 +14,11 @@ import pytest
 import scipy.io
 import sofar
 from libraries import GRID, assert_same_library, library_of, three_points
+from refusals import refused
 
 import acoustic_fem
 import geometry
+from acoustic_fem.circuit import fit_sensor, save_netlist, save_state_space, sensor_circuit
 from acoustic_fem.library.exchange import export, load
 from acoustic_fem.library.netcdf_file import LibraryError
 from acoustic_fem.library.transfer_functions import MEASURED, VARIABLES, Library, library_from_arrays
@@ -123,13 +125,48 @@ def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp
         ("empty.csv", Kind.UNREADABLE, ""),
         ("number.csv", Kind.WRONG_TYPE, "row 43"),
         ("none.sofa", Kind.MISSING, ""),
-        ("a.wav", Kind.UNREADABLE, ""),
+        ("a.wav", Kind.UNSUITABLE, ""),
     ):
         with pytest.raises(LibraryError) as refused:
             load(tmp_path / name)
         assert refused.value.file == str(tmp_path / name)
         assert kind is None or (refused.value.kind, refused.value.field) == (kind, field), name
         assert "\n" not in str(refused.value), name
+
+
+def test_what_convert_writes_beside_libraries_and_other_files_are_named_with_what_to_do(
+    library: Library, tmp_path: Path
+) -> None:
+    many = acoustic_fem.solve(library.design, np.linspace(1.0, 100.0, 60), "lumped")
+    for suffix in (".mat", ".npz"):
+        save_state_space(fit_sensor(many, tolerance=0.1), tmp_path / f"sensor{suffix}")
+    save_netlist(sensor_circuit(many), tmp_path / "sensor.cir")
+    np.savez(tmp_path / "touches.npz", signals=np.ones((2, 300)), sample_rate=1000)
+    for name, text in (
+        ("other.cir", "* an amplifier\nR1 1 0 5\n.end\n"),
+        ("a.s2p", "# HZ S RI R 50\n1 0 0 0 0 0 0 0 0\n"),
+        ("b.s1p", "! a remark\n# GHz S MA R 50\n1 1 0\n"),
+        ("c.ts", "[Version] 2.0\n# Hz Z RI\n"),
+        ("a.toml", "schema = 3\n"),
+        ("a.json", '{"time": 0}\n'),
+    ):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    for name, what, remedy in (
+        ("sensor.mat", "is a state space that convert wrote", "convert the library that it was made from"),
+        ("sensor.npz", "is a state space that convert wrote", "convert the library that it was made from"),
+        ("sensor.cir", "is a circuit that convert wrote", "convert the library that it was made from"),
+        ("other.cir", "is a SPICE netlist", "convert reads no netlists"),
+        ("touches.npz", "is a recording", "with calibrate"),
+        ("a.s2p", "is a Touchstone file", "docs/formats.md"),
+        ("b.s1p", "is a Touchstone file", "docs/formats.md"),
+        ("c.ts", "is a Touchstone file", "docs/formats.md"),
+        ("a.toml", "is a design, a study or a manifest", "with solve"),
+        ("a.json", "holds JSON", "give a library"),
+    ):
+        with refused(Kind.UNSUITABLE, file=name, error=LibraryError) as found:
+            load(tmp_path / name)
+        assert f"{name}: {what}, not a library; " in str(found.value)
+        assert str(found.value).endswith(remedy)
 
 
 @pytest.mark.parametrize("name", ["touches.csv", "touches.npz", "other.sofa", "other.nc"])

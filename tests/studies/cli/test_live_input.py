@@ -1,6 +1,7 @@
 """The verb live from the outside: replay, recording, a sound card that is not there, one that goes, and kills."""
 
 import contextlib
+import dataclasses
 import json
 import math
 import os
@@ -322,18 +323,70 @@ def test_an_input_that_cannot_be_is_refused_by_name(given, kind, field):
         studies.LiveInput(**given)
 
 
+#: A value of every argument of a live input, and the sources that take it.
+TAKEN_BY = {
+    "device": (1, {"device"}),
+    "replay": ("a.wav", {"replay"}),
+    "channels": ({"A": 1}, {"device", "replay", "serial"}),
+    "full_scale": (1.0, {"device", "replay"}),
+    "rate": (48_000, {"device"}),
+    "serial": ("/dev/ttyACM0", {"serial"}),
+    "baud": (9600, {"serial"}),
+}
+
+
+@pytest.mark.parametrize("source", ["device", "replay", "serial"])
+@pytest.mark.parametrize("argument", TAKEN_BY)
+def test_an_argument_that_a_source_does_not_take_is_refused_by_name(source, argument):
+    assert set(TAKEN_BY) == {each.name for each in dataclasses.fields(studies.LiveInput)}
+    value, sources = TAKEN_BY[argument]
+    given = {source: TAKEN_BY[source][0], argument: value}
+    if source in sources:
+        assert getattr(studies.LiveInput(**given), argument) == value
+        return
+    rank = ("device", "replay", "serial")  # the source that comes later is taken, the other one is named
+    named = source if argument in rank and rank.index(argument) > rank.index(source) else argument
+    with refused(Kind.CONFLICT, named):
+        studies.LiveInput(**given)
+
+
+def test_a_speed_without_a_line_that_has_one_is_refused():
+    for given in ({"baud": 9600}, {"serial": "socket://127.0.0.1:5555", "baud": 9600}):
+        with refused(Kind.CONFLICT, "baud", 9600):
+            studies.LiveInput(**given)
+    with refused(Kind.OUT_OF_RANGE, "baud", 1):
+        studies.LiveInput(serial="/dev/ttyACM0", baud=1)
+
+
 @pytest.mark.parametrize(
-    "arguments",
-    [("--device", "1", "--replay", "a.wav"), ("--rate", "48000", "--replay", "a.wav"), ("--channels", "A:1")],
+    ("arguments", "message"),
+    [
+        (("--device", "1", "--replay", "a.wav"), "--device = 1 has no effect beside --replay"),
+        (("--baud", "9600", "--replay", "a.wav"), "--baud = 9600 has no effect beside --replay"),
+        (("--baud", "115200"), "--baud = 115200 has no effect without --serial"),
+        (("--full-scale", "1", "--serial", "a"), "--full-scale = 1 has no effect beside --serial"),
+        (("--lowest", "2", "--replay", "a.wav"), "--lowest = 2 Hz has no effect"),
+    ],
 )
-def test_options_that_do_not_go_together_are_a_wrong_command_line(folder, monkeypatch, capsys, arguments):
+def test_options_without_effect_are_one_line(folder, monkeypatch, capsys, arguments, message):
     from studies.cli import app
 
     monkeypatch.setattr(sys, "argv", ["acoustic-fem", "live", str(folder / "model.onnx"), *arguments])
     with pytest.raises(SystemExit) as ended:
         app.main()
+    assert ended.value.code == 1
+    (line,) = capsys.readouterr().err.splitlines()
+    assert message in line
+
+
+def test_channels_that_cannot_be_read_are_a_wrong_command_line(folder, monkeypatch, capsys):
+    from studies.cli import app
+
+    monkeypatch.setattr(sys, "argv", ["acoustic-fem", "live", str(folder / "model.onnx"), "--channels", "A:1"])
+    with pytest.raises(SystemExit) as ended:
+        app.main()
     assert ended.value.code == 2
-    assert arguments[0] in capsys.readouterr().err
+    assert "--channels" in capsys.readouterr().err
 
 
 @pytest.mark.slow

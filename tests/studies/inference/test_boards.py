@@ -2,6 +2,7 @@
 
 import json
 import os
+import threading
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from rc_line import rc_line
 from refusals import refused
 from serial_line import Board
 
+import acoustic_fem
 import localize
 import studies
 from acoustic_fem.sound.sound_file import read_wav
@@ -18,7 +20,9 @@ from geometry import Kind
 from localize.live import serial_port
 from localize.live.events import Decision, Fault, TouchEvent
 from localize.live.listener import Notice
+from localize.live.serial_port import BoardLine
 from localize.live.touches import TouchTracker
+from studies.inference.live import check_needs_no_samples
 
 pytestmark = [needs_compiler, pytest.mark.skipif(not hasattr(os, "openpty"), reason="no terminals here")]
 NOISE = 1e-2
@@ -161,6 +165,31 @@ def test_a_recording_of_a_board_holds_its_samples_and_zeros_for_lost_ones(tmp_pa
         studies.record_board("anything", tmp_path / "r.wav")
 
 
+def test_what_happened_to_a_port_and_what_to_do_is_said(tmp_path, array, signals):
+    absent = str(tmp_path / "board")
+    with refused(Kind.MISSING, "serial", absent) as found:
+        BoardLine(absent)
+    assert "is not there; plug the board in, or give another port; " in str(found.value)
+    assert found.value.notice().startswith(f"{absent}: is not there; plug")
+    with refused(Kind.MISSING, "serial", "socket://127.0.0.1:1") as found:
+        BoardLine("socket://127.0.0.1:1")
+    assert str(found.value).endswith("check the address, and that a program answers there")
+    port, told = PseudoPort(tmp_path / "board", Board().stream(signals)[:100], 0.002), []
+
+    def hear(text):
+        told.append(text)
+        if len(told) == 2:
+            raise KeyboardInterrupt
+
+    with port:
+        threading.Timer(1.0, port.unplug).start()
+        made = studies.record_board(absent, tmp_path / "r.wav", hear=hear)
+    assert made.recordings == (tmp_path / "r.wav",)
+    assert told[0].startswith(f"{absent} (1000 Hz): ")
+    assert told[0].endswith("waiting until it is back, or press Ctrl-C to end the recording")
+    assert told[1].startswith(f"{absent}: is not there; plug the board in")
+
+
 def test_a_recording_is_a_wav_file(tmp_path):
     with refused(Kind.OUT_OF_RANGE, "out", str(tmp_path / "r.txt")):
         studies.record_board(str(tmp_path / "board"), tmp_path / "r.txt")
@@ -183,10 +212,19 @@ def test_what_is_no_board_is_refused(tmp_path, array, monkeypatch):
             studies.listen(decoder, source, record=tmp_path / "r.wav")
         with refused(Kind.MISMATCH, "serial"):
             studies.record_board(str(port.path), tmp_path / "r.wav")
+    for given, named in (
+        ({"channels": {"left": 1, "right": 2}}, "channels"),
+        ({"two_touches": True}, "two_touches"),
+        ({"library": "array.nc"}, "library"),
+        ({"air": acoustic_fem.LocalAir(temperature_c=25.0)}, "temperature_c"),
+    ):
+        with PseudoPort(tmp_path / "board", touches, 0.01) as port:
+            board = BoardLine(str(port.path))
+            channels = given.pop("channels", None)
+            source = studies.LiveInput(serial=str(port.path), channels=channels)
+            with refused(Kind.CONFLICT, named):
+                check_needs_no_samples(board, source, None, None, localize.model.Decoding(**given))
     three = PseudoPort(tmp_path / "board", Board().stream(np.ones((3, 800))), 0.01)
     with three, refused(Kind.MISMATCH, "serial"):
         studies.listen(decoder, studies.LiveInput(serial=str(three.path)))
     assert not (tmp_path / "r.wav").exists()
-    for beside in ({"device": 1}, {"replay": "a.wav"}, {"rate": 8000}, {"full_scale": 4.0}):
-        with refused(Kind.CONFLICT, next(iter(beside))):
-            studies.LiveInput(serial="port", **beside)
