@@ -78,7 +78,7 @@ def embed(
     if chosen.digital:
         _check_digital(board, converter)
     scale = sample_scale(response_of(library), converter, digital=chosen.digital)
-    warn_of_coarse(scale, converter)
+    warn_of_coarse(scale, converter, digital=chosen.digital)
     tables = embedded_tables(library, precision, microphone_noise)
     cost = cost_of(tables)
     if budget is not None:

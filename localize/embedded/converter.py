@@ -139,15 +139,22 @@ def noise_at(microphone: Microphone) -> float:
     return float(np.sqrt(np.trapezoid(network.noise_density(microphone, frequency) ** 2, frequency)))
 
 
-def warn_of_coarse(scale: SampleScale, converter: Converter) -> None:
+def warn_of_coarse(scale: SampleScale, converter: Converter, *, digital: bool = False) -> None:
     """Warn of a converter whose step is more than :data:`LARGEST_STEP` times the noise of the microphone.
 
     Between two steps, a quiet microphone then gives equal samples, and the decoder calls it dead.
+
+    Args:
+        scale: pressures of its samples.
+        converter: that samples the microphones.
+        digital: True for PDM microphones, which have no gain and 16 bits.
     """
     if scale.noise is None or scale.pascals_per_step <= LARGEST_STEP * scale.noise:
         return
     finest = LARGEST_STEP * scale.noise
-    fixes = [_fix(bits, finest, scale.full_scale, converter) for bits in sorted({converter.bits, BITS[1]})]
+    fixes = [_smaller_scale(converter.bits, finest, scale.full_scale, converter, digital)]
+    if converter.bits < BITS[1]:
+        fixes.append(_more_bits(finest, scale.full_scale, converter))
     warnings.warn(
         f"one step of the converter is {1e3 * scale.pascals_per_step:.3g} mPa, and the microphone's noise is "
         f"{1e3 * scale.noise:.3g} mPa rms: in silence a channel may not change, and then counts as dead. A step of at "
@@ -157,17 +164,25 @@ def warn_of_coarse(scale: SampleScale, converter: Converter) -> None:
     )
 
 
-def _fix(bits: int, finest: float, full_scale: float, converter: Converter) -> str:
-    """Options with which a step is fine enough, for a number of bits and a step in Pa."""
-    chosen = "" if bits == converter.bits else f"--converter-bits {bits}"
+def _smaller_scale(bits: int, finest: float, full_scale: float, converter: Converter, digital: bool) -> str:
+    """Change of the circuit, and its option, by which a converter of so many bits has a step in Pa."""
     largest = finest * (2 ** (bits - 1) - 1)
-    if full_scale <= largest:
-        return chosen
-    if converter.volts is None:
-        scale = f"--full-scale {_below(largest)}"
-    else:
-        scale = f"more gain and --converter-volts {_below(converter.volts * largest / full_scale)}"
-    return f"{chosen} with {scale}" if chosen else scale
+    if digital:
+        least = 20 * np.log10(np.sqrt(2) / largest)
+        return f"a microphone of at least {np.ceil(least):g} dBFS at 94 dB SPL, and --full-scale {_below(largest)}"
+    gain = f"{np.ceil(10 * full_scale / largest) / 10:.3g} times the gain"
+    if converter.volts is not None:
+        return f"{gain} and --converter-volts {_below(converter.volts * largest / full_scale)}"
+    return f"{gain} and --full-scale {_below(largest)}"
+
+
+def _more_bits(finest: float, full_scale: float, converter: Converter) -> str:
+    """Least number of bits that has a step in Pa, at the same full scale where 16 bits suffice for it."""
+    bits = next((each for each in range(*BITS) if full_scale <= finest * (2 ** (each - 1) - 1)), BITS[1])
+    words = f"a converter with --converter-bits {bits}"
+    if full_scale <= finest * (2 ** (bits - 1) - 1):
+        return words
+    return f"{words}, {_smaller_scale(bits, finest, full_scale, converter, False)}"
 
 
 def _below(value: float) -> str:

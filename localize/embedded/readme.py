@@ -52,7 +52,9 @@ arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -st
 
 static touch_decoder decoder;             /* {ram_bytes} bytes: static, not on the stack */
 
-touch_init(&decoder, 10.0f);              /* pressure (Pa) at which a microphone clips; 0 for none */
+static const float limit_pa = TOUCH_OVERLOAD; /* pressure from which your samples are clipped, Pa; 0 for none */
+
+touch_init(&decoder, limit_pa);
 for (;;) {{
     size_t taken = 0, count = fill(samples);   /* float, Pa, interleaved: {order}; 1 kHz each */
     while (taken < count) {{
@@ -72,15 +74,19 @@ good samples has arrived.
 ## Serial line
 
 `touch_serial.c` writes frames for a UART or a USB serial port: samples, touches and the state of the board, each with a
-counter and a CRC-16. It needs no other file. The table of bytes is in docs/serial.md of the program:
+counter and a CRC-16. Besides its header it needs only `touch_compiler.h`. The table of bytes is in docs/serial.md of
+the program:
 
 ```c
 #include "touch_serial.h"
 
 static touch_serial line;                  /* all zero */
 static uint8_t frame[TOUCH_SERIAL_LARGEST];
+static const uint16_t rate_hz = 1000;
+static const float limit_pa = TOUCH_OVERLOAD; /* pressure from which your samples are clipped, Pa; 0 for none */
 
-send(frame, touch_serial_samples(&line, frame, first, 1000, TOUCH_MICROPHONES, TOUCH_HOP, samples, 10.0f));
+/* TOUCH_HOP samples of each microphone in Pa, interleaved; first is the number of the first one since the start */
+send(frame, touch_serial_samples(&line, frame, first, rate_hz, TOUCH_MICROPHONES, TOUCH_HOP, samples, limit_pa));
 ```
 
 ## The whole firmware

@@ -25,6 +25,7 @@ from localize.live.stream_options import StreamOptions
 
 #: Sources that are the same for every array.
 SOURCES = (
+    "touch_compiler.h",
     "touch_decoder.h",
     "touch_decoder.c",
     "touch_tracker.h",

@@ -2,6 +2,8 @@
  *
  *     touch_bench CHUNK LIMIT < samples.f32
  */
+#include "touch_compiler.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,5 +1,7 @@
 /* The five functions of touch_hal.h for Arduino: one or two PDM microphones by its library PDM, frames by Serial. No silicon
  * was tried; the tests compile and run this file with stubs in place of Arduino. */
+#include "touch_compiler.h"
+
 #include <Arduino.h>
 #include <PDM.h>
 

@@ -3,6 +3,8 @@
  * host, 16 kHz, interleaved, and arrive as if an interrupt had brought them. No silicon was tried.
  *
  * For a chip of your own, keep the start-up and replace what reads samples and what writes bytes. */
+#include "touch_compiler.h"
+
 #include <stdint.h>
 
 #include "touch_firmware.h"

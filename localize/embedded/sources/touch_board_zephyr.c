@@ -2,6 +2,8 @@
  * chooses as the console. No silicon was tried; the tests compile and run this file with stubs in place of Zephyr.
  *
  * The device tree must have a DMIC at the label dmic_dev. */
+#include "touch_compiler.h"
+
 #include <zephyr/audio/dmic.h>
 #include <zephyr/device.h>
 #include <zephyr/drivers/uart.h>

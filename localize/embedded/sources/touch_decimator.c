@@ -1,4 +1,5 @@
 /* The decimator of touch_decimator.h. */
+#include "touch_compiler.h"
 #include "touch_decimator.h"
 
 #include <string.h>

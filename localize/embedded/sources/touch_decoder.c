@@ -1,13 +1,9 @@
 /* The decoder of touch_decoder.h. Equations: docs/embed.md of acoustic-fem. */
+#include "touch_compiler.h"
 #include "touch_decoder.h"
 
 #include <math.h>
 #include <string.h>
-
-/* Lost samples are NaN, which these options of compilers assume away: every decision after them would be wrong. */
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "compile touch_decoder.c without -ffast-math, -Ofast and -ffinite-math-only: lost samples are NaN"
-#endif
 
 /* Reflections that are done at once, and how many numbers these have in common. */
 #define BLOCK 4

@@ -3,7 +3,7 @@
  * Portable C99: no heap, no recursion, nothing but math.h. The tables of the array are constants in touch_tables.c.
  *
  *     static touch_decoder decoder;
- *     touch_init(&decoder, 10.0f);
+ *     touch_init(&decoder, TOUCH_OVERLOAD);                   Pa, from which a sample is clipped
  *     for (;;) {
  *         size_t taken = 0, count = fill(samples);            interleaved, Pa, 1000 of each microphone in a second
  *         while (taken < count) {

@@ -1,4 +1,5 @@
 /* The firmware of touch_firmware.h. */
+#include "touch_compiler.h"
 #include "touch_firmware.h"
 
 #include <string.h>

@@ -19,8 +19,8 @@ extern "C" {
 
 typedef struct {
     int16_t samples[TOUCH_RING][TOUCH_MICROPHONES];
-    volatile uint32_t written, read; /* instants since the start */
-    volatile uint32_t lost, told;    /* instants that were lost, and those that the reader knows of */
+    uint32_t written, read; /* instants since the start; touch_ring.c says why they are safe from an interrupt */
+    uint32_t lost, told;    /* instants that were lost, and those that the reader knows of */
 } touch_ring;
 
 /* For the interrupt: instants of all microphones, interleaved. With NULL they are lost. */

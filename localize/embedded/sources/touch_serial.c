@@ -1,4 +1,5 @@
 /* The frames of touch_serial.h. Table of bytes: docs/serial.md of acoustic-fem. */
+#include "touch_compiler.h"
 #include "touch_serial.h"
 
 #include <string.h>

@@ -1,5 +1,6 @@
 /* The tracker of touch_tracker.h. It is that of localize/live of acoustic-fem: contacts.py cuts frames into contacts,
  * joined_contacts.py joins these into touches, pressure_course.py looks at the pressure, touches.py says where. */
+#include "touch_compiler.h"
 #include "touch_tracker.h"
 
 #include <math.h>

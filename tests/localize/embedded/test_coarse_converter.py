@@ -66,6 +66,7 @@ def options_in(message):
     [
         (Converter(volts=1.0, bits=12), ["--converter-volts", "--converter-bits", "--converter-volts"]),
         (Converter(bits=12), ["--full-scale", "--converter-bits"]),
+        (Converter(bits=8, volts=0.2), ["--converter-volts", "--converter-bits"]),
         (Converter(full_scale=100.0), ["--full-scale"]),
     ],
 )
@@ -76,6 +77,7 @@ def test_a_coarse_converter_is_warned_of_with_options_that_are_fine_enough(libra
     assert f"the microphone's noise is {1e3 * noise_at(small_design().microphone):.3g} mPa rms" in message
     found = options_in(message)
     assert [name for name, _ in found] == named
+    assert "times the gain and --" in message
     keys = {"--converter-volts": "volts", "--converter-bits": "bits", "--full-scale": "full_scale"}
     for part in message.split("needs ")[1].split(", or "):
         given = {keys[name]: value for name, value in options_in(part)}
@@ -85,6 +87,22 @@ def test_a_coarse_converter_is_warned_of_with_options_that_are_fine_enough(libra
         with warnings.catch_warnings():
             warnings.simplefilter("error", CoarseConverterWarning)
             embed(library, converter=Converter(**given))
+
+
+def test_a_digital_microphone_gets_no_gain_but_a_sensitivity(library):
+    with pytest.warns(CoarseConverterWarning) as told:
+        embed(library, converter=Converter(full_scale=200.0), board="zephyr")
+    message = str(told[0].message)
+    assert "gain" not in message
+    assert "--converter" not in message
+    ((name, full_scale),) = options_in(message)
+    assert name == "--full-scale"
+    sensitivity = float(message.split("at least ")[1].split()[0])
+    assert 1.41 * 10 ** (-sensitivity / 20) < 1.13 * full_scale  # whole dB, rounded up
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", CoarseConverterWarning)
+        embed(library, converter=Converter(full_scale=full_scale), board="zephyr")
+        embed(library, converter=Converter(full_scale=1.41 * 10 ** (-sensitivity / 20)), board="zephyr")
 
 
 @pytest.mark.parametrize("converter", [Converter(), Converter(volts=0.5), Converter(full_scale=10.0)])

@@ -27,6 +27,9 @@ from geometry import Kind
 from localize.embedded import embed
 from localize.signals.array_response import ArrayResponse, response_of
 
+SOURCES = Path(localize.embedded.__file__).parent / "sources"
+EVERY_SOURCE = sorted(path.name for path in SOURCES.glob("touch_*.c*"))
+
 
 @needs_compiler
 def test_a_small_array_is_decoded_as_in_python_whatever_the_chunks(tmp_path: Path) -> None:
@@ -118,20 +121,21 @@ def test_a_minute_of_touches_is_decided_as_by_the_stream_in_python(tmp_path: Pat
 
 @needs_compiler
 @pytest.mark.parametrize("option", ["-ffast-math", "-Ofast", "-ffinite-math-only"])
-def test_options_that_assume_lost_samples_away_are_refused_by_the_compiler(option, tmp_path):
-    sources = Path(localize.embedded.__file__).parent / "sources"
-    for name in ("touch_decoder.c", "touch_decoder.h"):
-        (tmp_path / name).write_bytes((sources / name).read_bytes())
-    (tmp_path / "touch_tables.h").touch()  # what they hold does not count: the file is preprocessed alone
+@pytest.mark.parametrize("source", EVERY_SOURCE)
+def test_options_that_assume_lost_samples_away_are_refused_by_the_compiler(option, source, tmp_path):
+    for path in SOURCES.glob("touch_*.[ch]*"):
+        (tmp_path / path.name).write_bytes(path.read_bytes())
+    for name in ("touch_tables.h", "touch_tracker_options.h", "touch_tracker_tables.h", "touch_decimator_taps.h"):
+        (tmp_path / name).touch()  # what they hold does not count: files are preprocessed alone
 
     def preprocessed(*options):
-        command = [str(COMPILER), *options, "-E", "touch_decoder.c"]
+        command = [str(COMPILER), *options, "-E", source]
         return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
 
-    assert preprocessed("-O2").returncode == 0
+    assert "-ffast-math" not in preprocessed("-O2").stderr
     refused_by = preprocessed("-O2", option)
     assert refused_by.returncode != 0
-    assert "without -ffast-math" in refused_by.stderr
+    assert "compile without -ffast-math" in refused_by.stderr
 
 
 @needs_compiler
