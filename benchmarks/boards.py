@@ -29,12 +29,18 @@ class Board:
     """Name of its core."""
     flags: tuple[str, ...]
     """What the compiler must know of the core."""
-    tick: int
+    tick: float
     """Length of a tick of its clock, ns: as many instructions."""
     code_at: int = 0x00000000
     """Address of its code."""
     data_at: int = 0x20000000
     """Address of its memory."""
+    float_abi: str = "hard"
+    """``soft`` for a core without a floating-point unit."""
+    flash: str = "4M"
+    """Size of its flash, as linkers write it."""
+    ram: str = "2M"
+    """Size of its memory."""
 
 
 BOARDS = {
@@ -42,6 +48,9 @@ BOARDS = {
     "mps2-an500": Board("Cortex-M7", ("-mcpu=cortex-m7", "-mfpu=fpv5-sp-d16"), 40),
     "mps2-an505": Board("Cortex-M33", ("-mcpu=cortex-m33", "-mfpu=fpv5-sp-d16"), 50, 0x10000000, 0x38000000),
 }
+#: Board whose core has no floating-point unit. Its Cortex-M0 has all the instructions of a Cortex-M0+.
+WITHOUT_FPU = "microbit"
+SMALL = Board("Cortex-M0+", ("-mcpu=cortex-m0plus",), 62.5, float_abi="soft", flash="256K", ram="16K")
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,10 +18,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.boards import BOARDS, COMPILER, EMULATOR, FLAGS, SOURCES
+from benchmarks.boards import BOARDS, COMPILER, EMULATOR, FLAGS, SMALL, SOURCES, WITHOUT_FPU
 from benchmarks.embedded_touches import array_of
 from benchmarks.firmware_touches import SECONDS, decimated, events_in_python, of_converter, recordings
 from localize.embedded import embed
+from localize.embedded.decoder_tables import Precision
 from localize.live.events import TouchEvent
 from localize.live.serial_frames import FrameReader, SampleFrame, StatusFrame, TouchFrame
 
@@ -34,17 +35,30 @@ FULL_SCALE = float(np.float32(28.3))
 NEAREST = 188
 """Smallest stack that can be measured, bytes. The counting itself uses the bytes that lie nearer to the main loop."""
 ARRAYS = ("array-2x6", "glove")
+EMULATED = {BOARD: BOARDS[BOARD], WITHOUT_FPU: SMALL}
 SEED = 45
 
 Mode = Literal["raw", "events"]
 
 
-def linked_firmware(folder: Path, prefix: str = "touch", mode: Mode = "raw", counted: bool = False) -> Path:
-    """Program of an exported project, built as its README says; with counts of instructions and stack, if asked for."""
-    command = [COMPILER, *BOARDS[BOARD].flags, "-mthumb", "-mfloat-abi=hard", *FLAGS, "-Wall", "-Wextra", "-Werror"]
+def linked_firmware(
+    folder: Path, prefix: str = "touch", mode: Mode = "raw", counted: bool = False, name: str = BOARD
+) -> Path:
+    """Program of an exported project, built as its README says; with counts of instructions and stack, if asked for.
+
+    For :data:`WITHOUT_FPU`, its linker file has the sizes of that board, and its frames go to a file of the host.
+    """
+    board = EMULATED[name]
+    command = [COMPILER, *board.flags, "-mthumb", f"-mfloat-abi={board.float_abi}", *FLAGS]
+    command += ["-Wall", "-Wextra", "-Werror"]
     parts = PARTS + (MORE if mode == "events" else ())
     sources = [f"{prefix}_{part}.c" for part in parts]
-    linker = ["-nostartfiles", "-Wl,--gc-sections", "-T", f"{prefix}_board_mps2.ld", "-o", f"{mode}.elf", "-lm"]
+    script = (folder / f"{prefix}_board_mps2.ld").read_text(encoding="utf-8")
+    (folder / f"{name}.ld").write_text(script.replace("= 4M", f"= {board.flash}").replace("= 2M", f"= {board.ram}"))
+    linker = ["-nostartfiles", "-Wl,--gc-sections", "-T", f"{name}.ld", "-o", f"{mode}.elf", "-lm"]
+    if name == WITHOUT_FPU:
+        sources += [str(SOURCES / "line.c"), "-DWORDS=700"]  # there is no more room behind the variables
+        linker += ["-Wl,--wrap=touch_hal_send"]
     if counted:
         sources.append(str(SOURCES / "count.c"))
         linker.append("-Wl,--wrap=touch_hal_wait")
@@ -61,10 +75,12 @@ def firmware_bytes(program: Path) -> tuple[int, int]:
     return code + data, data + zeros
 
 
-def started(program: Path, samples: NDArray[np.int16], line: str, *more: str) -> subprocess.Popen[bytes]:
+def started(
+    program: Path, samples: NDArray[np.int16], line: str, *more: str, name: str = BOARD
+) -> subprocess.Popen[bytes]:
     """The emulated board with (n, n_microphone) samples at 16 kHz, and its UART at a line of the emulator."""
     np.ascontiguousarray(samples, "<i2").tofile(program.parent / "samples.i16")
-    command = [EMULATOR, "-M", BOARD, "-nographic", "-monitor", "none", "-serial", line, *more]
+    command = [EMULATOR, "-M", name, "-nographic", "-monitor", "none", "-serial", line, *more]
     command += ["-semihosting-config", "enable=on,target=native", "-kernel", str(program)]
     return subprocess.Popen(command, cwd=program.parent)
 
@@ -89,11 +105,12 @@ class OnBoard:
     """Most bytes of the stack."""
 
 
-def run_firmware(folder: Path, samples: NDArray[np.int16], mode: Mode) -> OnBoard:
+def run_firmware(folder: Path, samples: NDArray[np.int16], mode: Mode, name: str = BOARD) -> OnBoard:
     """All that an exported project sends of (n, n_microphone) samples at 16 kHz, and what it takes."""
-    program = linked_firmware(folder, mode=mode, counted=True)
+    program, tick = linked_firmware(folder, mode=mode, counted=True, name=name), EMULATED[name].tick
     (folder / "line.bin").unlink(missing_ok=True)
-    board = started(program, samples, "file:line.bin", "-icount", "shift=0")
+    line = "none" if name == WITHOUT_FPU else "file:line.bin"
+    board = started(program, samples, line, "-icount", "shift=0", name=name)
     if board.wait(600) != 0:
         raise RuntimeError(f"the emulated board ended with {board.returncode}")
     reader = FrameReader()
@@ -104,15 +121,15 @@ def run_firmware(folder: Path, samples: NDArray[np.int16], mode: Mode) -> OnBoar
         [each for each in frames if isinstance(each, SampleFrame)],
         [each for each in frames if isinstance(each, StatusFrame)],
         reader.counts.lost + reader.counts.damaged,
-        ticks * BOARDS[BOARD].tick,
-        longest * BOARDS[BOARD].tick,
+        round(ticks * tick),
+        round(longest * tick),
         stack,
     )
 
 
-def write_project(folder: Path, name: str) -> None:
+def write_project(folder: Path, name: str, precision: Precision = "float32") -> None:
     """The project of an as-built sensor of a prototype, calibrated without error."""
-    for file, text in embed(array_of(name, True)).files.items():
+    for file, text in embed(array_of(name, True), precision).files.items():
         (folder / file).write_text(text, encoding="utf-8")
 
 
@@ -125,11 +142,33 @@ def differing(found: list[TouchFrame], expected: list[TouchEvent]) -> int:
     return max(len(found), len(expected)) - same
 
 
+def rows_without_fpu(seconds: int) -> list[str]:
+    """Table of the firmware of ``array-2x6`` with tables in int16 on a core without a floating-point unit."""
+    response = array_of("array-2x6", True)
+    played = of_converter(recordings(response, SEED, FULL_SCALE, seconds)["taps"], FULL_SCALE)
+    rows = ["| mode | flash (bytes) | RAM (bytes) | stack (bytes) | instructions a second | longest pass |"]
+    rows.append("|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        write_project(folder, "array-2x6", "int16")
+        for mode in ("raw", "events"):
+            flash, ram = firmware_bytes(linked_firmware(folder, mode=mode, name=WITHOUT_FPU))
+            run = run_firmware(folder, played, mode, WITHOUT_FPU)
+            each_second = run.instructions / seconds
+            rows.append(f"| {mode} | {flash} | {ram} | {run.stack} | {each_second:.3g} | {run.longest:.3g} |")
+    return rows
+
+
 def main(arguments: list[str] | None = None) -> None:
     """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0] if __doc__ else None)
     parser.add_argument("--seconds", type=int, default=SECONDS, help="length of each recording, s")
-    seconds = parser.parse_args(arguments).seconds
+    parser.add_argument("--without-fpu", action="store_true", help="the table of a Cortex-M0+ alone")
+    given = parser.parse_args(arguments)
+    seconds = given.seconds
+    if given.without_fpu:
+        print("\n".join(rows_without_fpu(seconds)))
+        return
     costs = ["| array | mode | flash (bytes) | RAM (bytes) | stack (bytes) | instructions a second | longest pass |"]
     events = ["| array | recording | events | not equal to those of Python |"]
     costs.append("|---|---|---|---|---|---|---|")

@@ -1,4 +1,4 @@
-"""Files that are often given as a library and are none: what they are, and what to give instead."""
+"""Files that are often given in place of a library: their content, and what to give instead."""
 
 from __future__ import annotations
 

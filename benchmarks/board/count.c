@@ -7,7 +7,9 @@
 #define RELOAD (*(volatile uint32_t *)0xE000E014)
 #define CLOCK (*(volatile uint32_t *)0xE000E018)
 #define TICKS 0xFFFFFFu
+#ifndef WORDS
 #define WORDS 2048 /* of the stack, that are looked at */
+#endif
 #define UNTOUCHED 0xA5C3E1F7u
 
 int __real_touch_hal_wait(void);

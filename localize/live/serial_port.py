@@ -38,7 +38,7 @@ _IS_FORBIDDEN = (errno.EACCES, errno.EPERM)
 
 
 def check_baud(port: str, baud: int | None) -> None:
-    """Reject a speed, bit/s, that is out of range, or of a port that has no speed; None is no speed that is given."""
+    """Reject a speed, bit/s, that is out of range, or of a port that has no speed; None for the usual one."""
     if baud is None:
         return
     check_range("baud", baud, *_RATES, "bit/s", whole=True)

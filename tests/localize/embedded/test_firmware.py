@@ -15,7 +15,7 @@ from small_run import small_design
 import acoustic_fem
 import studies
 from acoustic_fem.sound.sound_file import read_wav
-from benchmarks.boards import missing_tools
+from benchmarks.boards import WITHOUT_FPU, missing_tools
 from benchmarks.embedded_touches import array_of
 from benchmarks.firmware import (
     ARRAYS,
@@ -212,6 +212,24 @@ def test_touches_of_the_whole_firmware_on_an_emulated_board_are_those_of_python(
         kinds |= {each.kind for each in found.touches}
         assert found.touches
     assert kinds >= {"down", "moved", "up"}
+
+
+@pytest.mark.slow
+@needs_board
+def test_a_core_without_a_floating_point_unit_sends_the_same_in_16_kilobytes(tmp_path):
+    """A Cortex-M0 with 256 KiB of flash, in both modes."""
+    response = array_of("array-2x6", True)
+    write_project(tmp_path, "array-2x6", "int16")
+    samples = of_converter(recordings(response, 46, FULL_SCALE, 2)["taps"], FULL_SCALE)
+    raw = run_firmware(tmp_path, samples, "raw", WITHOUT_FPU)
+    assert raw.lost == 0
+    assert len(raw.samples) > 100
+    assert_frames_hold(raw.samples, decimated(samples, FULL_SCALE))
+    found = run_firmware(tmp_path, samples, "events", WITHOUT_FPU)
+    expected = events_in_python(response, decimated(samples, FULL_SCALE), FULL_SCALE)
+    assert found.touches
+    assert differing(found.touches, expected.events) == 0
+    assert found.instructions > raw.instructions
 
 
 @pytest.mark.slow
