@@ -11,3 +11,9 @@ from .state_space import (
     fit_sensor as fit_sensor,
 )
 from .state_space_file import STATE_SPACE_FORMATS as STATE_SPACE_FORMATS, save_state_space as save_state_space
+from .touchstone import (
+    check_ports as check_ports,
+    is_touchstone as is_touchstone,
+    port_impedances as port_impedances,
+    save_touchstone as save_touchstone,
+)

@@ -251,7 +251,9 @@ def convert(
     ],
     content: Annotated[
         str | None,
-        typer.Option("--as", metavar="CONTENT", help="library, state-space or circuit. Default: circuit for .cir."),
+        typer.Option(
+            "--as", metavar="CONTENT", help="library, state-space or circuit. Default: circuit for .cir and .sNp."
+        ),
     ] = None,
     touch: Annotated[
         str | None,
@@ -281,13 +283,14 @@ def convert(
 
     SOFA files follow AES69-2022, convention GeneralTF-E. Every digit is kept. A state space (.mat for Octave, MATLAB
     and Simulink, or .npz, with --as state-space) is a fit of as few common poles as keep --tolerance, stable and
-    passive also outside the band. A circuit (.cir) is a SPICE netlist of the design, by its closed forms. A SOFA file
+    passive also outside the band. A circuit (.cir) is a SPICE netlist of the design, by its closed forms. A Touchstone
+    file (.s14p for 12 points and 2 microphones) has the impedances between its cavities and microphones. A SOFA file
     of another program needs --design: its receivers are the microphones, its emitters or measurements the points:
     docs/formats.md.
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """
-    from acoustic_fem.circuit import SensorCircuit  # loads SciPy
+    from acoustic_fem.circuit import SensorCircuit, is_touchstone  # loads SciPy
 
     converted = studies.convert_library(
         library, out, content=content, touch=touch, output=output, tolerance=tolerance, design=design
@@ -298,6 +301,8 @@ def convert(
     if isinstance(converted, SensorCircuit):
         low, high = converted.band
         many = counted(len(converted.circuit.elements), "passive element")
+        if is_touchstone(out):
+            many = f"impedances between {counted(len(converted.cavities) + len(converted.fronts), 'port')}"
         tell(f"{out}: {many}, largest difference to the library {converted.error:.1e} from {low:g} to {high:g} Hz")
         return
     low, high = converted.band

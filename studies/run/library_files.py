@@ -7,7 +7,14 @@ from pathlib import Path
 
 import acoustic_fem
 from acoustic_fem import Library
-from acoustic_fem.circuit import NETLIST_FORMAT, STATE_SPACE_FORMATS, SensorCircuit, SensorModel
+from acoustic_fem.circuit import (
+    NETLIST_FORMAT,
+    STATE_SPACE_FORMATS,
+    SensorCircuit,
+    SensorModel,
+    check_ports,
+    is_touchstone,
+)
 from acoustic_fem.library.exchange import FORMATS, load, write_library
 from acoustic_fem.library.foreign_sofa import library_from_sofa
 from acoustic_fem.quantities.checks import FrequencyLike
@@ -78,8 +85,9 @@ def convert_library(
     Args:
         library: the file to read: netCDF (``.nc``), SOFA (``.sofa``), ``.npz``, ``.mat`` or ``.csv``.
         out: the file to write, with one of these suffixes, ``.npz`` or ``.mat`` for a state space, ``.cir`` for a
-            circuit. A measured library is never overwritten.
-        content: "library", "state-space" or "circuit"; by default a circuit for ``.cir``, and else a library.
+            circuit, or ``.s14p`` for the impedances between its 14 ports. A measured library is never overwritten.
+        content: "library", "state-space" or "circuit"; by default a circuit for ``.cir`` and Touchstone files, and else
+            a library.
         touch: input of a state space at each membrane: "force" (N), the default, or "volume-velocity" (m^3/s).
         output: output of a state space at each microphone: "pressure" (Pa) in front of it, the default, or its
             "voltage" (V).
@@ -97,7 +105,7 @@ def convert_library(
     """
     path = Path(out)
     if content is None:
-        content = "circuit" if path.suffix.lower() == NETLIST_FORMAT else "library"
+        content = "circuit" if _is_circuit(path) else "library"
     check_choice("content", content, CONTENTS)
     if content != "state-space":
         what = "a circuit has its own pins for" if content == "circuit" else "a library has"
@@ -111,8 +119,14 @@ def convert_library(
         return loaded
     if content == "circuit":
         with claimed_file(path, partial(_check_model, path, library, "a circuit", (NETLIST_FORMAT,))):
-            sensor = acoustic_fem.circuit.sensor_circuit(_opened(library, design))
-            acoustic_fem.circuit.save_netlist(sensor, path)
+            loaded = _opened(library, design)
+            if is_touchstone(path):
+                check_ports(path, loaded.design.point_count, len(loaded.design.microphones))
+            sensor = acoustic_fem.circuit.sensor_circuit(loaded)
+            if is_touchstone(path):
+                acoustic_fem.circuit.save_touchstone(sensor, loaded.frequency, path)
+            else:
+                acoustic_fem.circuit.save_netlist(sensor, path)
         return sensor
     with claimed_file(path, partial(_check_model, path, library, "a state space", STATE_SPACE_FORMATS)):
         model = acoustic_fem.circuit.fit_sensor(
@@ -131,12 +145,18 @@ def _opened(library: PathLike, design: DesignLike | None) -> Library:
 
 
 def _check_model(path: Path, library: PathLike, what: str, formats: tuple[str, ...]) -> None:
-    if path.suffix.lower() not in formats and not path.is_dir():
-        allowed = f"{what}, {' or '.join(formats)}"
+    touchstone = NETLIST_FORMAT in formats and is_touchstone(path)
+    if path.suffix.lower() not in formats and not touchstone and not path.is_dir():
+        more = " or a Touchstone file such as .s14p" if NETLIST_FORMAT in formats else ""
+        allowed = f"{what}, {' or '.join(formats)}{more}"
         raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field("out"), allowed=allowed)
-    # A netlist can be made again; a .npz or a .mat may be a measured library.
-    replaced = path.suffix.lower() == NETLIST_FORMAT
-    check_new_file(path, reads=(library,), kept=None if replaced else "a file that may be a measured library")
+    # A circuit can be made again; a .npz or a .mat may be a measured library, and Touchstone files are often measured.
+    kept = "a file that may be a measurement" if touchstone else "a file that may be a measured library"
+    check_new_file(path, reads=(library,), kept=None if path.suffix.lower() == NETLIST_FORMAT else kept)
+
+
+def _is_circuit(path: Path) -> bool:
+    return path.suffix.lower() == NETLIST_FORMAT or is_touchstone(path)
 
 
 def cell_lines(library: Library) -> list[str]:
