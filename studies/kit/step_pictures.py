@@ -11,6 +11,7 @@ import pyvista as pv
 
 import geometry
 from geometry.assembly.model import LOOKS, ArrayModel, PartKind
+from geometry.design.shell_rules import membrane_top
 from geometry.formats.part_files import SharedShape
 from geometry.ground.typed import Array
 from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
@@ -30,8 +31,8 @@ _WORDS = 18
 #: Colours of a body, and of what has the pockets.
 _BODY, _WALL = "#8f9aa3", "#e2ddcf"
 #: Length of a mean normal below which an array goes round its body; cosines of directions that are seen from straight
-#: above, and of parts that face the viewer; height of their numbers, mm.
-_ROUND, _STEEP, _FACING, _ABOVE_PARTS = 0.2, 0.95, 0.25, 4.0
+#: above, and of parts that face the viewer; height of their numbers above the membranes, mm.
+_ROUND, _STEEP, _FACING, _RAISED = 0.2, 0.95, 0.25, 0.3
 #: Parts of the sheet of parts that stand in one row.
 _A_ROW = 5
 
@@ -136,7 +137,8 @@ def body_picture(model: ArrayModel, shown: Mapping[str, Tessellation]) -> bytes:
         names = [*(str(point.number) for point in layout.points), *(each.name for each in layout.microphones)]
         frames = [*map(layout.frame, layout.points), *map(layout.frame, layout.microphones)]
         front = [k for k, frame in enumerate(frames) if np.dot(frame.axes[2], towards) > _FACING]
-        anchors = [tuple(frames[k].at(0.0, 0.0, _ABOVE_PARTS).tolist()) for k in front]
+        height = membrane_top(model.design) + _RAISED
+        anchors = [tuple(frames[k].at(0.0, 0.0, height).tolist()) for k in front]
         draw_labels(plotter, anchors, [names[k] for k in front], _WORDS, ("center", "center"))
         aim(plotter, tuple(towards.tolist()), upwards)
         save_picture(plotter, path)
