@@ -9,10 +9,10 @@ joint distribution.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
 
 import numpy as np
 from numpy.polynomial import legendre
+from numpy.typing import NDArray
 
 from acoustic_fem import Library
 from acoustic_fem.scatter.as_built_sensors import scatter_factors
@@ -28,10 +28,12 @@ _NODES = np.geomspace(*BAND, 24)
 class PathDeviations:
     """Coefficients of drawn sensors; made by :meth:`of_tolerances` or :meth:`of_calibration`."""
 
-    def __init__(self, coefficients: Array, frequency: Array) -> None:
+    def __init__(self, coefficients: Array, most: int) -> None:
         self._drawn = coefficients - coefficients.mean(0)  # (n_draw, n_point, n_microphone, 2 n_term)
-        self._mean = coefficients.mean(0)
-        self._basis = _polynomials(frequency)
+        self._most = most
+        self._kept = dict[tuple[int, ...], Array]()
+        self.mean: ComplexArray = _joined(coefficients.mean(0))
+        """Coefficients of the mean deviation of each point, (n_point, n_microphone, n_term) complex128."""
 
     @classmethod
     def of_tolerances(
@@ -39,7 +41,6 @@ class PathDeviations:
         library: Library,
         response: ArrayResponse,
         tolerances: Sequence[Tolerance],
-        frequency: Array,
         options: TwoTouchOptions,
     ) -> PathDeviations:
         """Deviations of sensors that are built with tolerances, in an air and of a rubber that nobody knows.
@@ -48,7 +49,6 @@ class PathDeviations:
             library: of a design.
             response: of that library, all of its microphones or some.
             tolerances: of manufacturing.
-            frequency: (n_freq,) float64, Hz, where the deviations are wanted.
             options: of the decoder.
 
         Raises:
@@ -64,54 +64,72 @@ class PathDeviations:
                 first=first, air_and_rubber=options.air_and_rubber,
             )[:, :, heard]  # fmt: skip
             parts.append(np.log(np.abs(factors)) + 1j * np.unwrap(np.angle(factors)))
-        return cls(_coefficients(np.concatenate(parts)), frequency)
+        return cls(_coefficients(np.concatenate(parts)), options.most_components)
 
     @classmethod
-    def of_calibration(cls, response: ArrayResponse, frequency: Array, options: TwoTouchOptions) -> PathDeviations:
+    def of_calibration(cls, response: ArrayResponse, options: TwoTouchOptions) -> PathDeviations:
         """Deviations of a sensor whose library was measured; arguments as of :meth:`of_tolerances`."""
         random = np.random.default_rng(options.seed)
         shape = options.draws, response.point_count, len(response.microphones), 2 * _TERMS
         falling = np.tile(0.5 ** np.arange(_TERMS), 2)
-        return cls(options.calibrated_error * falling * random.standard_normal(shape), frequency)
+        return cls(options.calibrated_error * falling * random.standard_normal(shape), options.most_components)
 
-    def of_points(self, points: tuple[int, ...], count: int) -> ComplexArray:
+    def of_points(self, points: NDArray[np.int64], count: int) -> ComplexArray:
         """Principal components of the joint deviations of some points, each times its standard deviation.
 
         Args:
-            points: indices from 0.
-            count: largest number of components.
+            points: touched points of each hypothesis, (n_hypothesis, n_stroke) int64, from 0.
+            count: number of components.
 
         Returns:
-            (n_component, n_here, n_microphone, n_freq) complex128, n_here the number of the given points.
+            Coefficients of the smooth functions, (n_hypothesis, n_component, n_stroke, n_microphone, n_term)
+            complex128.
         """
-        drawn = self._drawn[:, list(points)]
-        flat = drawn.reshape(len(drawn), -1)
-        power, vectors = np.linalg.eigh(flat.T @ flat / len(flat))
-        components = (vectors * np.sqrt(np.maximum(power, 0.0))).T[::-1][:count]
-        return self._curves(components.reshape(-1, *drawn.shape[1:]))
+        wanted = [tuple(sorted(each)) for each in points.tolist()]
+        new = [each for each in dict.fromkeys(wanted) if each not in self._kept]
+        if len(self._kept) + len(new) > _MOST_KEPT:
+            self._kept, new = {}, list(dict.fromkeys(wanted))
+        if new:
+            self._kept.update(zip(new, self._components(np.array(new)), strict=True))
+        order = points.argsort(1).argsort(1)
+        found = np.stack([self._kept[each][:count, own] for each, own in zip(wanted, order, strict=True)])
+        return _joined(found)
 
-    @cached_property
-    def means(self) -> ComplexArray:
-        """Mean deviation of each point, (n_point, n_microphone, n_freq) complex128."""
-        return self._curves(self._mean)
+    def _components(self, points: NDArray[np.int64]) -> Array:
+        """Components of points (n_hypothesis, n_stroke), the largest first.
 
-    def _curves(self, coefficients: Array) -> ComplexArray:
-        level, phase = coefficients[..., :_TERMS], coefficients[..., _TERMS:]
-        return np.asarray((level + 1j * phase) @ self._basis)
+        (n_hypothesis, n_component, n_stroke, n_microphone, 2 n_term) float64.
+        """
+        drawn = self._drawn[:, points].swapaxes(0, 1)
+        flat = drawn.reshape(*drawn.shape[:2], -1)
+        power, vectors = np.linalg.eigh(flat.swapaxes(1, 2) @ flat / flat.shape[1])
+        components = vectors * np.sqrt(np.maximum(power, 0.0))[:, None]
+        found = components.swapaxes(1, 2)[:, ::-1][:, : self._most]
+        return np.ascontiguousarray(found.reshape(len(points), -1, *drawn.shape[2:]))
 
 
-_BLOCK = 300
-_TERMS = 4
+def smooth_functions(frequency: Array) -> Array:
+    """Functions whose coefficients describe deviations, (n_freq,) Hz -> (n_term, n_freq) float64.
 
-
-def _polynomials(frequency: Array) -> Array:
-    """Legendre's polynomials of the logarithm of the frequency, (n_term, n_freq); constant outside the band."""
+    They are Legendre's polynomials of the logarithm of the frequency, constant outside of the band.
+    """
     middle = np.sqrt(BAND[0] * BAND[1])
     place = np.log(np.clip(frequency, *BAND) / middle) / np.log(BAND[1] / middle)
     return np.asarray(legendre.legvander(place, _TERMS - 1).T)
 
 
+_BLOCK = 300
+_TERMS = 4
+_MOST_KEPT = 2000
+"""Largest number of combinations of points whose components are kept."""
+
+
+def _joined(coefficients: Array) -> ComplexArray:
+    """Coefficients of levels and phases (..., 2 n_term) as complex ones, (..., n_term) complex128."""
+    return np.asarray(coefficients[..., :_TERMS] + 1j * coefficients[..., _TERMS:])
+
+
 def _coefficients(logarithms: ComplexArray) -> Array:
     """Coefficients of curves at the nodes, (..., n_node) complex128 -> (..., 2 n_term) float64, the levels first."""
-    inverse = np.linalg.pinv(_polynomials(_NODES))
+    inverse = np.linalg.pinv(smooth_functions(_NODES))
     return np.concatenate([logarithms.real @ inverse, logarithms.imag @ inverse], axis=-1)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from geometry.ground.typed import Array, ComplexArray
 from localize.two_touches.stroke_model import StrokeModel
-from localize.two_touches.stroke_spectra import stroke_spectra
+from localize.two_touches.stroke_spectra import StrokeSpectra, stroke_spectra
 
 MEAN = np.array([0.07, np.log(0.03), np.log(0.01), np.log(0.03), np.log(0.002), 0.0])
 """Means of the prior of the parameters of a stroke, and of the logarithm of its height in Pa."""
@@ -74,7 +74,7 @@ def fit_strokes(
     strokes: Array,
     deviations: Array,
     components: ComplexArray,
-    variance: float,
+    variance: Array,
     steps: int,
 ) -> StrokeFits:
     """Fits of hypotheses to one white frame.
@@ -85,72 +85,164 @@ def fit_strokes(
         points: (n_hypothesis, n_stroke) int64, from 0.
         strokes: where the fit begins, as of :class:`StrokeFits`.
         deviations: as well.
-        components: of the deviations, (n_hypothesis, n_component, n_stroke, n_microphone, n_freq) complex128.
-        variance: expected variance of the residual, over that of the noise.
-        steps: number of steps.
+        components: of the deviations, as :meth:`localize.two_touches.path_deviations.PathDeviations.of_points` has
+            them.
+        variance: expected variance of the residual, over that of the noise, (n_white,) float64.
+        steps: largest number of steps.
     """
     count, touches = points.shape
     fit = _Fit(model, frame, points, components, variance)
     state = np.concatenate([strokes.reshape(count, -1), deviations], axis=1)
     longest = np.concatenate([np.tile(LONGEST, touches), np.ones(deviations.shape[1])])
-    damping = np.full(count, 1e-2)
-    residual, slopes = fit.linearised(state)
-    value = fit.objective(residual, state)
     diagonal = np.arange(state.shape[1])
-    for _ in range(steps):
-        curvature = fit.curvature(slopes)
-        gradient = (slopes @ residual[..., None])[..., 0] / variance - fit.weight * (state - fit.mean)
-        curvature[:, diagonal, diagonal] *= 1 + damping[:, None]
+    every = np.arange(count)
+    begun = fit.reached(every, state)
+    residual, slopes = fit.residual(begun), fit.slopes(begun)
+    value = fit.objective(residual, state)
+    damping = np.full(count, 1e-2)
+    moving = every
+    for number in range(steps):
+        if number == steps // 2:
+            bound = max(float(np.median(value)), float(value.min()) + _HOPELESS)
+            moving = moving[value[moving] <= bound]
+        if not len(moving):
+            break
+        curvature = fit.curvature(slopes[moving])
+        gradient = (slopes[moving] @ residual[moving, :, None])[..., 0] - fit.weight * (state[moving] - fit.mean)
+        curvature[:, diagonal, diagonal] *= 1 + damping[moving, None]
         step = np.linalg.solve(curvature, gradient[..., None])[..., 0].clip(-longest, longest)
-        trial = state + step
-        moved, tilted = fit.linearised(trial)
-        reached = fit.objective(moved, trial)
-        better = reached < value
-        damping = np.where(better, damping * 0.2, damping * 8).clip(1e-8, 1e6)
-        state[better], residual[better], slopes[better] = trial[better], moved[better], tilted[better]
-        value = np.where(better, reached, value)
+        trial = state[moving] + step
+        there = fit.reached(moving, trial)
+        left = fit.residual(there)
+        reached = fit.objective(left, trial)
+        better = reached < value[moving]
+        # Derivatives cost most, so they are computed only where a step is taken.
+        taken = moving[better]
+        gain = value[taken] - reached[better]
+        damping[moving] = np.where(better, damping[moving] * 0.2, damping[moving] * 8).clip(1e-8, 1e6)
+        state[taken], residual[taken], value[taken] = trial[better], left[better], reached[better]
+        slopes[taken] = fit.slopes(there.chosen(better))
+        ended = damping[moving] > _LARGEST_DAMPING
+        ended[better] = gain < _LEAST_GAIN
+        moving = moving[~ended]
     _, size = np.linalg.slogdet(fit.curvature(slopes))
     evidence = -value - 0.5 * (size - np.log(fit.weight).sum())
     found = state[:, : touches * SIZE].reshape(count, touches, SIZE)
-    return StrokeFits(points, found, state[:, touches * SIZE :], (residual**2).sum(1) / variance, evidence, residual)
+    misfit = (residual**2).sum(1)
+    return StrokeFits(points, found, state[:, touches * SIZE :], misfit, evidence, residual * np.sqrt(variance))
+
+
+def residual_information(
+    model: StrokeModel,
+    frame: Array,
+    points: NDArray[np.int64],
+    strokes: Array,
+    components: ComplexArray,
+    variance: Array,
+) -> tuple[Array, Array]:
+    """Residuals of hypotheses, and their information once small changes of all parameters are taken for unknown.
+
+    Args:
+        model: of the array.
+        frame: (n_white,) float64.
+        points: (n_hypothesis, n_stroke) int64, from 0.
+        strokes: as of :class:`StrokeFits`.
+        components: as of :func:`fit_strokes`.
+        variance: as of :func:`fit_strokes`.
+
+    Returns:
+        Residuals over their expected deviation, (n_hypothesis, n_white) float64, and the inverse of their covariance,
+        (n_hypothesis, n_white, n_white) float64.
+    """
+    count = len(points)
+    fit = _Fit(model, frame, points, components, variance)
+    state = np.concatenate([strokes.reshape(count, -1), np.zeros((count, components.shape[1]))], axis=1)
+    there = fit.reached(np.arange(count), state)
+    slopes = fit.slopes(there)
+    information = np.eye(len(frame)) - slopes.swapaxes(1, 2) @ np.linalg.solve(fit.curvature(slopes), slopes)
+    return fit.residual(there), information
+
+
+_LEAST_GAIN = 1e-4
+"""Gain of a step that is taken, nats, below which a fit has ended."""
+_HOPELESS = 30.0
+"""Lag behind the best hypothesis, nats, with which the worse half of the hypotheses ends after half of the steps."""
+_LARGEST_DAMPING = 1e5
+"""Damping above which a fit has ended, because no step helps."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Reached:
+    """Hypotheses with some parameters."""
+
+    components: NDArray[np.complex64]
+    """Coefficients of the components, (n_hypothesis, n_microphone, n_component, n_stroke n_term)."""
+    strokes: StrokeSpectra
+    paths: ComplexArray
+    """With the height of each stroke and the deviations, (n_hypothesis, n_stroke, n_microphone, n_freq)."""
+    heard: ComplexArray
+    """Spectra of each stroke at the microphones, of the same shape."""
+
+    def chosen(self, mask: NDArray[np.bool_]) -> _Reached:
+        return _Reached(self.components[mask], self.strokes.chosen(mask), self.paths[mask], self.heard[mask])
 
 
 class _Fit:
     """Objective of hypotheses and its derivatives."""
 
     def __init__(
-        self, model: StrokeModel, frame: Array, points: NDArray[np.int64], components: ComplexArray, variance: float
+        self, model: StrokeModel, frame: Array, points: NDArray[np.int64], components: ComplexArray, variance: Array
     ) -> None:
-        self._model, self._frame, self._points, self._components = model, frame, points, components
-        self._variance = variance
-        touches, drawn = points.shape[1], components.shape[1]
-        self.mean = np.concatenate([np.tile(MEAN, touches), np.zeros(drawn)])
-        self.weight = np.concatenate([np.tile(DEVIATION**-2, touches), np.ones(drawn)])
+        self._model, self._frame, self._points = model, frame, points
+        self._components = components.astype(model.paths.dtype)
+        self._root, self._smooth = 1 / np.sqrt(variance), model.smooth.astype(np.float32)
+        touches, self._drawn = points.shape[1], components.shape[1]
+        by_microphone = components.transpose(0, 3, 1, 2, 4).reshape(len(points), components.shape[3], self._drawn, -1)
+        self._by_microphone = by_microphone.astype(np.complex64)
+        self.mean = np.concatenate([np.tile(MEAN, touches), np.zeros(self._drawn)])
+        self.weight = np.concatenate([np.tile(DEVIATION**-2, touches), np.ones(self._drawn)])
 
     def objective(self, residual: Array, state: Array) -> Array:
         """Negative logarithm of the posterior up to a constant, (n_hypothesis,) nats."""
         prior = (self.weight * (state - self.mean) ** 2).sum(1)
-        return np.asarray(0.5 * (residual**2).sum(1) / self._variance + 0.5 * prior)
+        return np.asarray(0.5 * (residual**2).sum(1) + 0.5 * prior)
 
     def curvature(self, slopes: Array) -> Array:
         """Its second derivatives without those of the model, (n_hypothesis, n_parameter, n_parameter)."""
-        return np.asarray(slopes @ slopes.transpose(0, 2, 1) / self._variance + np.diag(self.weight))
+        return np.asarray(slopes @ slopes.transpose(0, 2, 1) + np.diag(self.weight))
 
-    def linearised(self, state: Array) -> tuple[Array, Array]:
-        """Residual (n_hypothesis, n_white), and derivatives of the frame (n_hypothesis, n_parameter, n_white)."""
-        count, touches = self._points.shape
-        strokes = state[:, : touches * SIZE].reshape(count, touches, SIZE)
-        deviations = state[:, touches * SIZE :]
-        spectra, by_parameter = stroke_spectra(strokes[..., : SIZE - 1], self._model.frequency)
-        path = self._model.paths[self._points] * np.exp(strokes[..., SIZE - 1, None, None])
-        if deviations.shape[1]:
-            flat = self._components.reshape(count, deviations.shape[1], -1)
-            path = path * np.exp((deviations[:, None] @ flat).reshape(path.shape))
-        heard = path * spectra[:, :, None]
-        own = path[:, :, None] * by_parameter[:, :, :, None]
-        own = np.concatenate([own, heard[:, :, None]], axis=2).reshape(count, touches * SIZE, *heard.shape[2:])
-        if deviations.shape[1]:
-            own = np.concatenate([own, np.einsum("nkmf,nzkmf->nzmf", heard, self._components)], axis=1)
-        slopes = self._model.sampled(own)
-        total = slopes[:, SIZE - 1 : touches * SIZE : SIZE].sum(1)
-        return self._frame - total, slopes
+    def reached(self, numbers: NDArray[np.int64], state: Array) -> _Reached:
+        """Some of the hypotheses, by their numbers, with parameters (n_chosen, n_parameter)."""
+        count, touches = len(numbers), self._points.shape[1]
+        precise = state.astype(self._model.frequency.dtype)
+        strokes = precise[:, : touches * SIZE].reshape(count, touches, SIZE)
+        spectra = stroke_spectra(strokes[..., : SIZE - 1], self._model.frequency)
+        coefficients = np.einsum("nk,nksmt->nsmt", precise[:, touches * SIZE :], self._components[numbers])
+        change = coefficients @ self._model.smooth + strokes[..., SIZE - 1, None, None]
+        paths = self._model.paths[self._points[numbers]] * np.exp(change)
+        return _Reached(self._by_microphone[numbers], spectra, paths, paths * spectra.spectrum[:, :, None])
+
+    def residual(self, there: _Reached) -> Array:
+        """Residual of the frame over its expected deviation, (n_chosen, n_white) float64."""
+        return (self._frame - self._model.sampled(there.heard.sum(1)).reshape(-1, len(self._frame))) * self._root
+
+    def slopes(self, there: _Reached) -> Array:
+        """Derivatives of the frame over the same deviation by the parameters, (n_chosen, n_parameter, n_white) float64.
+
+        They are computed in single precision, which halves the time: they steer the fit and weigh it, and the residual
+        is that of double precision.
+        """
+        heard = there.heard.astype(np.complex64).swapaxes(1, 2)
+        paths = there.paths.astype(np.complex64).swapaxes(1, 2)
+        count, microphones, touches, frequencies = heard.shape
+        own = touches * SIZE
+        found = np.empty((count, microphones, own + self._drawn, frequencies), np.complex64)
+        of_strokes = found[:, :, :own].reshape(count, microphones, touches, SIZE, frequencies)
+        derivatives = there.strokes.derivatives(self._model.frequency)
+        np.multiply(paths[:, :, :, None], derivatives[:, None], out=of_strokes[..., : SIZE - 1, :])
+        of_strokes[..., SIZE - 1, :] = heard
+        by_term = heard[:, :, :, None] * self._smooth
+        by_term = by_term.reshape(count, microphones, touches * len(self._smooth), frequencies)
+        np.matmul(there.components, by_term, out=found[:, :, own:])
+        white = self._model.sampled(found).transpose(0, 2, 1, 3).astype(np.float64)
+        return white.reshape(count, own + self._drawn, len(self._frame)) * self._root

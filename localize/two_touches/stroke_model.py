@@ -14,6 +14,7 @@ from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import SAMPLE_RATE, SCALED_AT
+from localize.two_touches.path_deviations import smooth_functions
 
 STEP = 0.5
 """Step of the frequencies, Hz: a frame repeats after 2 s."""
@@ -47,17 +48,21 @@ class StrokeModel:
         self._reduce = np.linalg.solve(np.linalg.cholesky(covariance), low_pass())
         _, passed = scipy.signal.sosfreqz(high_pass_sections(HIGH_PASS), self.frequency, fs=SAMPLE_RATE)
         turn = np.exp(2j * np.pi * self.frequency[:, None] * np.arange(FRAME) / SAMPLE_RATE)
-        sampling = 2 * STEP * passed[:, None] * turn @ self._reduce.T
-        self._sampling = np.concatenate([sampling.real, -sampling.imag])
-        # Of every second frequency: a frame then repeats after 1 s, which is enough for a first look.
-        half = 2 * sampling[1::2]
-        self._half_sampling = np.concatenate([half.real, -half.imag])
+        self._set_sampling(2 * STEP * passed[:, None] * turn @ self._reduce.T)
+        self.smooth = smooth_functions(self.frequency)
+        """Functions of the deviations of paths, (n_term, n_freq) float64."""
 
     def coarse(self) -> StrokeModel:
-        """The same model by every second frequency."""
+        """The same model by every second frequency and in single precision, which is enough for a first look.
+
+        A frame then repeats after 1 s.
+        """
         other: StrokeModel = object.__new__(StrokeModel)
-        other.frequency, other.paths = self.frequency[1::2], self.paths[..., 1::2]
-        other._reduce, other._sampling = self._reduce, self._half_sampling
+        other.frequency = self.frequency[1::2].astype(np.float32)
+        other.paths = self.paths[..., 1::2].astype(np.complex64)
+        other.smooth = self.smooth[:, 1::2].astype(np.float32)
+        other._reduce = self._reduce
+        other._set_sampling(2 * self._by_frequency[1::2])
         return other
 
     def white(self, frame: Array) -> Array:
@@ -65,7 +70,19 @@ class StrokeModel:
         return np.asarray((frame @ self._reduce.T).ravel())
 
     def sampled(self, spectra: ComplexArray) -> Array:
-        """White samples of spectra at the microphones, (..., n_microphone, n_freq) Pa s -> (..., n_white)."""
-        flat = np.concatenate([spectra.real, spectra.imag], axis=-1)
-        white = flat.reshape(-1, flat.shape[-1]) @ self._sampling
-        return np.asarray(white.reshape(*spectra.shape[:-2], -1))
+        """White samples of spectra (..., n_freq) complex128 or complex64, Pa s.
+
+        Returns:
+            (..., n_reduced) of their precision. Those of all microphones, one after the other, are a white frame.
+        """
+        flat = np.ascontiguousarray(spectra).reshape(-1, spectra.shape[-1])
+        is_single = spectra.dtype == np.complex64
+        white = flat.view(flat.real.dtype) @ (self._single if is_single else self._sampling)
+        return np.asarray(white.reshape(*spectra.shape[:-1], white.shape[1]))
+
+    def _set_sampling(self, by_frequency: ComplexArray) -> None:
+        self._by_frequency = by_frequency
+        # Real and imaginary parts in turn, as a complex number has them in memory.
+        parts = np.stack([by_frequency.real, -by_frequency.imag], axis=1)
+        self._sampling = parts.reshape(-1, by_frequency.shape[1])
+        self._single = self._sampling.astype(np.float32)

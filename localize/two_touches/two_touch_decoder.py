@@ -32,7 +32,7 @@ from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 from localize.two_touches.path_deviations import PathDeviations
 from localize.two_touches.stroke_atoms import Starts, StrokeAtoms
-from localize.two_touches.stroke_fit import SIZE, StrokeFits, fit_strokes
+from localize.two_touches.stroke_fit import SIZE, StrokeFits, fit_strokes, residual_information
 from localize.two_touches.stroke_model import StrokeModel
 from localize.two_touches.two_touch_options import TwoTouchOptions
 
@@ -67,7 +67,8 @@ class TouchesAtOnce:
     touches: tuple[FoundTouch, ...]
     """Touches in the order of time."""
     gain: float
-    """Evidence of two touches over that of one, nats; 0 if one touch leaves so little that two were not tried."""
+    """Evidence of two touches over that of one, nats, over the misfit of two if that is above 1; 0 if one touch leaves
+    so little that two were not tried."""
     misfit: float
     """Mean square of the residual over what is expected, a ratio; far above 1 if no strokes explain the frame."""
 
@@ -110,17 +111,17 @@ class TwoTouchDecoder:
         self.array, self.options = response.array, options
         self._model = StrokeModel(response, microphone_noise)
         if tolerances is None:
-            self._deviations = PathDeviations.of_calibration(response, self._model.frequency, options)
+            self._deviations = PathDeviations.of_calibration(response, options)
         elif isinstance(library, ArrayResponse):
             raise bare_library()
         else:
-            self._deviations = PathDeviations.of_tolerances(
-                library, response, tolerances, self._model.frequency, options
-            )
-            self._model.paths = self._model.paths * np.exp(self._deviations.means)
+            self._deviations = PathDeviations.of_tolerances(library, response, tolerances, options)
+            self._model.paths = self._model.paths * np.exp(self._deviations.mean @ self._model.smooth)
         self._coarse = self._model.coarse()
         self._atoms = StrokeAtoms(self._model, response, options)
         self._line, self._place = response.line, response.place
+        longest = int(np.bincount(response.line).max())
+        self._reaches = tuple(2**k for k in reversed(range(max(1, int(np.log2(longest)) - 1))))
 
     @one_thread()
     def locate(self, frame: ArrayLike) -> TouchesAtOnce:
@@ -139,38 +140,78 @@ class TwoTouchDecoder:
             problem = f"has shape {samples.shape}; it must hold finite values of shape {expected}"
             raise Refusal(problem, kind=Kind.WRONG_TYPE, field="frame")
         white = self._model.white(samples)
-        found = self._fitted(white, self._atoms.singles(white))
+        found = self._fitted(white, self._atoms.singles(white, self._screened(white)))
         gain = 0.0
-        for count in range(2, self.options.most + 1):
+        for count in range(2, min(self.options.most, len(self._place)) + 1):
             # More strokes gain at most what the residual costs.
             if found.misfit[0] / 2 <= self.options.threshold:
                 break
-            starts = self._atoms.pairs(white) if count == 2 else self._with_another(white, found)
-            if not len(starts.points):
-                break
-            more = self._fitted(white, starts)
-            better = float(more.evidence[0] - found.evidence[0])
+            more = self._with_one_more(white, found)
+            # What neither explains does not tell one touch from two.
+            unexplained = max(1.0, float(more.misfit[0]) / len(white))
+            better = float(more.evidence[0] - found.evidence[0]) / unexplained
             gain = better if count == 2 else gain
             if better <= self.options.threshold:
                 break
             found = more
         return self._answer(found, gain, len(white))
 
+    def _with_one_more(self, white: Array, found: StrokeFits) -> StrokeFits:
+        """Fits of hypotheses of one more stroke than those found, the best first."""
+        starts = self._with_another(white, found.points[: self.options.widened], found.strokes[: self.options.widened])
+        if found.points.shape[1] > 1:
+            return self._fitted(white, starts)
+        first, *others = self.options.screened_pairs
+        pairs = self._atoms.pairs(white, self._screened(white), max(self.options.screened_pairs))
+        fits = self._fitted(white, starts.joined(pairs.of_first(first)))
+        for count in others:
+            if fits.misfit[0] <= self.options.fits * len(white):
+                break
+            fits = fits.joined(self._fitted(white, pairs.of_first(count))).best(len(fits.points))
+        return fits
+
     def _fitted(self, white: Array, starts: Starts) -> StrokeFits:
         """Fits of the hypotheses that explain a frame best, the best first."""
-        stages = self.options.stages
-        first, others = stages[0], stages[1:]
-        reach = self._atoms.stride - 1
+        first, *others, last = self.options.stages
         fits = self._stage(self._coarse, white, starts.points, starts.strokes, None, first)
-        if reach:
-            points, strokes = self._widened(fits, reach)
-            fits = self._stage(self._coarse, white, points, strokes, None, first)
-        for stage in others[:-1]:
+        for _ in range(self.options.exchanges if fits.points.shape[1] > 1 else 0):
+            starts, best = self._exchanged(white, fits), fits.evidence[0]
+            fits = fits.joined(self._stage(self._coarse, white, starts.points, starts.strokes, None, first))
+            fits = fits.best(first[0], first[1])
+            if fits.evidence[0] < best + 1.0:
+                break
+        fits = self._climbed(self._coarse, white, fits, first, self._reaches)
+        for stage in others:
             fits = self._stage(self._model, white, fits.points, fits.strokes, fits.deviations, stage)
-            points, strokes = self._widened(fits, 1)
-            beside = self._stage(self._model, white, points, strokes, None, stage)
-            fits = fits.joined(beside).best(stage[0], stage[1])
-        return self._stage(self._model, white, fits.points, fits.strokes, fits.deviations, others[-1])
+            fits = self._climbed(self._model, white, fits, stage, (1,))
+        return self._stage(self._model, white, fits.points, fits.strokes, fits.deviations, last)
+
+    def _climbed(
+        self, model: StrokeModel, white: Array, fits: StrokeFits, stage: tuple[int, int, float, int, int],
+        reaches: tuple[int, ...],
+    ) -> StrokeFits:  # fmt: skip
+        """Fits after the points of the best ones were moved along their lines, as long as that helps.
+
+        Args:
+            model: of the stage.
+            white: the frame.
+            fits: of the stage.
+            stage: its numbers.
+            reaches: places by which points are moved, one after the other.
+        """
+        keep, of_points, error, steps, count = stage
+        tried = {tuple(sorted(each)) for each in fits.points.tolist()}
+        for reach in reaches:
+            for _ in range(self.options.moves):
+                points, strokes = self._moved(fits, reach, tried)
+                if not len(points):
+                    break
+                best = fits.evidence[0]
+                more = self._stage(model, white, points, strokes, None, (keep, of_points, error, steps, count))
+                fits = fits.joined(more).best(keep, of_points)
+                if fits.evidence[0] < best + 1.0:
+                    break
+        return fits
 
     def _stage(
         self, model: StrokeModel, white: Array, points: NDArray[np.int64], strokes: Array, deviations: Array | None,
@@ -178,10 +219,8 @@ class TwoTouchDecoder:
     ) -> StrokeFits:  # fmt: skip
         """Fits of one stage; without deviations (None) they begin at none."""
         keep, of_points, error, steps, count = stage
-        variance = 1 + max(error, self.options.relative_error) ** 2 * float((white**2).mean())
-        every = self._model.paths.shape[-1] // model.paths.shape[-1]
-        components = np.stack([self._deviations.of_points(tuple(each), count) for each in points.tolist()])
-        components = components[..., every - 1 :: every]
+        variance = self._variance(white, max(error, self.options.relative_error))
+        components = self._deviations.of_points(points, count)
         begin = np.zeros((len(points), components.shape[1]))
         if deviations is not None:
             shared = min(deviations.shape[1], begin.shape[1])
@@ -189,31 +228,54 @@ class TwoTouchDecoder:
         fits = fit_strokes(model, white, points, strokes, begin, components, variance, steps)
         return fits.best(keep, of_points)
 
-    def _widened(self, fits: StrokeFits, reach: int) -> tuple[NDArray[np.int64], Array]:
-        """Hypotheses about points beside those of the best ones, up to some places away."""
+    def _screened(self, white: Array) -> Array:
+        """Expected variance of a residual of atoms, (n_white,)."""
+        return self._variance(white, self.options.stages[0][2])
+
+    def _variance(self, white: Array, error: float) -> Array:
+        """Expected variance of a residual, (n_white,): noise, and a fraction of each microphone's own signal."""
+        power = (white.reshape(len(self.array.microphones), -1) ** 2).mean(1)
+        return np.repeat(1 + error**2 * power, len(white) // len(power))
+
+    def _moved(
+        self, fits: StrokeFits, reach: int, tried: set[tuple[int, ...]]
+    ) -> tuple[NDArray[np.int64], Array]:  # fmt: skip
+        """Hypotheses about points some places beside those of the best ones that were not tried, which they become."""
         points, strokes = list[tuple[int, ...]](), list[Array]()
-        for each, own in zip(fits.points[: self.options.widened].tolist(), fits.strokes, strict=False):
+        leading = fits.best(self.options.widened)
+        for each, own in zip(leading.points.tolist(), leading.strokes, strict=True):
             for moved in product(*(self._near(point, reach) for point in each)):
-                if len(set(moved)) == len(moved):
+                if len(set(moved)) == len(moved) and tuple(sorted(moved)) not in tried:
+                    tried.add(tuple(sorted(moved)))
                     points.append(moved)
                     strokes.append(own)
         return np.array(points), np.array(strokes)
 
     def _near(self, point: int, reach: int) -> list[int]:
-        """Points of the line of a point, up to some places away."""
-        beside = np.abs(self._place - self._place[point]) <= reach
-        return np.flatnonzero((self._line == self._line[point]) & beside).tolist()
+        """A point, and those of its line so many places beside it."""
+        beside = np.abs(self._place - self._place[point])
+        return np.flatnonzero((self._line == self._line[point]) & ((beside == reach) | (beside == 0))).tolist()
 
-    def _with_another(self, white: Array, fits: StrokeFits) -> Starts:
-        """The best hypotheses with one more stroke, from what they leave of the frame."""
-        points, strokes = [], []
-        for each, own, residual in zip(fits.points[:2], fits.strokes[:2], fits.residual[:2], strict=True):
-            singles = self._atoms.singles(residual)
-            for point, stroke in zip(singles.points[:, 0], singles.strokes[:, 0], strict=True):
+    def _with_another(self, white: Array, points: NDArray[np.int64], strokes: Array) -> Starts:
+        """Hypotheses with one more stroke each, from what they leave of the frame."""
+        variance, most = self._screened(white), self.options.another
+        components = self._deviations.of_points(points, self.options.stages[0][-1])
+        left, information = residual_information(self._coarse, white, points, strokes, components, variance)
+        more_points, more_strokes = [], []
+        for each, own, residual, precise in zip(points.tolist(), strokes, left, information, strict=True):
+            for point, stroke in zip(*self._atoms.another(residual, precise, variance, most), strict=True):
                 if point not in each:
-                    points.append([*each, point])
-                    strokes.append([*own, stroke])
-        return Starts(np.array(points, np.int64).reshape(len(points), -1), np.array(strokes))
+                    more_points.append([*each, int(point)])
+                    more_strokes.append([*own, stroke])
+        shape = -1, points.shape[1] + 1
+        return Starts(np.array(more_points, np.int64).reshape(shape), np.array(more_strokes).reshape(*shape, SIZE))
+
+    def _exchanged(self, white: Array, fits: StrokeFits) -> Starts:
+        """The best hypotheses with each of their strokes in turn sought anew beside the others."""
+        leading, touches = fits.best(self.options.widened), fits.points.shape[1]
+        others = [[k for k in range(touches) if k != number] for number in range(touches)]
+        points = np.concatenate([leading.points[:, each] for each in others])
+        return self._with_another(white, points, np.concatenate([leading.strokes[:, each] for each in others]))
 
     def _answer(self, fits: StrokeFits, gain: float, size: int) -> TouchesAtOnce:
         misfit = float(fits.misfit[0]) / size

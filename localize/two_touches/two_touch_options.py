@@ -15,8 +15,8 @@ class TwoTouchOptions:
     most: int = 2
     """Largest number of touches that are looked for, 1 to 3."""
     most_points: int = 16
-    """Largest number of points of an array. The search loses itself among more: on line-3 it found one pair of four,
-    and took two of four single touches for two."""
+    """Largest number of points of an array. Of 36 points of line-2 the search finds both taps as well, but presses less
+    often."""
     threshold: float = 50.0
     """Gain in evidence, nats, from which there is one more touch."""
     relative_error: float = 1e-2
@@ -44,16 +44,24 @@ class TwoTouchOptions:
     most_atoms: int = 2400
     """Largest number of atoms. If there are more, only every so many-th point of a line has atoms of its own, and the
     points beside it are tried once it fits."""
-    screened_pairs: int = 30
-    """Number of pairs of points that are fitted after the grid was screened."""
-    starts: int = 4
+    screened_pairs: tuple[int, ...] = (12, 40)
+    """Number of pairs of points that are fitted after the grid was screened: at first, and if nothing fits then."""
+    fits: float = 0.9
+    """Mean square of the residual over the expected one, up to which strokes fit, and no more pairs are tried."""
+    starts: int = 3
     """Number of starts of each pair, each with other rises."""
     widened: int = 3
     """Number of hypotheses around whose points the neighbours are tried."""
+    another: int = 8
+    """Number of strokes with which a hypothesis begins anew beside its others."""
+    exchanges: int = 2
+    """Largest number of times that each stroke of the best hypotheses is sought anew beside the others."""
+    moves: int = 4
+    """Largest number of times that points are moved by the same number of places."""
     stages: tuple[tuple[int, int, float, int, int], ...] = (
-        (24, 2, 0.1, 6, 4),
-        (8, 1, 0.03, 8, 12),
-        (5, 1, 0.0, 16, 12),
+        (12, 2, 0.1, 6, 4),
+        (6, 1, 0.03, 8, 12),
+        (4, 1, 0.0, 16, 12),
     )
     """Stages of a fit: the number of hypotheses that are kept, how many of them may be about the same points, the error
     as of :attr:`relative_error` at least, the number of steps, and the number of components of the deviations."""
@@ -61,6 +69,11 @@ class TwoTouchOptions:
     """Probability that the search misses the best fit of two touches, by which probabilities of points are lowered."""
     likely: float = 0.5
     """Probability of a point below which its touch is reported without a point."""
+
+    @property
+    def most_components(self) -> int:
+        """Largest number of components of the deviations in any stage."""
+        return max(stage[-1] for stage in self.stages)
 
     def __post_init__(self) -> None:
         check_range("most", self.most, 1, 3, whole=True)

@@ -12,6 +12,7 @@ from acoustic_fem.scatter import UNCALIBRATED
 from geometry import Kind
 from localize.live.front_end import HighPass
 from localize.signals.array_response import response_of
+from localize.two_touches.stroke_fit import _Fit
 
 FREQUENCY = np.arange(1.0, 501.0)
 
@@ -60,6 +61,32 @@ def test_three_touches_are_found_where_three_are_looked_for(library):
     frame = frame_of(library, [(2, 0.02, 0.04, 1.0), (6, 0.05, 0.03, 0.8), (11, 0.09, 0.04, 1.0)])
     assert three.locate(frame).points == (2, 6, 11)
     assert three.locate(frame_of(library, [(3, 0.03, 0.05, 1.0)])).points == (3,)
+
+
+@pytest.mark.parametrize("is_coarse", [False, True])
+def test_derivatives_of_a_frame_are_differences(decoder, is_coarse):
+    model = decoder._model.coarse() if is_coarse else decoder._model
+    points = np.array([[1, 8], [4, 5]])
+    components = decoder._deviations.of_points(points, 3)
+    strokes = np.array([[0.06, *np.log([0.03, 0.02, 0.05, 4e-3, 0.8])], [0.09, *np.log([0.02, 0.1, 0.02, 1e-3, 0.5])]])
+    state = np.concatenate([np.tile(strokes.ravel(), (2, 1)), [[0.3, -0.5, 0.2], [-0.1, 0.4, 1.0]]], axis=1)
+    size = len(decoder._model.white(np.zeros((2, 250))))
+    fit = _Fit(model, np.zeros(size), points, components, np.full(size, 4.0))
+    every = np.arange(2)
+    slopes = fit.slopes(fit.reached(every, state))
+    for number in range(state.shape[1]):
+        # Times of strokes are in seconds, the other parameters are logarithms and standard deviations.
+        step = 1e-2 if is_coarse and number not in (0, 6) else 1e-4
+        moved = step * np.eye(state.shape[1])[number]
+        above, below = (fit.residual(fit.reached(every, state + sign * moved)) for sign in (1, -1))
+        difference = (below - above) / (2 * step)
+        assert np.abs(difference - slopes[:, number]).max() < (2e-2 if is_coarse else 1e-3) * np.abs(difference).max()
+
+
+def test_components_do_not_depend_on_the_order_of_points_nor_on_what_is_kept(decoder):
+    both = decoder._deviations.of_points(np.array([[2, 7], [7, 2], [2, 7]]), 4)
+    assert np.array_equal(both[0], both[2])
+    assert np.array_equal(both[0], both[1][:, ::-1])
 
 
 def test_what_no_strokes_make_has_a_misfit_and_no_certain_points(library, decoder):
