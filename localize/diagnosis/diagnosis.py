@@ -25,6 +25,7 @@ from localize.diagnosis.fault_libraries import FaultLibraries, Tables
 from localize.diagnosis.fault_likelihood import Fitted, TouchLikelihood
 from localize.diagnosis.fault_search import FaultSearch
 from localize.diagnosis.faults import SensorFault
+from localize.diagnosis.known_touches import KnownPoints, KnownTouches, known_touches
 from localize.diagnosis.touch_spectra import TouchSpectra, touch_spectra
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -32,11 +33,6 @@ from localize.signals.threads import one_thread
 
 #: Outcomes of a diagnosis, as :attr:`Diagnosis.verdict` has them.
 Verdict: TypeAlias = Literal["sound", "fault", "one of several", "unexplained"]
-KnownPoints: TypeAlias = Sequence[int] | Mapping[float, int]
-"""Points of all touches in their order, or of some of them by a time within the touch, s; points count from 1."""
-
-NEAR = 0.3
-"""Time from the beginning of a touch within which a stated time means it, s, unless it lies within the touch."""
 
 LEAST_ERROR = 1e-3
 """Error of measured transfer functions that is assumed at least, a fraction of their mean over the points."""
@@ -67,6 +63,8 @@ class Diagnosis:
     """Point of each touch, from 1, as given or as the likeliest explanation has it; (n_touch,) int64."""
     known: NDArray[np.bool_]
     """True for each touch whose point was given; (n_touch,) bool."""
+    matching: str = ""
+    """Sentence about stated points whose touches were missed or doubled; empty if there are none."""
     next_point: int | None
     """Point, from 1, whose touch would best distinguish what is left; None if nothing is left to distinguish."""
     advice: tuple[str, ...]
@@ -126,6 +124,7 @@ class Diagnosis:
             "not_excluded": [plain(fault) for fault in self.not_excluded],
             "gain": round(self.gain, 2),
             "misfit": round(self.misfit, 4),
+            "matching": self.matching,
             "next_point": self.next_point,
             "advice": list(self.advice),
             "parameters": [asdict(each) for each in self.parameters],
@@ -182,8 +181,7 @@ class Diagnoser:
                 kind=Kind.UNSUITABLE,
                 field="signals",
             )
-        known = known_points(points, spectra, self.libraries.design.point_count)
-        return self._found(spectra, known)
+        return self._found(spectra, known_touches(points, spectra, self.libraries, self.options))
 
     @one_thread()
     def diagnose_measured(self, frequency: Array, estimates: Mapping[int, TransferEstimate]) -> Diagnosis:
@@ -207,15 +205,13 @@ class Diagnoser:
         spectra = TouchSpectra(
             number.astype(np.float64), (number + 1).astype(np.float64), number, measured / noise, noise
         )
-        return self._found(spectra, np.array(points, np.int64) - 1)
+        return self._found(spectra, KnownTouches(np.array(points, np.int64) - 1))
 
-    def _found(self, spectra: TouchSpectra, known: NDArray[np.int64]) -> Diagnosis:
-        likelihood = TouchLikelihood(spectra, known, self.options.mismatch)
+    def _found(self, spectra: TouchSpectra, known: KnownTouches) -> Diagnosis:
+        likelihood = TouchLikelihood(spectra, known.point, self.options.mismatch)
         return self._decided(FaultSearch(self.libraries, likelihood, self.options).found(), spectra, known)
 
-    def _decided(
-        self, found: list[tuple[Tables, Fitted]], spectra: TouchSpectra, known: NDArray[np.int64]
-    ) -> Diagnosis:
+    def _decided(self, found: list[tuple[Tables, Fitted]], spectra: TouchSpectra, known: KnownTouches) -> Diagnosis:
         options, design = self.options, self.libraries.design
         (sound, as_designed), *others = found
         best = others[0][1]
@@ -244,7 +240,8 @@ class Diagnoser:
             misfit=fit.misfit,
             start=spectra.start,
             point=fit.point + 1,
-            known=known >= 0,
+            known=known.point >= 0,
+            matching=known.note,
             next_point=next_point,
             advice=tuple(bench_advice(self.libraries, fault) for fault in faults if verdict != "unexplained"),
             parameters=as_built_estimates(self.libraries, fit),
@@ -276,54 +273,9 @@ def diagnose(
     return Diagnoser(library, microphone_noise, options).diagnose(signals, points)
 
 
-def known_points(points: KnownPoints | None, spectra: TouchSpectra, count: int) -> NDArray[np.int64]:
-    """Index of the point of each touch, (n_touch,) int64; -1 where it is not known.
-
-    Args:
-        points: as they are given.
-        spectra: of the touches.
-        count: number of points of the array.
-
-    Raises:
-        Refusal: a point that the array does not have, another number of points than there are touches, or a time at
-            which there is no touch.
-    """
-    known = np.full(len(spectra.start), -1, np.int64)
-    if not points:
-        return known
-    values = points.values() if isinstance(points, Mapping) else points
-    for value in values:
-        check_range("points", value, 1, count, whole=True, why="the points of the array")
-    if not isinstance(points, Mapping):
-        if len(points) != len(known):
-            raise Refusal(
-                f"states {counted(len(points), 'point')}, but {counted(len(known), 'touch')} were found, at "
-                f"{times(spectra.start)} s",
-                kind=Kind.MISMATCH,
-                field="points",
-                remedy="give points by their times, such as 2.5=9",
-            )
-        return np.array(points, np.int64) - 1
-    for time, value in points.items():
-        inside = np.flatnonzero((spectra.start - NEAR <= time) & (time <= spectra.end + NEAR))
-        if not len(inside):
-            raise Refusal(
-                f"states a touch at {time:g} s; touches begin at {times(spectra.start)} s",
-                kind=Kind.MISMATCH,
-                field="points",
-            )
-        known[inside] = value - 1
-    return known
-
-
 def _at(grid: NDArray[np.int64], frequency: Array, values: Array | ComplexArray) -> ComplexArray:
     """Values (n_microphone, n_freq) at other frequencies (n_grid,), interpolated."""
     return np.stack([np.interp(grid, frequency, row) for row in np.asarray(values, np.complex128)])
-
-
-def times(start: Array) -> str:
-    """Times as a list, s."""
-    return ", ".join(f"{each:.1f}" for each in start)
 
 
 def _probabilities(

@@ -73,5 +73,9 @@ class DiagnosisOptions:
     errors of moduli were 1.4 times as large and those of bores 1.2 times."""
     measured: float = 0.7
     """Error of an as-built parameter over its tolerance, below which the touches have measured it."""
+    unmatched: int = 2
+    """Largest difference between the numbers of stated points and of found touches that is tolerated."""
+    matched: float = 0.99
+    """Probability of its point above which a touch has a known one, if these numbers differ."""
     fewest: int = 6
     """Least number of touches."""

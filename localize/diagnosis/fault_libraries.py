@@ -137,10 +137,12 @@ class FaultLibraries:
         found = self.with_deviations([fault], moved)
         return Tables(fault, deviations, found[0], np.asarray(np.log(found[1:] / found[0]) / half))
 
-    def nearer(self, tables: Tables, deviations: Array) -> Tables:
-        """Tables of a hypothesis computed about other deviations, whose derivatives stay."""
-        found = self.with_deviations([tables.fault], deviations[None])[0]
-        return Tables(tables.fault, deviations, found, tables.derivatives)
+    def nearer(self, tables: Sequence[Tables], deviations: Sequence[Array]) -> list[Tables]:
+        """Tables of hypotheses computed about other deviations (n_deviation,) each, whose derivatives stay."""
+        found = self.with_deviations([each.fault for each in tables], np.stack(deviations))
+        return [
+            Tables(each.fault, own, h, each.derivatives) for each, own, h in zip(tables, deviations, found, strict=True)
+        ]
 
     @property
     def batch_deviation(self) -> Array:

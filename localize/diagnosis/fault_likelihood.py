@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy.linalg
 from numpy.typing import NDArray
 
 from geometry.ground.typed import Array, ComplexArray
@@ -56,7 +57,7 @@ class TouchLikelihood:
         self._power = (np.abs(self._x) ** 2).sum(1)  # (n_window, n_freq)
         self._of_touch = np.eye(len(spectra.start))[spectra.touch].T
 
-    def _by_point(self, h: ComplexArray, spread: ComplexArray | None, mismatch: float) -> Array:
+    def by_point(self, h: ComplexArray, spread: ComplexArray | None, mismatch: float) -> Array:
         """(n_touch, n_point) log-likelihoods; ``spread`` is the covariance of the logarithms of h."""
         h = h / self.spectra.noise
         power = np.abs(h) ** 2  # (n_point, n_microphone, n_freq)
@@ -105,7 +106,7 @@ class TouchLikelihood:
         return self._step(tables, now, point, deviations, self._mismatch)[0]
 
     def _points(self, h: ComplexArray, spread: ComplexArray | None, mismatch: float) -> NDArray[np.int64]:
-        likeliest = self._by_point(h, spread, mismatch).argmax(1)
+        likeliest = self.by_point(h, spread, mismatch).argmax(1)
         return np.where(self.known >= 0, self.known, likeliest)
 
     def _step(
@@ -113,7 +114,10 @@ class TouchLikelihood:
     ) -> tuple[Fitted, Array]:
         """Evidence at some deviations, and the Gauss-Newton step from there."""
         size, free = len(deviations), self._x.shape[1] - 1
-        touched, of_window = np.unique(point[self.spectra.touch], return_inverse=True)
+        of_windows = point[self.spectra.touch]
+        is_touched = np.zeros(len(now), bool)
+        is_touched[of_windows] = True
+        touched, of_window = np.flatnonzero(is_touched), (np.cumsum(is_touched) - 1)[of_windows]
         h = now[touched] / self.spectra.noise  # (n_touched, n_microphone, n_freq)
         power = np.abs(h) ** 2
         whole = power.sum(1)
@@ -136,10 +140,12 @@ class TouchLikelihood:
         changed = np.sum([derivatives[:, :, None, k] * turned[:, :, k] for k in range(free)], axis=0)
         flat = np.ascontiguousarray(changed).reshape(size, -1).view(np.float64)
         slope = 2 * (flat @ pull.ravel().view(np.float64)) - deviations
-        precision = np.eye(size) + 2 * (flat @ flat.T)
-        change = np.linalg.solve(precision, slope)
+        precision = 2 * (flat @ flat.T)
+        precision[np.diag_indices(size)] += 1.0
+        root, _ = scipy.linalg.cho_factor(precision, lower=True, check_finite=False)
+        change = scipy.linalg.cho_solve((root, True), slope, check_finite=False)
         evidence = score - 0.5 * float(deviations @ deviations) + 0.5 * float(slope @ change)
-        evidence -= 0.5 * float(np.linalg.slogdet(precision)[1])
+        evidence -= float(np.log(np.diagonal(root)).sum())
         return Fitted(evidence, deviations, point, misfit, precision), np.asarray(change, np.float64)
 
 

@@ -35,15 +35,12 @@ class FaultSearch:
     def found(self) -> list[tuple[Tables, Fitted]]:
         """Sound sensor first, then the faults that explain the touches best, each part once, the best first."""
         options = self._options
-        self._fit((None,))
-        for alike in self._candidates():
-            self._fit(alike)
+        self._fit([[None], *self._candidates()])
         for step in range(2 * options.refinements):
             if step >= options.refinements and self._best.misfit < options.converged:
                 break
             self._begin_anew()
-            for near in self._beside(self._order[0]):
-                self._fit((near,))
+            self._fit([[near] for near in self._beside(self._order[0])])
             for fault in dict.fromkeys([None, *self._order[: options.refined]]):
                 _, fit = self._fits[fault]
                 if fault is None or fit.evidence > self._best.evidence - options.hopeless:
@@ -62,26 +59,36 @@ class FaultSearch:
     def _best(self) -> Fitted:
         return self._fits[self._order[0]][1]
 
-    def _fit(self, alike: Sequence[SensorFault | None]) -> None:
-        """Fit the fault of a part, by its likeliest amounts, from several deviations and points to begin with."""
-        begun = []
-        for number, fault in enumerate(alike):
-            tables, starts = self._libraries.of(fault), self._starts()
-            fits = [self._likelihood.fitted(tables, self._coarse, start) for start in starts[: 1 if number else None]]
-            together = self._points_together(tables, np.zeros(self._libraries.size))
-            fits.append(self._likelihood.fitted(tables, self._coarse[1:], None, together))
-            begun.append(self._nearer(tables, max(fits, key=_evidence)))
-        self._fits[alike[0]] = max(begun, key=lambda each: each[1].evidence)
+    def _fit(self, parts: Sequence[Sequence[SensorFault | None]]) -> None:
+        """Fit the fault of each part, by its likeliest amounts, from several deviations and points to begin with."""
+        begun: list[tuple[Tables, Fitted]] = []
+        for alike in parts:
+            for number, fault in enumerate(alike):
+                tables, starts = self._libraries.of(fault), self._starts()
+                fits = [
+                    self._likelihood.fitted(tables, self._coarse, start) for start in starts[: 1 if number else None]
+                ]
+                together = self._points_together(tables, np.zeros(self._libraries.size))
+                fits.append(self._likelihood.fitted(tables, self._coarse[1:], None, together))
+                begun.append((tables, max(fits, key=_evidence)))
+        fitted = iter(self._nearer(begun))
+        for alike in parts:
+            self._fits[alike[0]] = max((next(fitted) for _ in alike), key=lambda each: each[1].evidence)
 
     def _points_together(self, tables: Tables, deviations: Array) -> NDArray[np.int64]:
         """Likeliest points of all touches together, (n_touch,) int64."""
         mismatch, kept = self._options.assigned_mismatch, self._options.assignments
         return likeliest_assignments(self._likelihood, tables, deviations, mismatch, kept)[0]
 
-    def _nearer(self, tables: Tables, fit: Fitted) -> tuple[Tables, Fitted]:
-        """Fit that goes on with transfer functions about the deviations it has."""
-        nearer = self._libraries.nearer(tables, fit.deviations)
-        return nearer, self._likelihood.fitted(nearer, self._fine[1:], fit.deviations, fit.point)
+    def _nearer(self, begun: Sequence[tuple[Tables, Fitted]]) -> list[tuple[Tables, Fitted]]:
+        """Fits that go on with transfer functions about the deviations they have."""
+        if not begun:
+            return []
+        nearer = self._libraries.nearer([tables for tables, _ in begun], [fit.deviations for _, fit in begun])
+        return [
+            (tables, self._likelihood.fitted(tables, self._fine[1:], fit.deviations, fit.point))
+            for tables, (_, fit) in zip(nearer, begun, strict=True)
+        ]
 
     def _beside(self, fault: SensorFault | None) -> list[SensorFault]:
         """Faults of the parts beside that of a fault which are not fitted yet, by the amount tried next to its own."""
@@ -137,10 +144,12 @@ class FaultSearch:
                     (nominal, None, start) for start in starts
                 ]
                 tried.append((tables, fit.deviations, self._points_together(tables, fit.deviations)))
-                for own, deviations, start in tried:
-                    if (start == fit.point).all():
-                        continue
-                    each = self._nearer(own, self._likelihood.fitted(own, self._coarse[1:], deviations, start))
+                again = [
+                    (own, self._likelihood.fitted(own, self._coarse[1:], deviations, start))
+                    for own, deviations, start in tried
+                    if (start != fit.point).any()
+                ]
+                for each in self._nearer(again):
                     if each[1].evidence > self._fits[fault][1].evidence + 1.0:
                         helped, self._fits[fault] = True, each
             if not helped:

@@ -169,6 +169,8 @@ def _show(found: Diagnosis, recording: Path) -> None:
     """Print the verdict, then the advice and what is not excluded."""
     known = int(found.known.sum())
     tell(f"{recording}: {counted(len(found.start), 'touch')}, {known} of them at known points")
+    if found.matching:
+        tell(found.matching)
     tell(f"{found.verdict}: {found.text}" if found.verdict != "sound" else found.text)
     if found.faults and found.verdict != "unexplained":
         table = table_of("fault", "to do")

@@ -17,7 +17,8 @@ from geometry.ground.file_checks import LARGEST_DATA, read_bytes
 from geometry.ground.record import read_record, sha256, write_record
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.text_files import read_toml
-from localize.diagnosis.diagnosis import Diagnoser, KnownPoints
+from localize.diagnosis.diagnosis import Diagnoser
+from localize.diagnosis.known_touches import KnownPoints
 from localize.diagnosis.production_limits import ProductionLimits, limits_of
 from localize.model.opened_model import Decoding, ModelSource, files_of, open_library
 from localize.recordings.recording import read_recording

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.whole_files import write_text
-from localize.diagnosis.diagnosis import Diagnoser, Diagnosis, KnownPoints
+from localize.diagnosis.diagnosis import Diagnoser, Diagnosis
+from localize.diagnosis.known_touches import KnownPoints
 from localize.model.opened_model import Decoding, ModelSource, files_of, open_library
 from localize.recordings.recording import read_recording
 from localize.signals.array_response import response_of

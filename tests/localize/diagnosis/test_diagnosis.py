@@ -20,6 +20,7 @@ from geometry import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.diagnosis import Diagnoser, SensorFault
 from localize.diagnosis.faults import single_faults, tube_ends
+from localize.diagnosis.known_touches import known_touches
 from localize.diagnosis.touch_spectra import touch_spectra
 from studies.test_rig.faulty_rig import DiagnosisSession, FaultyRig, diagnosis_session
 
@@ -223,3 +224,52 @@ def test_a_diagnosis_of_measured_points_needs_two_of_them_in_the_band() -> None:
         diagnoser().diagnose_measured(grid, estimates(None, (2,)))
     with pytest.raises(Refusal, match="frequency"):
         diagnoser().diagnose_measured(grid[:9], estimates(None, (2, 3)))
+
+
+def without_touch(of: DiagnosisSession, number: int) -> Array:
+    """Signals without one touch: quiet of the beginning of the recording is in its place."""
+    signals, begin = of.signals.copy(), round(1000 * (of.time[number] - 0.1))
+    length = round(1000 * (of.time[number + 1] - 0.1)) - begin
+    signals[:, begin : begin + length] = np.resize(of.signals[:, 200:800], (len(signals), length))
+    return signals
+
+
+def with_doubled_touch(of: DiagnosisSession, number: int) -> Array:
+    """Signals in which one touch comes twice."""
+    begin, end = (round(1000 * (of.time[k] - 0.1)) for k in (number, number + 1))
+    return np.concatenate([of.signals[:, :end], of.signals[:, begin:]], axis=1)
+
+
+@pytest.mark.physics
+@pytest.mark.parametrize("fault", [None, SensorFault("leak", (9,), 0.3)])
+def test_stated_points_are_matched_though_a_touch_is_missed_or_doubled(fault: SensorFault | None) -> None:
+    of, libraries, options = session(fault), diagnoser().libraries, diagnoser().options
+    stated = of.point.tolist()
+    for signals, change, words in (
+        (without_touch(of, 8), -1, f"touch 9 (point {stated[8]}) was missed"),
+        (with_doubled_touch(of, 8), 1, f"touch 9 (point {stated[8]}) was found as 2 touches"),
+    ):
+        spectra = touch_spectra(signals, libraries.frequency, 1e-3)
+        # Presses are found as two touches where they are let go late, so the count is that of the points of touches.
+        whole = touch_spectra(of.signals, libraries.frequency, 1e-3)
+        nearest = np.abs(whole.start[:, None] - of.time).argmin(1)
+        points = [stated[k] for k in nearest]
+        assert len(spectra.start) == len(points) + change
+        found = known_touches(points, spectra, libraries, options)
+        step = round(1000 * (of.time[9] - of.time[8]))
+        true = np.abs(
+            (spectra.start - np.where((change > 0) & (spectra.start > of.time[9] - 0.1), step / 1000, 0.0))[:, None]
+            - of.time
+        ).argmin(1)
+        is_known = found.point >= 0
+        assert is_known.mean() > 0.9
+        assert (found.point[is_known] + 1 == of.point[true[is_known]]).all()
+        assert words.split(" was ")[1] in found.note
+
+
+def test_stated_points_are_refused_where_more_than_two_touches_are_missing() -> None:
+    of, libraries = session(None), diagnoser().libraries
+    spectra = touch_spectra(of.signals, libraries.frequency, 1e-3)
+    points = [1] * (len(spectra.start) + 3)
+    with pytest.raises(Refusal, match="touch once for each point"):
+        known_touches(points, spectra, libraries, diagnoser().options)
