@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from time import thread_time
 
 import numpy as np
 import scipy.optimize
@@ -42,30 +43,57 @@ class Candidate:
         return bool((self.named != other.named).mean() > fraction)
 
 
+class TimeLimit:
+    """Limit of the processor time of a search, counted from its construction.
+
+    Args:
+        seconds: the limit, s; None for none.
+    """
+
+    def __init__(self, seconds: float | None) -> None:
+        self._end = np.inf if seconds is None else thread_time() + seconds
+        self.ended_a_search = False
+        """True once a search was ended."""
+
+    def is_up(self) -> bool:
+        """True if the time is up, and a search must end."""
+        self.ended_a_search |= thread_time() > self._end
+        return self.ended_a_search
+
+
 @one_thread()
 def search(
     model: UpdatedModel,
     stages: tuple[MarginalLikelihood, ...],
     line: NDArray[np.int64],
     options: RecalibrationOptions = RecalibrationOptions(),
+    limit: TimeLimit | None = None,
 ) -> list[Candidate]:
     """Distinct maxima at the last stage, the best one first.
+
+    Once the time is up, only the best sensor goes through the stages that are left, without steps of its own.
 
     Args:
         model: the family.
         stages: the same frames at falling noise, two or more.
         line: (n_point,) int64, line of each point; points of a line follow each other.
         options: of the calibration.
+        limit: of the time of the search; None for none.
     """
     nominal = np.zeros(model.count)
     starts = [("present", nominal), *_moduli(model, options.moduli)]
     found: list[Candidate] = []
     for number, stage in enumerate(stages):
-        found = distinct([ascend(model, stage, u, start, options=options) for start, u in starts], options)
+        reached = list[Candidate]()
+        for start, u in starts:
+            if reached and limit is not None and limit.is_up():
+                break
+            reached.append(ascend(model, stage, u, start, options=options, limit=limit))
+        found = distinct(reached, options)
         starts = [(one.start, one.parameters) for one in found]
         if number == 0:
             starts += _shifted(model, found[0].parameters, line, options.shift_error)
-    best = ascend(model, stages[-1], found[0].parameters, found[0].start, options.fine_gain, options)
+    best = ascend(model, stages[-1], found[0].parameters, found[0].start, options.fine_gain, options, limit)
     return distinct([best, *found[1:]], options)
 
 
@@ -87,6 +115,7 @@ def ascend(
     start: str,
     precision: float | None = None,
     options: RecalibrationOptions = RecalibrationOptions(),
+    limit: TimeLimit | None = None,
 ) -> Candidate:
     """Maximum near a sensor, by L-BFGS in coordinates in which the likelihood is about as wide everywhere.
 
@@ -97,7 +126,12 @@ def ascend(
         start: what to call it.
         precision: gain of a step, over the objective, below which it ends; by default the coarse one.
         options: of the calibration.
+        limit: of the time, at which the ascent ends where it is; None for none.
     """
+    if limit is not None and limit.is_up():
+        value, _ = value_and_slope(model, likelihood, u)
+        named = likelihood.evidence(model.transfer_function(u[None])[0]).probability.argmax(1)
+        return Candidate(start, u, value - 0.5 * float(u @ u), named)
     scale = _scale(model, likelihood, u)
 
     def falling(v: Array) -> tuple[float, Array]:
@@ -107,11 +141,16 @@ def ascend(
         value, slope = value_and_slope(model, likelihood, possible)
         return 0.5 * float(here @ here) - value, scale.T @ (here - np.where(possible == here, slope, 0))
 
+    def ended(intermediate_result: scipy.optimize.OptimizeResult) -> None:
+        if limit is not None and limit.is_up():
+            raise StopIteration
+
     best = scipy.optimize.minimize(
         falling,
         np.linalg.solve(scale, u),
         jac=True,
         method="L-BFGS-B",
+        callback=ended,
         options={
             "maxiter": options.most_steps,
             "maxcor": 20,

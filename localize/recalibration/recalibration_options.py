@@ -11,6 +11,9 @@ from localize.decoders.decoder_options import DecoderOptions
 class RecalibrationOptions:
     """Numbers that tune a calibration from unlabelled touches; stored with its result."""
 
+    seconds: float | None = None
+    """Processor time after which the search ends with the best sensor so far, s; None for no limit. Such a sensor is
+    rejected, because the search for others was not finished."""
     fewest_frames: int = 100
     """Number of frames with a touch that are needed."""
     noise_stages: tuple[float, ...] = (0.5, 0.25, 0.12, 0.03)

@@ -139,6 +139,8 @@ class RejectionTests:
     """Number of frames that name each point; (n_point,) int64."""
     line: NDArray[np.int64]
     """Line of each point, as the library numbers it; (n_point,) int64."""
+    finished: bool = True
+    """True if the search was not ended by its limit of time."""
     options: RecalibrationOptions = RecalibrationOptions()
     """Options of the calibration."""
 
@@ -175,6 +177,13 @@ class RejectionTests:
                 f"the channels look exchanged: {', '.join(self.order.microphones)} are likelier "
                 f"{', '.join(self.order.likeliest)}, by {self.order.gain:.2f} +- {self.order.error:.2f} nats per "
                 "held-out frame; or it is another sensor"
+            )
+        if not self.finished:
+            return (
+                f"the search was ended after {self.options.seconds:g} s. The best sensor so far explains "
+                f"{100 * self.explained:.0f} % of the held-out frames, which are {self.gain:.2f} +- "
+                f"{self.gain_error:.2f} nats likelier than with the present library. Farthest from it is "
+                f"{self.posterior.farthest}. Other sensors were not all compared"
             )
         if self.explained < self.options.explained_fraction:
             found = f"; farthest off: {self.posterior.farthest}" if self.size > self.largest_size else ""

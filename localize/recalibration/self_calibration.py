@@ -26,7 +26,7 @@ from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
 from localize.live.stream_options import StreamOptions
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
-from localize.recalibration.parameter_search import ascend, distinct, search
+from localize.recalibration.parameter_search import TimeLimit, ascend, distinct, search
 from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.recalibration.rejections import NEEDED, RejectionTests, likeliest_order
 from localize.signals.array_response import ArrayResponse, response_of
@@ -86,6 +86,7 @@ class SelfCalibration(RejectionTests):
             "rival_held_out": None if np.isinf(self.rival_held_out) else self.rival_held_out,
             "explained": self.explained,
             "agreement": self.agreement,
+            "finished": self.finished,
             "size": self.size,
             "expected_size": self.expected_size,
             "likeliest_order": list(self.order.likeliest),
@@ -260,11 +261,12 @@ def _calibrated(
     grid, noise = response.frequency, noises[-1]
     report("search", 0.0)
     searched = kept[: options.searched_frames]
-    found = search(model, tuple(likelihood_of(searched, each) for each in noises), response.line, options)
+    limit = TimeLimit(options.seconds)
+    found = search(model, tuple(likelihood_of(searched, each) for each in noises), response.line, options, limit)
     report("judgement", 0.7)
     if len(kept) > options.searched_frames:
         likelihood = likelihood_of(kept, noise)
-        fine = (options.fine_gain, options)
+        fine = (options.fine_gain, options, limit)
         found = distinct([ascend(model, likelihood, one.parameters, one.start, *fine) for one in found], options)
     unseen = likelihood_of(held_out, noise)
     best, *rivals = (unseen.evidence(responses(one.parameters)) for one in found)
@@ -279,7 +281,7 @@ def _calibrated(
     )
     report("all frames", 0.8)
     whole = likelihood_of(np.concatenate([kept, held_out]), noise)
-    u = ascend(model, whole, found[0].parameters, found[0].start, options.fine_gain, options).parameters
+    u = ascend(model, whole, found[0].parameters, found[0].start, options.fine_gain, options, limit).parameters
     information = whole.information(responses(u), model.jacobian(u))
     report("done", 1.0)
     return SelfCalibration(
@@ -299,5 +301,6 @@ def _calibrated(
         order=order,
         touches=np.bincount(whole.evidence(responses(u)).probability.argmax(1), minlength=response.point_count),
         line=response.line,
+        finished=not limit.ended_a_search,
         options=options,
     )

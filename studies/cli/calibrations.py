@@ -31,7 +31,7 @@ from studies.cli.options import (
     noise_choice,
 )
 from studies.cli.terminal_tables import say, show, show_library, table_of, tell
-from studies.output.call_defaults import MANIFEST, SEED, STATE_SPACE_ERROR, TAKE_SECONDS, TAKES
+from studies.output.call_defaults import MANIFEST, RECALIBRATION_SECONDS, SEED, STATE_SPACE_ERROR, TAKE_SECONDS, TAKES
 from studies.output.frequencies import CALIBRATION_FREQUENCIES
 
 if TYPE_CHECKING:
@@ -203,6 +203,9 @@ def recalibrate(
     microphone_output: MicrophoneOutput = "pressure",
     lowest: Lowest = None,
     noise: Noise = None,
+    seconds: Annotated[
+        float, typer.Option(metavar="S", help="Processor time after which the search ends without a library.", min=1)
+    ] = RECALIBRATION_SECONDS,
     seed: Annotated[int, typer.Option(help="Seed that chooses the held-out touches.", min=0)] = SEED,
     channels: Channels = None,
     pressure: Pressure = None,
@@ -231,6 +234,7 @@ def recalibrate(
             channels=channel_map(channels),
             microphone_output=microphone_output,
             lowest=lowest,
+            seconds=seconds,
             display=display,
         ).found
     tell(f"{out}: updated from {counted(found.frames, 'frame')} with touches")

@@ -16,6 +16,7 @@ import localize
 from acoustic_fem import Library
 from acoustic_fem.quantities.local_air import LocalAir, checked_air
 from acoustic_fem.quantities.microphone_signals import Output
+from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind
 from geometry.ground.typed import PathLike
 from localize import read_recording
@@ -30,7 +31,7 @@ from localize.recordings.same_take import find_same_take
 from localize.signals.array_response import response_of
 from localize.signals.frames import FRAME, cut_frames
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
-from studies.output.call_defaults import SEED
+from studies.output.call_defaults import RECALIBRATION_SECONDS, SEED
 from studies.output.display import Display
 from studies.output.folders import check_new_file, claimed_file
 
@@ -62,6 +63,7 @@ def recalibrate(
     channels: Mapping[str, int] | None = None,
     microphone_output: Output = "pressure",
     lowest: float | None = None,
+    seconds: float = RECALIBRATION_SECONDS,
     display: Display | None = None,
 ) -> Recalibration:
     """Recalibration of a sensor from touches whose points need not be known.
@@ -83,6 +85,8 @@ def recalibrate(
         microphone_output: content of the recordings: ``pressure`` in front of the microphones, or ``voltage``, outputs
             of microphones that nobody has equalised.
         lowest: frequency down to which outputs are equalised to pressures, Hz; by default 1 Hz.
+        seconds: processor time after which the search for the sensor ends, s. Nothing is written then, and the message
+            says what was found.
         display: shows progress.
 
     Raises:
@@ -91,6 +95,7 @@ def recalibrate(
             contradict the sensor found.
     """
     checked_air(air)
+    check_range("seconds", seconds, 1.0, unit="s")
     given = Decoding(microphone_output=microphone_output, lowest=lowest)
     path = Path(out)
     with claimed_file(path, partial(check_new_file, path, ".nc", kept="a calibrated library")):
@@ -115,11 +120,14 @@ def recalibrate(
             _refuse_a_broken_sensor(present, heard, level)
         with (display or Display()).stage("Touches") as report:
             found = localize.self_calibrate(
-                present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS
-            )
+                present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS,
+                options=RecalibrationOptions(seconds=seconds),
+            )  # fmt: skip
         if not found.accepted:
             problem = f"give no calibration that holds: {found.objection}"
-            remedy = f"{path} is not written; {library} stays the best library known"
+            remedy: str | tuple[str | Field, ...] = f"{path} is not written; {library} stays the best library known"
+            if not found.finished:
+                remedy = (f"{remedy}; give the search more time by ", Field("seconds"))
             raise localize.SelfCalibrationError(problem, kind=Kind.UNSUITABLE, field="recordings", remedy=remedy)
         calibrated = found.library()
         acoustic_fem.save(calibrated, path)

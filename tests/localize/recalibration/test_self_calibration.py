@@ -329,3 +329,14 @@ def test_frames_that_cannot_be_used_are_refused() -> None:
         self_calibrate(nominal(), frames, 0)
     with refused(Kind.OUT_OF_RANGE, error=geometry.Refusal):
         self_calibrate(nominal(), frames, NOISE, high_pass=0.1)
+
+
+def test_a_search_that_is_ended_by_its_limit_says_what_it_found_and_changes_nothing() -> None:
+    frames, _ = touches(truth(), 120)
+    found = self_calibrate(nominal(), frames, NOISE, options=RecalibrationOptions(seconds=0.0))
+    assert not found.finished
+    assert not found.accepted
+    assert found.objection is not None
+    assert "was ended after 0 s" in found.objection
+    assert "% of the held-out frames" in found.objection
+    assert found.library() is found.present
