@@ -15,8 +15,8 @@ class TwoTouchOptions:
     most: int = 2
     """Largest number of touches that are looked for, 1 to 3."""
     most_points: int = 16
-    """Largest number of points of an array. Of 36 points of line-2 the search finds both taps as well, but presses less
-    often."""
+    """Largest number of points of an array. On the 36 points of line-2, the search finds two taps nearly as often, but
+    two presses less often."""
     threshold: float = 50.0
     """Gain in evidence, nats, from which there is one more touch."""
     relative_error: float = 1e-2
