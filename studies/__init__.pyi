@@ -52,6 +52,7 @@ from .inference.recognized import (
     recognize_recording as recognize_recording,
 )
 from .inference.recorded import (
+    AccelerationFile as AccelerationFile,
     Decoding as Decoding,
     LocatedTouches as LocatedTouches,
     locate_recording as locate_recording,

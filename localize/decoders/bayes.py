@@ -21,7 +21,6 @@ import numpy as np
 from acoustic_fem import Library
 from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
-from localize.decoders.hand_motion import HandMotion
 from localize.decoders.library_decoder import PointDecoder
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
@@ -42,8 +41,6 @@ class BayesDecoder(PointDecoder):
             quiet; or several levels, such as :data:`ROOM`, of which each frame takes the likeliest. Tables, and where
             there is sound also time, grow with their number. Needs a library with a design.
         options: numbers that tune it.
-        motion: motion of the sensor in which touches are located, as :meth:`HandMotion.of` of its library gives it;
-            None for a sensor that lies still. Tables and time double.
 
     Raises:
         Refusal: the library does not cover 1 to 100 Hz, the noise or the sound is outside its range, or sound or the
@@ -57,14 +54,13 @@ class BayesDecoder(PointDecoder):
         microphone_noise: NoiseChoice = "design",
         ambient: Ambient = None,
         options: DecoderOptions = DecoderOptions(),
-        motion: HandMotion | None = None,
     ) -> None:
         response = response_of(library)
-        around = Surroundings.of(response, microphone_noise, ambient, motion)
+        around = Surroundings.of(response, microphone_noise, ambient)
         touched = touch_covariances(response, np.eye(SAMPLES))
         super().__init__(response, around, touched, options)
 
     def heard_by(self, microphones: tuple[str, ...]) -> BayesDecoder:
         """The decoder of the same array by some of its microphones; as of :class:`localize.Locator`."""
         rest = self.response.heard_by(microphones)
-        return BayesDecoder(rest, self.microphone_noise, self.ambient, self.options, self.around.motion)
+        return BayesDecoder(rest, self.microphone_noise, self.ambient, self.options)

@@ -30,7 +30,6 @@ from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.decoder_options import DriftOptions
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
-from localize.decoders.hand_motion import HandMotion
 from localize.decoders.library_decoder import LibraryDecoder, in_parts
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
@@ -57,7 +56,6 @@ class DriftDecoder(LibraryDecoder):
         new: fraction of a frame that the frame before it does not hold, above 0, at most 1: 16 / 250 in a stream.
         microphones: names of two or more that are used; by default all.
         options: numbers that tune it.
-        motion: as of :class:`localize.BayesDecoder`.
 
     Raises:
         Refusal: a library that is not calibrated, or in which points are still those of the design; a fraction out of
@@ -76,13 +74,12 @@ class DriftDecoder(LibraryDecoder):
         new: float = 1.0,
         microphones: tuple[str, ...] | None = None,
         options: DriftOptions = DriftOptions(),
-        motion: HandMotion | None = None,
     ) -> None:
         check_range("new", new, 0, 1, excluded="low")
         check_drift(library)
         whole = response_of(library)
         response = whole if microphones is None else whole.heard_by(microphones)
-        around = Surroundings.of(response, microphone_noise, ambient, motion)
+        around = Surroundings.of(response, microphone_noise, ambient)
         self.stiffness: Array = np.exp(options.step * np.arange(-options.softer, options.stiffer + 1))
         """Stiffnesses of the states over that of the calibration; (n_state,) float64."""
         kept = [whole.microphones.index(name) for name in response.microphones]
@@ -90,7 +87,7 @@ class DriftDecoder(LibraryDecoder):
         each = [touch_covariances(replace(response, transfer_function=h), np.eye(SAMPLES)) for h in heard]
         touched = np.stack(each, 1).reshape(-1, *each[0].shape[1:])
         super().__init__(response, around, touched, options)
-        self._library, self._new, self._motion = library, new, motion
+        self._library, self._new = library, new
         usual = -0.5 * (np.log(self.stiffness) / options.usual_deviation) ** 2
         self.start: Array = usual - logsumexp(usual)
         """Belief before the first touch: logarithm of the probability of each state; (n_state,) float64."""
@@ -102,8 +99,7 @@ class DriftDecoder(LibraryDecoder):
         """The decoder of the same sensor by some of its microphones, whose states are the same; as of
         :class:`localize.Locator`.
         """
-        given = self.microphone_noise, self.ambient, self._new, microphones, self.options
-        return DriftDecoder(self._library, *given, self._motion)
+        return DriftDecoder(self._library, self.microphone_noise, self.ambient, self._new, microphones, self.options)
 
     @property
     def no_graph(self) -> str:

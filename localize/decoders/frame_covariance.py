@@ -123,10 +123,7 @@ def whitening(microphone_noise: float | NoiseSpectrum) -> NDArray[np.float64]:
 
 
 def joint_whitening(
-    response: ArrayResponse,
-    noise: float | NoiseSpectrum,
-    ambient: float | None,
-    beside: NDArray[np.float64] | None = None,
+    response: ArrayResponse, noise: float | NoiseSpectrum, ambient: float | None
 ) -> NDArray[np.float64]:
     """Matrix that makes noise, hum and sound at all microphones together white, of variance 1.
 
@@ -134,13 +131,11 @@ def joint_whitening(
         response: the array, with its ``ambient_response`` where there is sound.
         noise: white, Pa rms over 0 to 500 Hz, or a spectrum.
         ambient: level of the sound outside, dB SPL; None for quiet.
-        beside: covariance of a further disturbance, (n, n) float64, Pa^2.
 
     Returns:
         (n, n) float64, n = n_microphone SAMPLES, microphone by microphone, 1/Pa.
     """
     whole = joint_covariance(response, noise, ambient)
-    whole = whole if beside is None else whole + beside
     return np.asarray(scipy.linalg.solve_triangular(np.linalg.cholesky(whole), np.eye(len(whole)), lower=True))
 
 

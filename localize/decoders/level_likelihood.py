@@ -1,4 +1,4 @@
-"""Likelihood of frames under covariances of touches, the likeliest sound and motion around each."""
+"""Likelihood of frames under covariances of touches, the likeliest level of the sound around each."""
 
 from __future__ import annotations
 
@@ -18,19 +18,17 @@ from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import cut_frames
 from localize.signals.noise_model import NoiseSpectrum
 
-Whitening: TypeAlias = Callable[[ArrayResponse, float | NoiseSpectrum, float | None, Array | None], Array]
-"""Makes the matrix, (n, n) float64, 1/Pa, by which noise, sound of a level and a further disturbance of a covariance,
-(n, n) float64, Pa^2, become white at all microphones."""
+Whitening: TypeAlias = Callable[[ArrayResponse, float | NoiseSpectrum, float | None], Array]
+"""Makes the matrix, (n, n) float64, 1/Pa, by which noise and sound of a level at all microphones become white."""
 
 
 class LevelLikelihood:
-    """Likelihood of frames under some covariances of touches in each background: a level of the sound around, and
-    motion of the sensor or none.
+    """Likelihood of frames under some covariances of touches at each level of the sound around.
 
     Args:
         touched: covariances of touches of 0 dB, (n_table, n, n) float64, Pa^2.
         response: the array.
-        around: noise, sound and motion.
+        around: noise and sound.
         options: of the decoder.
         whiten: makes noise and sound white.
     """
@@ -45,16 +43,13 @@ class LevelLikelihood:
     ) -> None:
         self.options = options
         noise = assumed_noise(around.noise, options)
-        self.whitening = tuple(
-            whiten(response, noise, level, None if motion is None else motion.covariance)
-            for level, motion in around.backgrounds
-        )
-        """Matrix that makes noise, sound and motion of each background white; (n, n) float64, 1/Pa, each."""
+        self.whitening = tuple(whiten(response, noise, level) for level in around.ambient)
+        """Matrix that makes noise and sound of each level white; (n, n) float64, 1/Pa, each."""
         self.tables = tuple(
-            tables_of(touched, matrix, level is None and motion is None, options)
-            for matrix, (level, motion) in zip(self.whitening, around.backgrounds, strict=True)
+            tables_of(touched, matrix, level, options)
+            for matrix, level in zip(self.whitening, around.ambient, strict=True)
         )
-        """Tables of each background."""
+        """Tables of each level."""
         self.screens = tuple(Screen(tables, len(self.tables) > 1) for tables in self.tables)
         """Scores by the tables of each level."""
         # Directions that a point does not reach, where all that is left of a frame is noise.

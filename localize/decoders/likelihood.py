@@ -86,17 +86,17 @@ class DecoderTables(GaussianTables):
     """Options that the tables were made with."""
 
 
-def tables_of(touched: Array, whiten: Array, quiet: bool, options: DecoderOptions) -> DecoderTables:
+def tables_of(touched: Array, whiten: Array, level: float | None, options: DecoderOptions) -> DecoderTables:
     """Tables of covariances of touches.
 
     Args:
         touched: (n_table, n, n) float64, Pa^2.
         whiten: matrix that makes noise and sound white, (n, n) float64, 1/Pa.
-        quiet: whether there is neither sound around nor motion of the sensor.
+        level: of the sound, dB SPL; None for quiet.
         options: of the decoder.
     """
     tables = GaussianTables.of(touched, options, whiten)
-    bonus = options.quiet_bonus if quiet else 0.0
+    bonus = options.quiet_bonus if level is None else 0.0
     return DecoderTables(
         tables.vectors,
         tables.weight,

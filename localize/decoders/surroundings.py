@@ -1,4 +1,4 @@
-"""Noise of the microphones, sound around and motion of the sensor that a decoder assumes beside touches."""
+"""Noise of the microphones and sound around that a decoder assumes beside touches."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ import numpy as np
 
 from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.frame_covariance import check_level, check_noise
-from localize.decoders.hand_motion import HandMotion
 from localize.signals.array_response import ArrayResponse, warn_of_uncovered
 from localize.signals.disturbances import SOUND_LEVELS, check_sound_level
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
@@ -46,17 +45,9 @@ class Surroundings:
     """Noise of a microphone: white, Pa rms, or a spectrum."""
     ambient: tuple[float | None, ...]
     """Levels of the sound around from quiet to loud, dB SPL; None is quiet."""
-    motion: HandMotion | None = None
-    """Motion of the sensor that is expected beside stillness; None if it lies still."""
 
     @classmethod
-    def of(
-        cls,
-        response: ArrayResponse,
-        microphone_noise: NoiseChoice,
-        ambient: Ambient = None,
-        motion: HandMotion | None = None,
-    ) -> Surroundings:
+    def of(cls, response: ArrayResponse, microphone_noise: NoiseChoice, ambient: Ambient = None) -> Surroundings:
         """Surroundings of an array; warns of a library that ends below the frequencies that touches reach.
 
         Raises:
@@ -70,14 +61,7 @@ class Surroundings:
         for level in levels:
             check_level(response, level)
         ordered = sorted(set(levels), key=lambda level: -1.0 if level is None else level)
-        here = None if motion is None else motion.heard_by(response.microphones)
-        return cls(microphone_noise, response.noise(microphone_noise), tuple(ordered), here)
-
-    @property
-    def backgrounds(self) -> tuple[tuple[float | None, HandMotion | None], ...]:
-        """Levels of the sound around, dB SPL, of a still sensor and then, if it is moved, of a moving one."""
-        still = tuple((level, None) for level in self.ambient)
-        return still if self.motion is None else (*still, *((level, self.motion) for level in self.ambient))
+        return cls(microphone_noise, response.noise(microphone_noise), tuple(ordered))
 
     @property
     def noise_rms(self) -> float:

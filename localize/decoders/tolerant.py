@@ -26,7 +26,6 @@ from localize.decoders.bayes import BayesDecoder
 from localize.decoders.decoder_options import TolerantOptions
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
-from localize.decoders.hand_motion import HandMotion
 from localize.decoders.hypotheses import as_built_hypotheses, bare_library
 from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.likelihood import Bounds, Screen
@@ -49,7 +48,6 @@ class TolerantDecoder(LibraryDecoder):
         ambient: as of :class:`localize.BayesDecoder`.
         microphones: names of two or more that are used; by default all.
         options: numbers that tune it.
-        motion: as of :class:`localize.BayesDecoder`.
 
     Raises:
         Refusal: bare transfer functions, a measured library, a design whose scatter is not known, a microphone that
@@ -67,7 +65,6 @@ class TolerantDecoder(LibraryDecoder):
         ambient: Ambient = None,
         microphones: tuple[str, ...] | None = None,
         options: TolerantOptions = TolerantOptions(),
-        motion: HandMotion | None = None,
     ) -> None:
         if not hasattr(library, "fidelity"):
             raise bare_library()
@@ -76,13 +73,13 @@ class TolerantDecoder(LibraryDecoder):
             raise Refusal(problem, kind=Kind.UNSUITABLE, field="library")
         response = response_of(library)
         response = response if microphones is None else response.heard_by(microphones)
-        around = Surroundings.of(response, microphone_noise, ambient, motion)
+        around = Surroundings.of(response, microphone_noise, ambient)
         self.tolerances = UNCALIBRATED if tolerances is None else tuple(tolerances)
         self.hypotheses = as_built_hypotheses(library, response, self.tolerances, options.hypotheses)
         each = [touch_covariances(one, np.eye(SAMPLES)) for one in self.hypotheses.responses]
         touched = np.stack(each, 1).reshape(-1, *each[0].shape[1:])
         super().__init__(response, around, touched, options)
-        self._library, self._motion = library, motion
+        self._library = library
         self._bounds = tuple(Bounds(tables) for tables in self.tables)
         self.deviating = tuple(
             DeviatingTables(tables, self.hypotheses, each, options)
@@ -92,8 +89,9 @@ class TolerantDecoder(LibraryDecoder):
 
     def heard_by(self, microphones: tuple[str, ...]) -> TolerantDecoder:
         """The decoder of the same sensor by some of its microphones; as of :class:`localize.Locator`."""
-        given = self.tolerances, self.microphone_noise, self.ambient, microphones, self.options
-        return TolerantDecoder(self._library, *given, self._motion)
+        return TolerantDecoder(
+            self._library, self.tolerances, self.microphone_noise, self.ambient, microphones, self.options
+        )
 
     def joint_log_likelihood(self, batch: Array) -> Array:
         """Log-likelihood of every point, all frames of each signal together: they are of one sensor.
@@ -276,10 +274,7 @@ class _ScoredRecordings:
 
 
 def decoder_of(
-    library: Library,
-    microphone_noise: NoiseChoice = "design",
-    ambient: Ambient = None,
-    motion: HandMotion | None = None,
+    library: Library, microphone_noise: NoiseChoice = "design", ambient: Ambient = None
 ) -> TolerantDecoder | BayesDecoder:
     """Decoder that a sensor asks for: of a computed library the one that models manufacturing tolerances.
 
@@ -287,7 +282,6 @@ def decoder_of(
         library: measured or computed.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
-        motion: as of :class:`localize.BayesDecoder`.
 
     Returns:
         :class:`localize.BayesDecoder` for a measured library, whose sensor is known, and where it is not known how a
@@ -296,15 +290,11 @@ def decoder_of(
     Raises:
         Refusal: as :class:`localize.BayesDecoder`.
     """
-    tolerant = tolerant_decoder(library, microphone_noise, ambient, motion)
-    return tolerant or BayesDecoder(library, microphone_noise, ambient, motion=motion)
+    return tolerant_decoder(library, microphone_noise, ambient) or BayesDecoder(library, microphone_noise, ambient)
 
 
 def tolerant_decoder(
-    library: Library,
-    microphone_noise: NoiseChoice = "design",
-    ambient: Ambient = None,
-    motion: HandMotion | None = None,
+    library: Library, microphone_noise: NoiseChoice = "design", ambient: Ambient = None
 ) -> TolerantDecoder | None:
     """Decoder of a sensor that nobody calibrated, with the usual tolerances; arguments as of :func:`decoder_of`.
 
@@ -316,7 +306,7 @@ def tolerant_decoder(
     """
     if library.fidelity == MEASURED or unknown_scatter(library.design) is not None:
         return None
-    return TolerantDecoder(library, None, microphone_noise, ambient, motion=motion)
+    return TolerantDecoder(library, None, microphone_noise, ambient)
 
 
 def unknown_tolerances(library: Library) -> str | None:

@@ -7,13 +7,13 @@ never waits for whoever takes them: what does not fit is dropped, and the number
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from threading import Event, Lock, Thread
 from time import perf_counter
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 import numpy as np
 
@@ -28,6 +28,9 @@ BLOCK = 0.004
 """Length of the blocks in which a source hands on its samples, s."""
 QUEUE = 2.0
 """Length of the samples that wait to be taken, s; more are dropped."""
+
+Correction: TypeAlias = Callable[[Array, float, float | None], Array]
+"""Makes samples, (n_microphone, n) float64, Pa, of others, their rate, Hz, and the pressure of clipped ones, Pa."""
 
 
 class SourceError(Refusal):
@@ -137,6 +140,8 @@ class ReplaySource:
         microphones: names of the array's microphones.
         full_scale: pressure of the largest value of the file, Pa.
         channels: microphone -> channel of the file, from 1; by default all channels in the order of the microphones.
+        correct: makes the samples that are played of those of the file, (n_microphone, n) Pa, their rate, Hz, and the
+            pressure at which they were clipped, Pa or None; by default they stay as they are.
 
     Raises:
         SoundFileError: the file cannot be read.
@@ -150,6 +155,7 @@ class ReplaySource:
         microphones: Sequence[str],
         full_scale: float = 1.0,
         channels: Mapping[str, int] | None = None,
+        correct: Correction | None = None,
     ) -> None:
         self._path = Path(path)
         sound = read_wav(self._path)
@@ -166,6 +172,8 @@ class ReplaySource:
         self._samples = np.stack([full_scale * sound.channels[str(k + 1)] for k in picked])
         self.rate = sound.rate
         self.limit = None if sound.full_scale is None else sound.full_scale * full_scale
+        if correct is not None:
+            self._samples = correct(self._samples, self.rate, self.limit)
         self._thread: Thread | None = None
         self._stop = Event()
         self._ended = Event()

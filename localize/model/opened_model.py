@@ -39,12 +39,13 @@ from localize.graphs.onnx_localizer import OnnxLocalizer
 from localize.live.events import HOP, Decision, Fault, SeveralTouches
 from localize.live.listener import LiveListener
 from localize.live.recorder import LiveRecorder
-from localize.live.sources import Source
+from localize.live.sources import Correction, Source
 from localize.live.stream import TouchStream
 from localize.live.stream_options import StreamOptions, TouchOptions
 from localize.live.touches import TouchTracker, touches_of
 from localize.model.file_contents import FileContent, file_content
 from localize.model.located_touches import LocatedTouches, distrusted_event, distrusted_touch, with_several
+from localize.recordings.accelerometer import COLUMNS, Acceleration, AccelerationFile, read_acceleration
 from localize.recordings.recording import Recording, read_recording
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.array_response import ArrayResponse, response_of
@@ -215,6 +216,7 @@ class Model(Shown):
         *,
         channels: Mapping[str, int] | None = None,
         correct: bool = False,
+        acceleration: AccelerationFile | None = None,
     ) -> LocatedTouches:
         """Touches in a recording, with their points and times.
 
@@ -224,17 +226,21 @@ class Model(Shown):
                 the recorder clipped; by default clipping is detected by its flat tops.
             channels: microphone -> channel of the file, from 1; as of :func:`localize.read_recording`.
             correct: as of :meth:`locate_recording`.
+            acceleration: as of :meth:`read`.
 
         Raises:
             Refusal: a recording that cannot be read or used.
         """
-        return self.locate_recording(self.read(path, full_scale, channels), correct=correct)
+        return self.locate_recording(self.read(path, full_scale, channels, acceleration), correct=correct)
 
     def read(
         self,
         path: str | os.PathLike[str],
         full_scale: float | None = None,
         channels: Mapping[str, int] | None = None,
+        acceleration: AccelerationFile | None = None,
+        *,
+        tolerant: bool = True,
     ) -> Recording:
         """Recording of the microphones of the model.
 
@@ -242,14 +248,70 @@ class Model(Shown):
             path: as of :meth:`locate_file`.
             full_scale: as of :meth:`locate_file`, Pa.
             channels: as of :meth:`locate_file`.
+            acceleration: file of an accelerometer on the housing, whose part is taken out of the signals; it may be the
+                recording itself.
+            tolerant: whether channels may be clipped, and one of three or more silent, as a stream can do without them.
 
         Raises:
-            Refusal: a recording that cannot be read or used.
+            Refusal: a recording that cannot be read or used; an acceleration of another rate or length; or a model
+                without a library beside an acceleration.
         """
-        fallback = not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
-        return read_recording(
-            path, self.locator.microphones, full_scale, fallback=fallback, clipped=True, channels=channels
+        moved = None if acceleration is None else self.acceleration(acceleration)
+        fallback = tolerant and not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
+        recording = read_recording(
+            path,
+            self.locator.microphones,
+            full_scale,
+            fallback=fallback,
+            clipped=tolerant,
+            channels=channels,
+            others=() if moved is None else COLUMNS,
         )
+        if moved is None:
+            return recording
+        assert self.library is not None
+        signals = moved.taken_out_at_one_kilohertz(
+            self.library,
+            recording.signals,
+            recording.rate,
+            self.decoding.microphone_output,
+            self.clipped_from(recording.limit),
+        )
+        return replace(recording, signals=signals)
+
+    def acceleration(self, file: AccelerationFile) -> Acceleration:
+        """Acceleration of the sensor, from a file.
+
+        Raises:
+            Refusal: a model without a library; as of :func:`localize.recordings.read_acceleration`.
+        """
+        if self.library is None:
+            problem = "needs the library of the array, which says what its motion adds to the signals"
+            raise Refusal(problem, kind=Kind.MISSING, field="acceleration", remedy=("give it as ", Field("library")))
+        return read_acceleration(file)
+
+    def motion_correction(self, file: AccelerationFile) -> Correction:
+        """Function that takes out of signals what the motion of the sensor adds to them, for a source.
+
+        Raises:
+            Refusal: as of :meth:`acceleration`.
+        """
+        moved, library = self.acceleration(file), self.library
+        assert library is not None
+
+        def correct(signals: Array, rate: float, limit: float | None) -> Array:
+            return moved.taken_out(library, signals, rate, self.decoding.microphone_output, self.clipped_from(limit))
+
+        return correct
+
+    def clipped_from(self, limit: float | None) -> float | None:
+        """Pressure from which samples are taken for clipped, Pa, by the limit of their file; None if none is."""
+        if self.decoding.microphone_output == "pressure":
+            return limit
+        equaliser = self.decoding.equaliser(self.locator.array)
+        assert equaliser is not None
+        overload = CLIPPED * equaliser.microphone.overload
+        return overload if limit is None else min(limit, overload)
 
     def locate_recording(self, recording: Recording, *, correct: bool = False) -> LocatedTouches:
         """Touches in a recording that was read, with a check that the sensor fits the library.
@@ -313,9 +375,7 @@ class Model(Shown):
         if given.rejected_fraction is not None:
             options = replace(options, rejected_fraction=given.rejected_fraction)
         equaliser = given.equaliser(locator.array)
-        if equaliser is not None:
-            overload = CLIPPED * equaliser.microphone.overload
-            limit = overload if limit is None else min(limit, overload)
+        limit = self.clipped_from(limit)
         if self.response is None:
             return TouchStream(locator, limit=limit, options=options, equaliser=equaliser)
         noise, wave, sound, residual, motion = locator.microphone_noise, None, None, None, None
@@ -435,7 +495,7 @@ def open_model(
         lowest: frequency down to which outputs are equalised to pressures, Hz; by default 1 Hz.
         two_touches: whether each contact is searched for two touches at once, which needs a library.
         motion: largest acceleration of the sensor in use, gravity left out, m/s^2; it needs a library. Frames that hold
-            only motion are then detected, and touches are located in motion. By default the sensor lies still.
+            only motion are then detected. By default the sensor lies still.
 
     Returns:
         The model; a :class:`Model` is handed back as it is.
@@ -548,17 +608,16 @@ def _refuse_other_choices(model: Model, given: Decoding) -> None:
 def _decoder(library: Library, source: ModelSource, given: Decoding) -> LibraryDecoder:
     """Decoder of a library, for all of its microphones."""
     levels = sound_levels(given.ambient)
-    motion = None if given.motion is None else HandMotion.of(library, given.motion)
     if given.follow_drift:
         try:
             check_drift(library)
         except Refusal as error:
             raise Refusal.of(error, file=_name(source), field="") from None
-        return DriftDecoder(library, given.microphone_noise, levels, new=HOP / FRAME, motion=motion)
+        return DriftDecoder(library, given.microphone_noise, levels, new=HOP / FRAME)
     return (
-        decoder_of(library, given.microphone_noise, levels, motion)
+        decoder_of(library, given.microphone_noise, levels)
         if given.tolerances
-        else BayesDecoder(library, given.microphone_noise, levels, motion=motion)
+        else BayesDecoder(library, given.microphone_noise, levels)
     )
 
 

@@ -121,9 +121,7 @@ def _pulse_density(frequency: Array, options: PulseOptions) -> Array:
     return np.asarray(SOURCE_RMS**2 * shape / (shape.sum() * INTEGRATION_STEP))
 
 
-def _whitening(
-    response: ArrayResponse, noise: float | NoiseSpectrum, level: float | None, beside: Array | None
-) -> Array:
+def _whitening(response: ArrayResponse, noise: float | NoiseSpectrum, level: float | None) -> Array:
     """Without hum of mains, which lies above what is left of the signals."""
     return np.asarray(np.kron(np.eye(len(response.microphones)), whitening(noise)))
 

@@ -1,3 +1,8 @@
+from .accelerometer import (
+    Acceleration as Acceleration,
+    AccelerationFile as AccelerationFile,
+    read_acceleration as read_acceleration,
+)
 from .recording import (
     HIGHEST_RATE as HIGHEST_RATE,
     LOWEST_RATE as LOWEST_RATE,

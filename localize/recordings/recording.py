@@ -6,7 +6,7 @@ import math
 import os
 import re
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
@@ -74,6 +74,7 @@ def read_recording(
     fallback: bool = False,
     clipped: bool = False,
     channels: Mapping[str, int] | None = None,
+    others: Collection[str] = (),
 ) -> Recording:
     """Read a recording and bring it to 1 kHz.
 
@@ -92,6 +93,7 @@ def read_recording(
             recording, and decides nothing by them.
         channels: microphone -> channel of the file, counted from 1 without a column of times; the file may then have
             more channels than there are microphones. By default by their names or their order, as above.
+        others: names of channels of the file that are no microphones, and may be in it.
 
     Raises:
         RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; two that are
@@ -107,7 +109,7 @@ def read_recording(
         raise RecordingError.of(error) from None
     rate = sound.rate
     if channels is None:
-        names = _in_order(path, sound, microphones)
+        names = _in_order(path, sound, microphones, others)
     else:
         chosen = chosen_channels(microphones, channels, len(sound.channels), str(path), RecordingError)
         names = [list(sound.channels)[k] for k in chosen]
@@ -222,9 +224,9 @@ def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple
                 warnings.warn(str(apart), RecordingWarning, stacklevel=3)
 
 
-def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequence[str]:
-    """Names of the channels in the order of the microphones."""
-    names = list(sound.channels)
+def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...], others: Collection[str]) -> Sequence[str]:
+    """Names of the channels in the order of the microphones, without those of others."""
+    names = [name for name in sound.channels if sound.numbered or name in microphones or name not in others]
     wanted = ", ".join(microphones)
     if sound.numbered:
         check_count(len(names), microphones, path, RecordingError)

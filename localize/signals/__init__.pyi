@@ -29,6 +29,7 @@ from .frames import (
     cut_frames as cut_frames,
 )
 from .motion import (
+    fitted_motion as fitted_motion,
     motion_signals as motion_signals,
     pressures_of_motion as pressures_of_motion,
     without_motion as without_motion,

@@ -72,8 +72,8 @@ def rig(
 
     Writes a folder calibration with a recording of each point for calibrate, and a folder touches with recordings for
     locate, recalibrate and train --recordings, whose file names give the point. truth.json and truth.nc hold the hidden
-    deviations and the sensor's true library: look at them last. With --motion, a folder motion holds a recording of the
-    waved sensor that nobody touches, with its acceleration.
+    deviations and the sensor's true library: look at them last. With --motion, the acceleration lies beside each touch,
+    for locate --acceleration, and a folder motion holds a recording of the waved sensor that nobody touches.
 
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """

@@ -27,12 +27,16 @@ from studies.cli.locating import (
     TwoTouches,
 )
 from studies.cli.options import (
+    AccelerationChannels,
+    AccelerationFullScale,
+    AccelerationPath,
     Altitude,
     Lowest,
     MicrophoneOutput,
     Model,
     Pressure,
     Temperature,
+    acceleration_file,
     channel_map,
     noise_choice,
 )
@@ -122,6 +126,9 @@ def live(
     follow_drift: FollowDrift = False,
     two_touches: TwoTouches = False,
     motion: Motion = None,
+    acceleration: AccelerationPath = None,
+    acceleration_full_scale: AccelerationFullScale = None,
+    acceleration_channels: AccelerationChannels = None,
     radius: Annotated[
         float | None,
         typer.Option(
@@ -146,7 +153,10 @@ def live(
 
     number = -1 if device is None else whole_number(device)
     wanted = device if number < 0 else number
-    source = studies.LiveInput(wanted, replay, channel_map(channels), full_scale, rate, serial=serial, baud=baud)
+    moved = acceleration_file(acceleration, acceleration_full_scale, acceleration_channels)
+    source = studies.LiveInput(
+        wanted, replay, channel_map(channels), full_scale, rate, serial=serial, baud=baud, acceleration=moved
+    )
     air = acoustic_fem.LocalAir(pressure, altitude, temperature)
     decoding = studies.Decoding(
         noise_choice(noise),

@@ -13,6 +13,9 @@ import studies
 from geometry.ground.refusal import counted
 from localize.live.stream_options import MOVING
 from studies.cli.options import (
+    AccelerationChannels,
+    AccelerationFullScale,
+    AccelerationPath,
     Altitude,
     Channels,
     FullScale,
@@ -23,6 +26,7 @@ from studies.cli.options import (
     Pressure,
     Recording,
     Temperature,
+    acceleration_file,
     channel_map,
     noise_choice,
 )
@@ -243,6 +247,9 @@ def locate(
             "sensor finds one. Default: the fault is reported, and probabilities are lowered.",
         ),
     ] = False,
+    acceleration: AccelerationPath = None,
+    acceleration_full_scale: AccelerationFullScale = None,
+    acceleration_channels: AccelerationChannels = None,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
@@ -279,6 +286,7 @@ def locate(
         decoding=decoding,
         channels=channel_map(channels),
         correct=correct,
+        acceleration=acceleration_file(acceleration, acceleration_full_scale, acceleration_channels),
     )
     _show_touches(found)
     names: dict[State, str] = {
@@ -394,6 +402,9 @@ def track(
     noise: DecoderNoise = None,
     ambient: DecoderAmbient = None,
     channels: Channels = None,
+    acceleration: AccelerationPath = None,
+    acceleration_full_scale: AccelerationFullScale = None,
+    acceleration_channels: AccelerationChannels = None,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
@@ -422,6 +433,7 @@ def track(
         full_scale=full_scale,
         decoding=decoding,
         channels=channel_map(channels),
+        acceleration=acceleration_file(acceleration, acceleration_full_scale, acceleration_channels),
     )
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")

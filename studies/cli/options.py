@@ -12,12 +12,14 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
+import studies
 from acoustic_fem.quantities.microphone_signals import Output
 from geometry.ground.argument_checks import whole_number
 from geometry.stock import VARIABLE
 from studies.output.display import Display
 
 if TYPE_CHECKING:
+    from localize.recordings.accelerometer import AccelerationFile
     from localize.signals.noise_model import NoiseChoice
 
 Answer = TypeVar("Answer", str, int, float)
@@ -112,6 +114,28 @@ Channels = Annotated[
         "the design.",
     ),
 ]
+AccelerationPath = Annotated[
+    Path | None,
+    typer.Option(
+        "--acceleration",
+        metavar="FILE",
+        help="Recording of an accelerometer on the housing, whose part is taken out of the signals: channels "
+        "x_m_per_s2, y_m_per_s2 and z_m_per_s2, without gravity, sampled with the microphones. It may be RECORDING "
+        "itself. Needs a library. Default: the sensor lies still.",
+    ),
+]
+AccelerationFullScale = Annotated[
+    float | None,
+    typer.Option(metavar="M/S2", help="Acceleration at full scale of a WAV, FLAC or AIFF file of --acceleration."),
+]
+AccelerationChannels = Annotated[
+    str | None,
+    typer.Option(
+        metavar="X=3,Z=5",
+        help="Channel of each axis in a file of --acceleration without names of channels, counted from 1. Default: "
+        "three channels are x, y and z.",
+    ),
+]
 OwnStock = Annotated[
     Path | None,
     typer.Option(
@@ -143,18 +167,29 @@ def own_stock(given: Mapping[str, Any]) -> Iterator[None]:
             os.environ[VARIABLE] = before
 
 
-def channel_map(text: str | None) -> dict[str, int] | None:
-    """``A=1,B=2`` as microphone -> channel; None for None."""
+def channel_map(text: str | None, option: str = "--channels", what: str = "microphone") -> dict[str, int] | None:
+    """``A=1,B=2`` as microphone -> channel, or axis -> channel; None for None."""
     if text is None:
         return None
     pairs = [part.partition("=") for part in text.split(",")]
     for name, equals, value in pairs:
         if not (name.strip() and equals and whole_number(value.strip()) >= 1):
-            raise typer.BadParameter(f"--channels {text} must be like A=1,B=2: microphone and channel from 1")
+            raise typer.BadParameter(f"{option} {text} must be like A=1,B=2: {what} and channel from 1")
     names = [name.strip() for name, _, _ in pairs]
     if len(set(names)) < len(names):
-        raise typer.BadParameter(f"--channels {text} must give each microphone once")
+        raise typer.BadParameter(f"{option} {text} must give each {what} once")
     return {name: whole_number(value.strip()) for name, (_, _, value) in zip(names, pairs, strict=True)}
+
+
+def acceleration_file(path: Path | None, full_scale: float | None, channels: str | None) -> AccelerationFile | None:
+    """File of an accelerometer by its three options; None without one."""
+    for name, given in (("--acceleration-full-scale", full_scale), ("--acceleration-channels", channels)):
+        if path is None and given is not None:
+            raise typer.BadParameter(f"{name} needs --acceleration")
+    if path is None:
+        return None
+    axes = channel_map(channels, "--acceleration-channels", "axis")
+    return studies.AccelerationFile(path, full_scale, None if axes is None else {k.lower(): n for k, n in axes.items()})
 
 
 def noise_choice(given: str | None) -> NoiseChoice:

@@ -27,8 +27,9 @@ from localize.live.recorder import LiveRecorder
 from localize.live.serial_frames import LineCounts
 from localize.live.serial_port import BoardLine, SerialSource, check_baud
 from localize.live.sound_device import DeviceSource
-from localize.live.sources import ReplaySource, Source
+from localize.live.sources import Correction, ReplaySource, Source
 from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
+from localize.recordings.accelerometer import AccelerationFile
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 from localize.signals.array_facts import ArrayFacts
 from localize.signals.resampling import check_full_scale
@@ -64,6 +65,8 @@ class LiveInput:
     """Serial port of a board, such as ``/dev/ttyACM0`` or ``COM3``, to read instead of a sound card."""
     baud: int | None = None
     """Speed of the serial line, bit/s, by default 115,200. USB serial ports ignore it."""
+    acceleration: AccelerationFile | None = None
+    """File of an accelerometer on the housing, whose part is taken out of the file that is played."""
 
     def __post_init__(self) -> None:
         source = next((name for name in ("serial", "replay") if getattr(self, name) is not None), "device")
@@ -74,6 +77,12 @@ class LiveInput:
                 check_unused({name: getattr(self, name)}, (of_source, beside), remedy)
         if self.rate is not None:
             check_range("rate", self.rate, LOWEST_RATE, HIGHEST_RATE, "Hz", whole=True)
+        if self.acceleration is not None and self.replay is None:
+            raise Refusal(
+                ("needs ", Field("replay"), "; the part of the motion is taken out of whole recordings"),
+                kind=Kind.CONFLICT,
+                field="acceleration",
+            )
         if self.serial is not None:
             check_baud(self.serial, self.baud)
         check_full_scale(self.pascals)
@@ -87,12 +96,20 @@ class LiveInput:
         """Source of the samples of these microphones; reading has not begun."""
         return self.source(microphones, None if self.serial is None else BoardLine(self.serial, self.baud))
 
-    def source(self, microphones: tuple[str, ...], board: BoardLine | None) -> Source:
-        """Source of the samples of these microphones, from a board whose line is open if there is one."""
+    def source(
+        self, microphones: tuple[str, ...], board: BoardLine | None, correct: Correction | None = None
+    ) -> Source:
+        """Source of the samples of these microphones, from a board whose line is open if there is one.
+
+        Args:
+            microphones: their names.
+            board: line of a board.
+            correct: as of :class:`localize.live.ReplaySource`.
+        """
         if board is not None:
             return SerialSource(board, microphones, self.channels)
         if self.replay is not None:
-            return ReplaySource(self.replay, microphones, self.pascals, self.channels)
+            return ReplaySource(self.replay, microphones, self.pascals, self.channels, correct)
         return DeviceSource(microphones, self.device, self.pascals, self.channels, rate=self.rate)
 
 
@@ -212,7 +229,8 @@ def listen(
     decides = board is not None and board.mode == "events"
     if board is not None and decides:
         check_needs_no_samples(board, heard_from, kept, contact_radius_mm, decoding)
-    samples = None if decides else heard_from.source(found.locator.microphones, board)
+    correct = None if heard_from.acceleration is None else found.motion_correction(heard_from.acceleration)
+    samples = None if decides else heard_from.source(found.locator.microphones, board, correct)
     recorder = None
     counts, loud = _Counts(), LoudFrames()
     with ExitStack() as stack:

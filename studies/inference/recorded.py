@@ -18,6 +18,7 @@ from localize.diagnosis.bad_fits import fault_of_touches
 from localize.live.events import Decision
 from localize.model.located_touches import LocatedTouches as LocatedTouches
 from localize.model.opened_model import Decoding as Decoding, Model, ModelSource, files_of, opened
+from localize.recordings.accelerometer import AccelerationFile as AccelerationFile
 from localize.recordings.recording import Recording
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 from studies.output.folders import check_new_file, new_picture
@@ -42,6 +43,7 @@ def locate_recording(
     decoding: Decoding | None = None,
     channels: Mapping[str, int] | None = None,
     correct: bool = False,
+    acceleration: AccelerationFile | None = None,
 ) -> LocatedTouches:
     """Touches in a recording of an array's microphones, with their points and times.
 
@@ -57,12 +59,15 @@ def locate_recording(
             channels or by their order.
         correct: whether a reversed, exchanged or late microphone is corrected before touches are located, if the check
             of the sensor finds one; by default the fault is reported and probabilities are lowered.
+        acceleration: file of an accelerometer on the housing, whose part is taken out of the signals; by default the
+            sensor is taken to lie still.
 
     Raises:
         Refusal: a file that cannot be written or read, or options that contradict each other.
     """
     path = None if out is None else Path(out)
-    reads = (*files_of(model), recording, *files_of(None if decoding is None else decoding.library))
+    beside = None if acceleration is None else acceleration.path
+    reads = (*files_of(model), recording, beside, *files_of(None if decoding is None else decoding.library))
     check_new_file(path, ".jsonl", reads=reads)
     drawn = new_picture(picture, reads=reads, option="picture")
     check_sound_there(recording)
@@ -70,7 +75,7 @@ def locate_recording(
     if found.decoding.waveform and path is None:
         problem = ("goes into the lines of ", Field("out"), "; give that too")
         raise Refusal(problem, kind=Kind.MISSING, field="waveform")
-    heard = found.read(recording, full_scale, channels)
+    heard = found.read(recording, full_scale, channels, acceleration)
     located = _with_diagnosis(found.locate_recording(heard, correct=correct), found, heard)
     if path is not None:
         write_text(path, "".join(event.json_line() + "\n" for event in located.events))

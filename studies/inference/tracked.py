@@ -21,7 +21,7 @@ from localize.evaluation.goodness_of_fit import LoudFrames, sensor_fit
 from localize.live.stream_options import MOVING
 from localize.model.located_touches import RecordingResult
 from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened_as_designed
-from localize.recordings.recording import read_recording
+from localize.recordings.accelerometer import AccelerationFile
 from localize.signals.array_response import ArrayResponse
 from localize.tracking.path import Track
 from localize.tracking.path_gestures import Gesture, gesture_of
@@ -64,6 +64,7 @@ def track_recording(
     full_scale: float | None = None,
     decoding: Decoding | None = None,
     channels: Mapping[str, int] | None = None,
+    acceleration: AccelerationFile | None = None,
 ) -> TrackedRecording:
     """Paths of contacts over the surface of an array, from a recording of its microphones.
 
@@ -78,12 +79,13 @@ def track_recording(
         decoding: options for noise, sound and air of the place.
         channels: channel of each microphone in the recording, counted from 1; by default found by the names of the
             channels or by their order.
+        acceleration: as of :func:`studies.locate_recording`.
 
     Raises:
         Refusal: a file that cannot be written or read, no library, or a radius out of range.
     """
     table = None if out is None else Path(out)
-    reads = (*files_of(library), recording)
+    reads = (*files_of(library), recording, None if acceleration is None else acceleration.path)
     headers = COLUMNS, (*COLUMNS, *BODY_COLUMNS)
     is_own = table is None or any(is_own_table(table, columns) for columns in headers)
     kept = None if is_own else "a table that does not come from track"
@@ -92,7 +94,7 @@ def track_recording(
     check_sound_there(recording)
     model = opened_as_designed(library, decoding)
     tracker, array = model.tracker(contact_radius_mm), model.locator.array
-    read = read_recording(Path(recording), array.microphones, full_scale, channels=channels)
+    read = model.read(recording, full_scale, channels, acceleration, tolerant=False)
     stream, loud = model.stream(frames=True), LoudFrames()
     tracks = tuple(tracks_of(stream, tracker, read.signals, loud.take))
     fit = sensor_fit(stream.locator, loud.frames(), stream.noise, only_faults=True)

@@ -16,18 +16,17 @@ from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.library.acceleration import areal_mass
 from acoustic_fem.library.touch_pressure import membranes_in_vacuo
-from acoustic_fem.sound.sound_file import write_wav
+from acoustic_fem.sound.sound_file import TIME, write_wav
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
 from geometry.ground.whole_files import write_text
 from geometry.layout.arrangement import lay_out
+from localize.recordings.accelerometer import COLUMNS
 from localize.signals.motion import KNOCKED, WAVED, pressures_of_motion
 from studies.output.folders import check_new_file
 from studies.test_rig.virtual_rig import HEARD, Recorder, Rig
 
-#: Columns of the file of an acceleration.
-COLUMNS = ("time_s", "x_m_per_s2", "y_m_per_s2", "z_m_per_s2")
 #: Range of accelerations, m/s^2.
 ACCELERATIONS = (0.0, 200.0)
 #: Shortest and longest stroke of a waved hand, and pause behind it, s. Assumed.
@@ -205,13 +204,24 @@ def record_motion(
     count = pressures.shape[1]
     signals = rig.recorded({}, padded.shape[1], 0, count, recorder, random, padded)[1:]
     write_wav(wav, signals / recorder.full_scale, recorder.rate, recorder.bits)
+    write_acceleration(beside, acceleration, recorder.rate)
+    return beside
+
+
+def write_acceleration(path: Path, acceleration: Array, rate: float) -> None:
+    """Write the file that an accelerometer on the housing gives, as ``locate --acceleration`` reads it.
+
+    Args:
+        path: of the file, ``.csv``.
+        acceleration: along x, y and z of the layout, gravity left out, (3, n_sample) float64, m/s^2.
+        rate: sample rate, Hz.
+    """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(COLUMNS)
+    writer.writerow((TIME, *COLUMNS))
     for k, row in enumerate(np.asarray(acceleration).T.tolist()):
-        writer.writerow((f"{k / recorder.rate:.6g}", *(f"{value:.5g}" for value in row)))
-    write_text(beside, text.getvalue())
-    return beside
+        writer.writerow((f"{k / rate:.9g}", *(f"{value:.5g}" for value in row)))
+    write_text(path, text.getvalue())
 
 
 def _along(direction: Sequence[float]) -> Array:

@@ -21,7 +21,7 @@ from geometry.ground.whole_files import write_text
 from localize.live.stream_options import HIGH_PASS
 from localize.recordings.touch_manifest import PARTS, Part
 from studies.output.folders import check_folder, make_folder
-from studies.test_rig.rig_motion import ACCELERATIONS, motion_of_rig, waved_hand
+from studies.test_rig.rig_motion import ACCELERATIONS, motion_of_rig, waved_hand, write_acceleration
 from studies.test_rig.virtual_rig import LENGTHS, RIG_MARK, Recorder, Rig
 
 MANIFEST = "touches.toml"
@@ -58,7 +58,7 @@ class TouchSession:
     """Play of every contact, a share of its rms: the pressure follows only what moves it by more than that."""
     motion: float = 0.0
     """Largest acceleration of the hand that wears the sensor and is waved along z while it is touched, m/s^2; 0: the
-    sensor lies still."""
+    sensor lies still. Each recording then has its acceleration beside it, as CSV."""
 
     def __post_init__(self) -> None:
         for name, high, unit in (
@@ -105,8 +105,10 @@ def record_touches(
         for part in session.parts:
             for take in range(1, session.takes + 1):
                 name = f"point-{point:02d}-{part}-{take}.wav"
-                samples = _take(rig, point, part, take, session, recorder) / recorder.full_scale
-                write_wav(folder / name, samples, recorder.rate, recorder.bits)
+                signals, moved = _take(rig, point, part, take, session, recorder)
+                write_wav(folder / name, signals / recorder.full_scale, recorder.rate, recorder.bits)
+                if moved is not None:
+                    write_acceleration((folder / name).with_suffix(".csv"), moved, recorder.rate)
                 entry = tomlkit.table()
                 entry.update({"file": name, "point": point, "part": part})
                 entries.append(entry)
@@ -116,8 +118,10 @@ def record_touches(
     return path
 
 
-def _take(rig: Rig, point: int, part: Part, take: int, session: TouchSession, recorder: Recorder) -> Array:
-    """(n_microphone, n_sample) Pa."""
+def _take(
+    rig: Rig, point: int, part: Part, take: int, session: TouchSession, recorder: Recorder
+) -> tuple[Array, Array | None]:
+    """Signals, (n_microphone, n_sample) Pa, and acceleration, (3, n_sample) m/s^2, of a sensor that is waved."""
     key = (_PURPOSE, point, PARTS.index(part), take)
     random, of_contact = (
         np.random.default_rng(np.random.SeedSequence(rig.seed, spawn_key=each)) for each in (key, (*key, 1))
@@ -128,12 +132,13 @@ def _take(rig: Rig, point: int, part: Part, take: int, session: TouchSession, re
     pressure[:count] = _with_play(_pressure(part, count, session, recorder.rate, random, of_contact), session)
     # Whoever records sets the level so that nothing clips.
     pressure *= min(1.0, LOUDEST * recorder.full_scale / np.abs(pressure).max())
-    waved = None
+    waved = moved = None
     if session.motion:
         of_hand = np.random.default_rng(np.random.SeedSequence(rig.seed, spawn_key=(*key, 2)))
         moved = waved_hand(total / recorder.rate, of_hand, session.motion, rate=recorder.rate)
         waved = motion_of_rig(rig, moved, recorder.rate)
-    return rig.recorded({point: np.fft.rfft(pressure)}, total, 0, count, recorder, random, waved)[1:]
+    signals = rig.recorded({point: np.fft.rfft(pressure)}, total, 0, count, recorder, random, waved)[1:]
+    return signals, None if moved is None else moved[:, :count]
 
 
 def _with_play(movement: Array, session: TouchSession) -> Array:

@@ -332,6 +332,7 @@ TAKEN_BY = {
     "rate": (48_000, {"device"}),
     "serial": ("/dev/ttyACM0", {"serial"}),
     "baud": (9600, {"serial"}),
+    "acceleration": (studies.AccelerationFile("moved.csv"), {"replay"}),
 }
 
 

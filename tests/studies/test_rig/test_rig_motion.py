@@ -12,9 +12,10 @@ from small_run import small_design
 import acoustic_fem
 import localize
 from geometry import Kind
+from localize.recordings.accelerometer import COLUMNS
 from localize.signals import motion_signals
 from studies.test_rig import HiddenScatter, Recorder, Rig, TouchSession, record_motion, table_knocks, waved_hand
-from studies.test_rig.rig_motion import COLUMNS, made_acceleration_response, motion_of_rig
+from studies.test_rig.rig_motion import made_acceleration_response, motion_of_rig
 from studies.test_rig.rig_touches import record_touches
 
 STILL = "volume membrane batch length loss temperature pressure slope bore gain corner chamber"
@@ -62,7 +63,7 @@ def test_a_recording_of_motion_has_its_acceleration_beside_it(tmp_path: Path) ->
     moved = waved_hand(4.0, np.random.default_rng(3))
     beside = record_motion(rig, moved, tmp_path / "waved.wav", Recorder(output="pressure", hum=0.0, drift=0.0))
     table = np.genfromtxt(beside, delimiter=",", names=True)
-    assert table.dtype.names == COLUMNS
+    assert table.dtype.names == ("time", *COLUMNS)
     np.testing.assert_allclose(table["z_m_per_s2"], moved[2], atol=1e-3)
     heard = localize.read_recording(tmp_path / "waved.wav", rig.design.microphones, 2.0).signals
     np.testing.assert_allclose(heard, motion_of_rig(rig, moved), atol=2e-2)
