@@ -11,7 +11,7 @@ export const CHOICES: Record<string, Choice> = {
   as_built: { title: "as-built accuracy", unit: "%", value: (point, built) => (built ? 100 * built[point.number - 1] : null), low: 90, high: 100 },
   named: { title: "accuracy as designed", unit: "%", value: (point) => 100 * point.named, low: 90, high: 100 },
   loudest: { title: "level at 100 Hz, loudest microphone", unit: "dB", value: (point) => point.loudest },
-  force: { title: "smallest force", unit: "µN", value: (point) => 1e6 * point.force },
+  force: { title: "smallest detectable force", unit: "nN", value: (point) => 1e9 * point.force },
   coverage: { title: "coverage of its area", unit: "%", value: (point) => 100 * point.coverage, high: 100 },
 };
 

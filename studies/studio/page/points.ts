@@ -17,7 +17,7 @@ const COLUMNS: [string, string, (p: Figures["points"][0]) => string][] = [
   ["distance", "", (p) => words(p.distance, 3)],
   ["level", "dB", (p) => words(p.level, 3)],
   ["phase", "°", (p) => words(p.phase, 3)],
-  ["smallest detectable force", "µN", (p) => words(1e6 * p.force, 3)],
+  ["smallest detectable force", "nN", (p) => words(1e9 * p.force, 3)],
 ];
 
 export class PointsPanel {

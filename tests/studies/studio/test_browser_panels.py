@@ -137,10 +137,10 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     assert page.locator("#hardest").inner_text() == f"Hardest to tell apart: {hardest}."
     for row, point in zip(page.locator("#points-table tbody tr").all(), here["points"], strict=True):
         written = [first_number(cell) for cell in row.locator("td").all_inner_texts()]
-        factors = {"named": 100, "force": 1e6}
+        factors = {"named": 100, "force": 1e9}
         own = [factors.get(key, 1) * point[key] for key in keys[:7]]
         assert written == pytest.approx(own, rel=1e-2)
-    assert page.locator("#points-table th").last.inner_text() == "smallest detectable force (µN)"
+    assert page.locator("#points-table th").last.inner_text() == "smallest detectable force (nN)"
     page.evaluate("document.querySelector('.stage .pop').open = true")
     kinds = Counter(part["kind"] for part in model_of_array(LONGER)["parts"])
     shown_kinds = [int(text.rsplit("(", 1)[1][:-1]) for text in page.locator("#kinds label").all_inner_texts()]
