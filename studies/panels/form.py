@@ -32,7 +32,7 @@ def stated_values(design: ArrayDesign) -> dict[str, Any]:
 def form_of(design: ArrayDesign) -> list[dict[str, Any]]:
     """The fields of a design as a form shows them, in the order of its file.
 
-    Frozen places have none: they are in a file of their own, and ``acoustic-fem fit`` writes them.
+    Frozen places are left out, because ``acoustic-fem fit`` writes them into a file of their own.
 
     Args:
         design: the design, whose lines, kinds and materials have fields each of their own.
