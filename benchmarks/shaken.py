@@ -163,7 +163,7 @@ def main() -> None:
         print(line, flush=True)
         lines.append(line)
     if given.write:
-        replace_section(PAGE, BEGIN, END, "\n".join(lines))
+        replace_section(PAGE, BEGIN, END, lines)
 
 
 if __name__ == "__main__":

@@ -174,7 +174,7 @@ def main() -> None:
     text = tables(fits, rows)
     print(text)
     if given.write:
-        replace_section(PAGE, BEGIN, END, text)
+        replace_section(PAGE, BEGIN, END, text.splitlines())
 
 
 def tables(fits: list[list[FittedRig]], rows: dict[tuple[str, bool], list[tuple[float, float, int]]]) -> str:
